@@ -15,7 +15,8 @@ list(TRANSFORM pn_real_meshes APPEND .off)
 
 function(pn_unpack_real_meshes)
   find_file(PN_CGAL_DATA_ARCHIVE data.tar.gz
-            PATHS /usr/share/doc/libcgal-dev /usr/share/doc/libcgal-demo NO_DEFAULT_PATH
+            PATHS /usr/share/doc/libcgal-dev ${PN_subdivision_3_SOURCE_DIR}/build/debian
+            NO_DEFAULT_PATH
             DOC "Archive with CGAL's data/meshes")
   if(NOT PN_CGAL_DATA_ARCHIVE)
     message(STATUS "PN_subdivision_3: CGAL's meshes not found, tests on them are skipped"

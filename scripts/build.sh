@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Configures build/release and builds it, or only the targets named.
+#
+#   scripts/build.sh [TARGET...]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+launcher=()
+if command -v ccache >/dev/null; then
+  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  export CCACHE_SLOPPINESS=pch_defines,time_macros # precompiled headers are cached only with these
+fi
+
+cmake --preset release "${launcher[@]}"
+targets=()
+if [[ $# -gt 0 ]]; then
+  targets=(--target "$@")
+fi
+cmake --build --preset release "${targets[@]}"

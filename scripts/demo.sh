@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Installs what is missing, builds in Release, subdivides the control meshes of data/ and draws them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/install_dependencies.sh --picture
+scripts/build.sh subdivide_control_meshes
+
+mkdir -p build/demo
+build/release/examples/PN_subdivision_3/subdivide_control_meshes data build/demo
+
+picture=build/demo/subdivided.png
+if scripts/render.py --output "$picture" build/demo/*.vtp; then
+  echo "Picture: $PWD/$picture"
+else
+  echo "No picture: scripts/render.py needs Python 3 with VTK and Xvfb" \
+       "(Debian packages python3-vtk9 and xvfb)." >&2
+fi
+echo "Meshes:  $PWD/build/demo (PLY and VTP)"

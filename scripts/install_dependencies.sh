@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
+#
+#   scripts/install_dependencies.sh [--picture]     --picture: also what scripts/render.py needs
+set -euo pipefail
+
+required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
+          libgtest-dev)
+optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libcgal-demo)
+if [[ ${1:-} == --picture ]]; then
+  optional+=(python3 python3-vtk9 xvfb xauth)
+fi
+
+cd "$(dirname "$0")/.."
+
+# The archive with CGAL's real meshes; lost where dpkg is told to leave out /usr/share/doc.
+mesh_archive=/usr/share/doc/libcgal-dev/data.tar.gz
+own_mesh_archive=build/debian/data.tar.gz
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  cat >&2 <<'TEXT'
+This system is not Debian, so nothing is installed here. What PN_subdivision_3 needs:
+  a C++17 compiler, CMake 3.21 or newer, Ninja, CGAL 5.5 or newer (with Boost, GMP and MPFR),
+  Eigen 3.3 or newer, GoogleTest
+and what it uses where it is found:
+  TBB (threads), CLI11 (the command pn_subdivide), Google Benchmark, OpenMesh (tests),
+  Python 3 with VTK (pictures)
+vcpkg.json names the same for vcpkg.
+TEXT
+  command -v cmake >/dev/null && command -v ninja >/dev/null && exit 0
+  echo "CMake or Ninja is missing: install the above and try again." >&2
+  exit 1
+fi
+
+missing_of() {
+  local package
+  for package in "$@"; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
+      echo "$package"
+  done
+}
+
+as_root=()
+if [[ $(id -u) != 0 ]]; then
+  as_root=(sudo)
+fi
+
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600 "$@"
+}
+
+install_packages() {
+  apt install --no-install-recommends "$@" >"$log" 2>&1
+}
+
+mapfile -t missing < <(missing_of "${required[@]}")
+mapfile -t missing_optional < <(missing_of "${optional[@]}")
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+if [[ ${#missing[@]} -gt 0 || ${#missing_optional[@]} -gt 0 ]]; then
+  if [[ $(id -u) != 0 ]] && ! command -v sudo >/dev/null; then
+    echo "Not installed: ${missing[*]} ${missing_optional[*]}" >&2
+    echo "There is no sudo. As root: apt-get install --no-install-recommends" \
+         "${missing[*]} ${missing_optional[*]}" >&2
+    [[ ${#missing[@]} -eq 0 ]] && exit 0
+    exit 1
+  fi
+  echo "Installing: ${missing[*]} ${missing_optional[*]}"
+  apt update >"$log" 2>&1 || echo "The package lists could not be updated; trying those at hand." >&2
+fi
+
+if [[ ${#missing[@]} -gt 0 ]] && ! install_packages "${missing[@]}"; then
+  tail -n 20 "$log" >&2
+  echo "These packages are needed and could not be installed: ${missing[*]}" >&2
+  exit 1
+fi
+if [[ ${#missing_optional[@]} -gt 0 ]] && ! install_packages "${missing_optional[@]}"; then
+  for package in "${missing_optional[@]}"; do # one by one: keep what can be had
+    install_packages "$package" ||
+      echo "$package could not be installed; what needs it is left out." >&2
+  done
+fi
+
+if [[ ! -e $mesh_archive && ! -e $own_mesh_archive ]]; then
+  mkdir -p "$(dirname "$own_mesh_archive")"
+  (
+    cd "$(dirname "$own_mesh_archive")"
+    apt-get -q download libcgal-demo >"$log" 2>&1 &&
+      dpkg-deb --fsys-tarfile libcgal-demo_*.deb | tar -xO ".$mesh_archive" >data.tar.gz.part &&
+      mv data.tar.gz.part data.tar.gz
+    rm -f libcgal-demo_*.deb data.tar.gz.part
+  )
+  [[ -e $own_mesh_archive ]] ||
+    echo "CGAL's meshes (package libcgal-demo) cannot be had; tests on them are skipped." >&2
+fi
