@@ -14,9 +14,9 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion
   ARCH_INDEPENDENT)
 
-install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT PN_subdivision_3)
 install(
   FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
         ${PROJECT_BINARY_DIR}/PN_subdivision_3ConfigVersion.cmake
         ${CMAKE_CURRENT_LIST_DIR}/PN_subdivision_3_dependencies.cmake
-  DESTINATION ${PN_config_dir})
+  DESTINATION ${PN_config_dir} COMPONENT PN_subdivision_3)

@@ -1,0 +1,10 @@
+# Target doc: the manual with plain Doxygen, into build/.../doc/html.
+find_package(Doxygen QUIET)
+if(NOT DOXYGEN_FOUND)
+  return()
+endif()
+set(CGAL_DOC_PACKAGE_DEFAULTS ${PROJECT_BINARY_DIR}/standalone.dxy)
+set(CGAL_DOC_VERSION ${CGAL_VERSION})
+configure_file(doc/PN_subdivision_3/standalone.dxy.in ${CGAL_DOC_PACKAGE_DEFAULTS} @ONLY)
+configure_file(doc/PN_subdivision_3/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile)
+add_custom_target(doc COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/Doxyfile VERBATIM)
