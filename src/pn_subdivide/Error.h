@@ -1,0 +1,30 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_ERROR_H
+#define PN_SUBDIVIDE_ERROR_H
+
+#include <stdexcept>
+
+namespace pn_subdivide {
+
+// What the process returns; documented in --help, so these numbers stay.
+enum Exit_code { exit_ok = 0, exit_failure = 1, exit_usage = 2, exit_tolerance = 3 };
+
+// Something is wrong with a file or with what is in it.
+struct Error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// Something is wrong with the command line itself.
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_ERROR_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_MESH_DATA_H
+#define PN_SUBDIVIDE_MESH_DATA_H
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pn_subdivide {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
+
+// A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
+// `normals` is empty or has one vector per point, zero where a point has no control normal.
+class Mesh_data
+{
+public:
+  using Index = std::uint32_t;
+  using Face = boost::iterator_range<const Index*>;
+  static constexpr std::size_t max_number_of_points = std::numeric_limits<Index>::max();
+
+  std::vector<Point_3> points;
+  std::vector<Vector_3> normals;
+
+  bool has_normals() const { return !normals.empty(); }
+  std::size_t number_of_faces() const { return m_face_end.size(); }
+  std::size_t number_of_corners() const { return m_corners.size(); }
+
+  Face face(std::size_t f) const
+  {
+    const std::size_t begin = f == 0 ? 0 : m_face_end[f - 1];
+    return Face(m_corners.data() + begin, m_corners.data() + m_face_end[f]);
+  }
+
+  template <class Index_range>
+  void add_face(const Index_range& vertices)
+  {
+    for (const auto& v : vertices) m_corners.push_back(static_cast<Index>(v));
+    m_face_end.push_back(m_corners.size());
+  }
+
+  void reserve_faces(std::size_t faces, std::size_t corners)
+  {
+    m_face_end.reserve(faces);
+    m_corners.reserve(corners);
+  }
+
+  void clear_faces()
+  {
+    m_corners.clear();
+    m_face_end.clear();
+  }
+
+private:
+  std::vector<Index> m_corners;        // the faces' vertices, one face after the other
+  std::vector<std::size_t> m_face_end; // where each face ends in `m_corners`
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_MESH_DATA_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_OUTPUT_FILE_H
+#define PN_SUBDIVIDE_OUTPUT_FILE_H
+
+#include <boost/endian/conversion.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace pn_subdivide {
+
+// Writes a file that appears as a whole, or not at all: everything goes into a temporary file in
+// the same folder, which `commit()` gives its name. Links are followed. Devices and pipes cannot be
+// replaced and are written to directly.
+class Output_file
+{
+public:
+  // Throws Error if it can be seen without touching anything that the file cannot be written.
+  static void check(const std::string& file);
+
+  // Throws Error if the file cannot be written.
+  explicit Output_file(const std::string& file);
+  ~Output_file();
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+
+  void text(std::string_view s);
+  void number(double x); // 17 significant digits
+  void number(std::uint64_t n);
+
+  template <class T>
+  void little_endian(T x)
+  {
+    unsigned char bytes[sizeof(T)];
+    boost::endian::endian_store<T, sizeof(T), boost::endian::order::little>(bytes, x);
+    text(std::string_view(reinterpret_cast<const char*>(bytes), sizeof(T)));
+  }
+
+  // Throws Error if anything did not reach the file; the old file is then still there.
+  void commit();
+
+private:
+  void open_temporary();
+  void flush();
+  void close();
+
+  std::filesystem::path m_target, m_temporary; // `m_temporary` is empty for devices
+  std::FILE* m_file = nullptr;
+  std::string m_buffer;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_OUTPUT_FILE_H

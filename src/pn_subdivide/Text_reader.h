@@ -1,0 +1,63 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_TEXT_READER_H
+#define PN_SUBDIVIDE_TEXT_READER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace pn_subdivide {
+
+// Reads the words of a text line by line, or running on over the lines, and knows where it is.
+// The text must outlive the reader.
+class Text_reader
+{
+public:
+  // What follows `comment_sign` in a line is skipped; '\0' if there are no comments.
+  Text_reader(const std::string& text, char comment_sign);
+
+  // Goes to the next line that is not blank; false at the end of the text.
+  bool next_line();
+  // The next word of the line; empty at its end.
+  std::string_view word();
+  // The next word of this line or of those that follow; empty at the end of the text.
+  std::string_view word_across_lines();
+  // What is left of the line, without blanks in front.
+  std::string_view rest_of_line();
+  // Is nothing left in this line?
+  bool at_end_of_line();
+  // How many words are left in this line?
+  std::size_t words_left() const;
+
+  // The next word of this line as a number; `what` names what is expected there.
+  double number(const char* what);
+  std::int64_t integer(const char* what);
+
+  // Of any word.
+  double to_number(std::string_view word, const char* what) const;
+  std::int64_t to_integer(std::string_view word, const char* what) const;
+
+  std::size_t line() const { return m_line; } // counted from 1
+  // Where the next line begins in the text.
+  std::size_t offset() const { return m_next; }
+
+  // Throws Error naming the line.
+  [[noreturn]] void fail(const std::string& what) const;
+
+private:
+  void skip_blanks();
+  std::string_view required_word(const char* what);
+
+  const std::string& m_text;
+  char m_comment_sign;
+  std::size_t m_pos = 0, m_end = 0, m_next = 0, m_line = 0;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_TEXT_READER_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_SURFACE_SCHEMES_H
+#define PN_SUBDIVIDE_SURFACE_SCHEMES_H
+
+#include "Mesh_data.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace pn_subdivide {
+
+struct Refinement
+{
+  unsigned levels = 1;
+  unsigned threads = 1;
+  std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
+};
+
+// Throws Usage_error if there is no such scheme.
+void require_surface_scheme(const std::string& name);
+
+// Throws Usage_error if this program was built without TBB and there is more than one thread.
+void require_threads(unsigned threads);
+
+// Refines with the scheme, point-normal if `mesh` has normals, linear if not. Old vertices come
+// first in the result, in their order. Passes on the library's exceptions.
+Mesh_data refine_surface(const Mesh_data& mesh, const std::string& scheme,
+                         const Refinement& refinement);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_SURFACE_SCHEMES_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "formats.h"
+#include "write_text.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pn_subdivide {
+namespace {
+
+// VTK's XML poly data. Binary data stand behind the XML part ("appended", "raw"): each array is its
+// number of bytes as UInt64 and then its values.
+class Vtp_writer
+{
+public:
+  Vtp_writer(Output_file& out, Encoding encoding)
+    : m_out(out)
+    , m_encoding(encoding)
+  {
+  }
+
+  void begin(std::size_t points, std::size_t polygons)
+  {
+    m_out.text("<?xml version=\"1.0\"?>\n"
+               "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\""
+               " header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"");
+    write_count(m_out, points);
+    m_out.text("\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"");
+    write_count(m_out, polygons);
+    m_out.text("\">\n");
+  }
+
+  void line(const char* xml)
+  {
+    m_out.text(xml);
+    m_out.text("\n");
+  }
+
+  template <class Triple>
+  void triples(const char* name, const std::vector<Triple>& values)
+  {
+    array_tag("Float64", name, 3, 24 * values.size(), [this, &values] {
+      for (const Triple& t : values)
+        for (int i = 0; i < 3; ++i) value<double>(t[i], i == 2);
+    });
+  }
+
+  // One number per face, or several: `put(f)` writes them.
+  void integers(const char* name, std::size_t number, std::function<void()> put)
+  {
+    array_tag("Int64", name, 1, 8 * number, std::move(put));
+  }
+
+  template <class T>
+  void value(T x, bool ends_line)
+  {
+    if (m_encoding == Encoding::binary) {
+      m_out.little_endian<T>(x);
+    } else {
+      text_value(x);
+      m_out.text(ends_line ? "\n" : " ");
+    }
+  }
+
+  void end()
+  {
+    m_out.text("</Piece>\n</PolyData>\n");
+    if (m_encoding == Encoding::binary) {
+      m_out.text("<AppendedData encoding=\"raw\">\n_");
+      for (const Appended& array : m_appended) {
+        m_out.little_endian<std::uint64_t>(array.bytes);
+        array.put();
+      }
+      m_out.text("\n</AppendedData>\n");
+    }
+    m_out.text("</VTKFile>\n");
+  }
+
+private:
+  struct Appended
+  {
+    std::uint64_t bytes;
+    std::function<void()> put;
+  };
+
+  void text_value(double x) { m_out.number(x); }
+  void text_value(std::int64_t n) { m_out.number(static_cast<std::uint64_t>(n)); }
+
+  void array_tag(const char* type, const char* name, std::size_t components, std::size_t bytes,
+                 std::function<void()> put)
+  {
+    m_out.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+               "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
+    if (m_encoding == Encoding::binary) {
+      m_out.text("appended\" offset=\"" + std::to_string(m_offset) + "\"/>\n");
+      m_offset += sizeof(std::uint64_t) + bytes;
+      m_appended.push_back({bytes, std::move(put)});
+    } else {
+      m_out.text("ascii\">\n");
+      put();
+      m_out.text("\n</DataArray>\n");
+    }
+  }
+
+  Output_file& m_out;
+  Encoding m_encoding;
+  std::uint64_t m_offset = 0;
+  std::vector<Appended> m_appended;
+};
+
+} // namespace
+
+void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
+{
+  const std::size_t faces = mesh.number_of_faces();
+  Vtp_writer vtp(out, encoding);
+  vtp.begin(mesh.points.size(), faces);
+  if (mesh.has_normals()) {
+    vtp.line("<PointData Normals=\"Normals\">");
+    vtp.triples("Normals", mesh.normals);
+    vtp.line("</PointData>");
+  }
+  vtp.line("<Points>");
+  vtp.triples("Points", mesh.points);
+  vtp.line("</Points>\n<Polys>");
+  vtp.integers("connectivity", mesh.number_of_corners(), [&] {
+    for (std::size_t f = 0; f < faces; ++f)
+      for (const Mesh_data::Index& v : mesh.face(f))
+        vtp.value<std::int64_t>(v, &v + 1 == mesh.face(f).end());
+  });
+  vtp.integers("offsets", faces, [&] {
+    std::int64_t end = 0;
+    for (std::size_t f = 0; f < faces; ++f) {
+      end += static_cast<std::int64_t>(mesh.face(f).size());
+      vtp.value<std::int64_t>(end, true);
+    }
+  });
+  vtp.line("</Polys>");
+  vtp.end();
+}
+
+} // namespace pn_subdivide
