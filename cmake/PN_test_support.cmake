@@ -1,7 +1,7 @@
 # pn_add_test(), the precompiled headers the tests share, real meshes, and headers compiled alone.
 
-set(PN_TEST_OPTIMIZATION "-O1" CACHE STRING
-    "Optimization level of the tests (empty: the one of the build type)")
+set(PN_TEST_OPTIMIZATION "" CACHE STRING
+    "Optimization level of the tests, -O0 for instance (empty: the one of the build type)")
 set(PN_TEST_EXTRA_MESH_DIR ${PN_subdivision_3_SOURCE_DIR}/../shared/data CACHE PATH
     "Folder with further control meshes for the tests (may be missing)")
 
