@@ -55,7 +55,7 @@ public:
 
   std::size_t bytes_left() const
   {
-    return m_content.size() - (m_format == Ply_format::ascii ? m_text.offset() : m_pos);
+    return m_content.size() - (m_format == Ply_format::ascii ? m_text.position() : m_pos);
   }
 
   // Is nothing but blanks left?

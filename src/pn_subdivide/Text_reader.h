@@ -43,7 +43,9 @@ public:
   std::int64_t to_integer(std::string_view word, const char* what) const;
 
   std::size_t line() const { return m_line; } // counted from 1
-  // Where the next line begins in the text.
+  // Where the next word is looked for in the text.
+  std::size_t position() const { return m_pos; }
+  // Where the next line begins.
   std::size_t offset() const { return m_next; }
 
   // Throws Error naming the line.
