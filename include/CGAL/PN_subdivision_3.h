@@ -1,0 +1,21 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_H
+#define CGAL_PN_SUBDIVISION_3_H
+
+/*!
+\file PN_subdivision_3.h
+Everything of the package but `PN_mask_3`, which needs the package `Subdivision_method_3`.
+*/
+
+#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
+
+#endif // CGAL_PN_SUBDIVISION_3_H

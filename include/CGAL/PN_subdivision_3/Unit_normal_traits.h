@@ -1,0 +1,122 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_UNIT_NORMAL_TRAITS_H
+#define CGAL_PN_SUBDIVISION_3_UNIT_NORMAL_TRAITS_H
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class FT>
+constexpr bool is_exact_v = CGAL::Algebraic_structure_traits<FT>::Is_exact::value;
+
+template <class FT>
+constexpr bool has_sqrt_v =
+    std::is_convertible_v<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category*,
+                          CGAL::Field_with_sqrt_tag*>;
+
+template <class FT, class = void>
+struct Has_default_precision : std::false_type
+{
+};
+template <class FT>
+struct Has_default_precision<FT, std::void_t<decltype(FT::get_default_precision())>>
+  : std::true_type
+{
+};
+
+template <class FT, class = void>
+struct Is_lazy : std::false_type
+{
+};
+template <class FT>
+struct Is_lazy<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> : std::true_type
+{
+};
+
+// The unit of relative precision: 0 for exact types.
+template <class FT>
+FT machine_epsilon()
+{
+  if constexpr (is_exact_v<FT>)
+    return FT(0);
+  else if constexpr (Has_default_precision<FT>::value) // Gmpfr, Gmpfi: no numeric_limits
+    return FT(std::ldexp(1.0, 1 - static_cast<int>(FT::get_default_precision())));
+  else if constexpr (std::numeric_limits<FT>::is_specialized &&
+                     !std::numeric_limits<FT>::is_integer && std::numeric_limits<FT>::digits > 0)
+    return FT(std::numeric_limits<FT>::epsilon());
+  else
+    return FT(std::numeric_limits<double>::epsilon());
+}
+
+// 1/sqrt(x) as a double converted to FT; its relative error is below 2^-48.
+template <class FT>
+FT approximate_inverse_sqrt(const FT& x)
+{
+  std::pair<double, double> i = CGAL::to_interval(x);
+  // to_double() of a lazy number may be far less precise than a double; its exact value is not
+  if constexpr (Is_lazy<FT>::value)
+    if (!(i.second - i.first <= i.first * std::ldexp(1.0, -50))) {
+      x.exact();
+      i = CGAL::to_interval(x);
+    }
+  return FT(1.0 / std::sqrt(i.first / 2 + i.second / 2));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Kernels
+
+How unit normals are made in the number type `FT`. Specialize it for a number type whose square root
+this template does not find.
+
+In a field with square root the length of a normal is rounded as `FT` rounds. In an exact field
+without square root (the number type of EPECK for instance) 1/|N| is a `double` with a relative
+error below 2<sup>-48</sup>: normals keep their exact direction and have unit length up to this
+error. All other operations of the package remain exact.
+
+\tparam FT a field
+*/
+template <class FT>
+struct Unit_normal_traits
+{
+  /// returns 1/sqrt(`squared_length`). \pre `squared_length > 0`
+  static FT inverse_length(const FT& squared_length)
+  {
+    if constexpr (internal::has_sqrt_v<FT>)
+      return FT(1) / FT(CGAL::sqrt(squared_length));
+    else
+      return internal::approximate_inverse_sqrt(squared_length);
+  }
+
+  /// a sum N of normals vanishes if |N| is at most this times the sum of the lengths:
+  /// 2<sup>12</sup> times the machine epsilon, 0 for exact types.
+  static FT vanishing_tolerance() { return FT(4096) * internal::machine_epsilon<FT>(); }
+
+  /// a normal counts as a unit vector if its squared length differs from 1 by at most this: 4 times
+  /// the machine epsilon; in exact types 0, or 2<sup>-46</sup> where normalization is approximate.
+  static FT unit_tolerance()
+  {
+    if constexpr (internal::is_exact_v<FT> && !internal::has_sqrt_v<FT>)
+      return FT(std::ldexp(1.0, -46));
+    else
+      return FT(4) * internal::machine_epsilon<FT>();
+  }
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_UNIT_NORMAL_TRAITS_H

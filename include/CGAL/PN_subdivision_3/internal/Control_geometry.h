@@ -1,0 +1,65 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CONTROL_GEOMETRY_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CONTROL_GEOMETRY_H
+
+#include <CGAL/PN_subdivision_3/PN_average.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class FT>
+bool is_finite_number(const FT& x)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::isfinite(x);
+  else
+    return CGAL::is_valid(x) && CGAL::is_finite(x);
+}
+
+template <class FT, class Point_or_vector>
+Coordinates<FT, 3> coordinates_3(const Point_or_vector& p)
+{
+  return {FT(p.x()), FT(p.y()), FT(p.z())};
+}
+
+template <class FT, int dimension, class Name>
+void check_finite(const Coordinates<FT, dimension>& x, const char* what, const Name& name)
+{
+  for (const FT& c : x)
+    if (!is_finite_number(c))
+      throw std::invalid_argument("PN_subdivision_3: the " + std::string(what) + " of " + name() +
+                                  " is not finite: give it finite coordinates");
+}
+
+// Normals of any length become unit vectors once; unit vectors and zero are taken as they are.
+template <class FT, int dimension>
+void normalize_control_normal(Coordinates<FT, dimension>& n)
+{
+  using Traits = Unit_normal_traits<FT>;
+  const FT squared_length = dot<FT, dimension>(n, n);
+  const FT tolerance = Traits::unit_tolerance();
+  if (squared_length >= FT(1) - tolerance && squared_length <= FT(1) + tolerance) return;
+  FT largest(0);
+  for (const FT& x : n) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
+  if (largest == FT(0)) return;
+  for (FT& x : n) x /= largest; // its square neither overflows nor underflows now
+  const FT inverse = Traits::inverse_length(dot<FT, dimension>(n, n));
+  for (FT& x : n) x *= inverse;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CONTROL_GEOMETRY_H

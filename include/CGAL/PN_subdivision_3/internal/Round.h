@@ -1,0 +1,98 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ROUND_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ROUND_H
+
+#include <CGAL/PN_subdivision_3/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
+#include <CGAL/Uncertain.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// One round of a scheme on a level: its host, its mask and the average of the rows.
+template <class Scheme, class Average>
+class Round
+{
+public:
+  using Index = Level_connectivity::Index;
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  using Host = typename Scheme::Host;
+
+  Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
+    : host_(level, number)
+    , mask_(scheme.template mask<FT>(level, number))
+    , size_(Host::refined_size(level.size(), number))
+    , number_(number)
+  {
+  }
+
+  const Level_size& refined_size() const { return size_; }
+  const Host& host() const { return host_; }
+
+  // computes the new vertices [begin, end) from the old values, and hands them to
+  // sink(first new vertex, values, how many) block by block
+  template <class Sink>
+  void evaluate(Index begin, Index end, const Value* old, const Sink& sink) const
+  {
+    Stencil<FT> rows;
+    std::array<Value, block_size_v<FT>> values;
+    const Block average{};
+    for (Index first = begin; first < end;) {
+      const Index n = std::min<Index>(end - first, block_size_v<FT>);
+      rows.clear();
+      for (Index i = 0; i < n; ++i) {
+        host_.stencil(mask_, first + i, rows);
+        rows.close_row();
+      }
+      evaluate_block(average, rows, old, values.data(), first);
+      sink(first, values.data(), n);
+      first += n;
+    }
+  }
+
+private:
+  using Block = typename Block_of<Average>::type;
+  using Mask = decltype(std::declval<const Scheme&>().template mask<FT>(
+      std::declval<const Level_connectivity&>(), 0u));
+
+  void evaluate_block(const Block& average, const Stencil<FT>& rows, const Value* old,
+                      Value* result, Index first) const
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      average(rows, old, result);
+    else
+      try {
+        average(rows, old, result);
+      } catch (const Uncertain_conversion_exception&) {
+        throw std::domain_error("PN_subdivision_3: the precision of the number type does not "
+                                "decide whether the normal of " +
+                                ("vertex " + std::to_string(first)) + " in round " +
+                                std::to_string(number_) +
+                                " vanishes or is opposite to a neighbor's: use a higher precision");
+      }
+  }
+
+  Host host_;
+  Mask mask_;
+  Level_size size_;
+  unsigned number_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ROUND_H

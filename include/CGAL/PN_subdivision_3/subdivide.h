@@ -1,0 +1,151 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
+#define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
+
+#include <CGAL/PN_subdivision_3/internal/Bgl_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/named_parameters.h>
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// calls f(access) with the access that fits the mesh
+template <class Mesh, class Function>
+void with_mesh_access(Mesh& mesh, const Function& f)
+{
+  Bgl_mesh_access<Mesh> access(mesh);
+  f(access);
+}
+
+template <class Mesh, class Function>
+void with_surface_mesh_access(Mesh& mesh, const Function& f)
+{
+  if (mesh.has_garbage()) {
+    Bgl_mesh_access<Mesh> access(mesh);
+    f(access);
+  } else {
+    Surface_mesh_access<Mesh> access(mesh);
+    f(access);
+  }
+}
+
+template <class Point, class Function>
+void with_mesh_access(Surface_mesh<Point>& mesh, const Function& f)
+{
+  with_surface_mesh_access(mesh, f);
+}
+
+template <class Point, class Function>
+void with_mesh_access(const Surface_mesh<Point>& mesh, const Function& f)
+{
+  with_surface_mesh_access(mesh, f);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal subdivision by any scheme to a polygon mesh.
+
+Points and unit control normals are refined together by the rule that `PN_average` documents. Points
+and normals sampled from a sphere, a circular cylinder or a circle stay on it up to rounding; where
+all control normals are equal or zero, the result is that of the linear scheme.
+
+The vertex normal map holds the control normals. A zero vector means "no control normal here";
+vectors of other lengths are normalized once. After the call it holds the refined normals. Without a
+vertex normal map, control normals are estimated as by `estimate_control_normals()` and dropped
+afterwards.
+
+<b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
+with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's
+on one of its halves; all property maps remain valid, and all other new elements have default
+values. A `Surface_mesh` that holds removed elements keeps its vertex indices; removed edges and
+faces are reused. For a `Polyhedron_3` call `normalize_border()` afterwards if you need it.
+
+<b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
+were. Beyond it is a property map of the user's whose `put()` throws also while old values are put
+back, and what such a map stores for vertices that exist no longer.
+
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
+  `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads. The
+maps of `Surface_mesh` are then written by several threads, other maps by one. \tparam PolygonMesh a
+model of `MutableFaceGraph` \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()`
+twin \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border; it may be empty, have several components and have
+  vertices without edges, which remain where they are
+\param scheme the scheme
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the number of rounds; 0 leaves the mesh untouched}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{`1`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with
+                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
+                   `geom_traits::Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_normal_map}
+    \cgalParamDescription{a property map with the control normals, which become the refined normals}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with
+                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
+                   `geom_traits::Vector_3` as value type}
+    \cgalParamDefault{estimated normals, which are dropped afterwards}
+    \cgalParamExtra{A linear scheme ignores it.}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class; its `FT` is the number type of
+all computations} \cgalParamType{a class model of `Kernel`} \cgalParamDefault{a \cgal Kernel deduced
+from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{visitor}
+    \cgalParamDescription{an object whose `round_done(unsigned k, std::size_t number_of_faces)` is
+                          called after the k-th round is computed; an exception of it cancels the
+                          subdivision}
+    \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}
+    \cgalParamDefault{no visitor}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
+joins several fans of faces, an edge without a face, broken connectivity), if a face is none that
+the scheme can refine, or if a point or normal is not finite. The message names the element. These
+checks do not depend on `NDEBUG`. \throws std::length_error if a round needs more elements than the
+index type of the mesh can number \throws std::domain_error if an interval number type leaves a
+comparison undecided
+
+\cost linear in the size of the output, in time and memory
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+void subdivide(PolygonMesh& mesh, const Scheme& scheme,
+               const NamedParameters& np = parameters::default_values())
+{
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  const unsigned iterations = Parameters::number_of_iterations(np);
+  if (iterations == 0) return;
+  internal::with_mesh_access(mesh, [&](auto& access) {
+    using Access = std::decay_t<decltype(access)>;
+    internal::Mesh_subdivision<Concurrency_tag, Access, Scheme, typename Parameters::FT,
+                               typename Parameters::Point_map, typename Parameters::Normal_map>
+        subdivision(access, scheme, Parameters::point_map(mesh, np), Parameters::normal_map(np));
+    auto visitor = Parameters::visitor(np);
+    subdivision(iterations, internal::unwrapped(visitor));
+  });
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
