@@ -44,8 +44,7 @@ int main()
   Mesh linear = mesh;
 
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  for (Mesh::Vertex_index v : mesh.vertices())
-    normals[v] = (mesh.point(v) - CGAL::ORIGIN) / radius;
+  for (Mesh::Vertex_index v : mesh.vertices()) normals[v] = (mesh.point(v) - CGAL::ORIGIN) / radius;
 
   const unsigned int rounds = 5;
   const auto point_normals = PN::make_point_normal_map(mesh.points(), normals);

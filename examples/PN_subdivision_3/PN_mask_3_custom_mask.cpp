@@ -3,8 +3,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// A mask of one's own, written for CGAL's PQQ() without a thought of normals, becomes a point-normal
-// mask. The control mesh is a box inscribed in an ellipsoid, with the ellipsoid's normals.
+// A mask of one's own, written for CGAL's PQQ() without a thought of normals, becomes a
+// point-normal mask. The control mesh is a box inscribed in an ellipsoid, with the ellipsoid's
+// normals.
 
 #include <CGAL/PN_subdivision_3/PN_mask_3.h>
 
@@ -48,8 +49,8 @@ public:
 
   void edge_node(halfedge_descriptor h, Node& node) const
   {
-    const Node faces = CGAL::midpoint(centroid(face(h, *graph_)),
-                                      centroid(face(opposite(h, *graph_), *graph_)));
+    const Node faces =
+        CGAL::midpoint(centroid(face(h, *graph_)), centroid(face(opposite(h, *graph_), *graph_)));
     node = CGAL::barycenter(edge_midpoint(h), 1 - pull_, faces, pull_);
   }
 
