@@ -1,0 +1,162 @@
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""What is drawn of a mesh: its surface, edges, normals, lone vertices, colours."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
+                                         vtkProperty)
+
+from .files import averaged_normals, normals_of, points_of, set_normals, vertices_without_face
+
+OUTSIDE, INSIDE = (0.62, 0.71, 0.82), (0.93, 0.62, 0.32)
+EDGE, CONTROL, NEEDLE = (0.15, 0.2, 0.3), (0.75, 0.1, 0.1), (0.1, 0.5, 0.2)
+BLUE, WHITE, RED = (0.10, 0.25, 0.75), (0.95, 0.95, 0.95), (0.75, 0.10, 0.10)
+
+
+def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
+            limit: float) -> vtkActor:
+    mapper = vtkPolyDataMapper()
+    shown = _with_normals(mesh, shading)
+    mapper.SetInputData(shown)
+    if scalars:
+        mapper.SetLookupTable(_colours(limit))
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray(scalars)
+        mapper.InterpolateScalarsBeforeMappingOff()
+    else:
+        mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    for colour, inside in ((OUTSIDE, False), (INSIDE, True)):
+        style = vtkProperty()
+        style.SetColor(*colour)
+        style.SetSpecular(0.25)
+        style.SetSpecularPower(30)
+        style.SetEdgeVisibility(edges)
+        style.SetEdgeColor(*EDGE)
+        if normals_of(shown) is None:
+            style.SetInterpolationToFlat()
+        else:
+            style.SetInterpolationToPhong()
+        if inside:
+            actor.SetBackfaceProperty(style)
+        else:
+            actor.SetProperty(style)
+    return actor
+
+
+def _with_normals(mesh: vtkPolyData, shading: str) -> vtkPolyData:
+    """With the normals that the shading asks for; averages of the faces' where they are missing."""
+    given = normals_of(mesh)
+    result = vtkPolyData()
+    result.ShallowCopy(mesh)
+    if shading == "flat" or (shading == "auto" and given is None):
+        result.GetPointData().SetNormals(None)
+        return result
+    averaged = averaged_normals(mesh)
+    if given is not None:
+        missing = ~given.any(axis=1)
+        averaged = np.where(missing[:, None], averaged, given)
+    set_normals(result, averaged)
+    return result
+
+
+def control_edges(mesh: vtkPolyData) -> vtkActor:
+    extract = vtkExtractEdges()
+    extract.SetInputData(mesh)
+    extract.Update()
+    return _lines_and_dots(extract.GetOutput(), CONTROL, 1.6)
+
+
+def normal_needles(mesh: vtkPolyData) -> vtkActor:
+    normals, points = normals_of(mesh), points_of(mesh)
+    if normals is None:
+        return vtkActor()
+    given = normals.any(axis=1)
+    size = np.linalg.norm(np.ptp(points, axis=0)) * 0.05
+    starts = points[given]
+    ends = starts + size * normals[given]
+    return _lines_and_dots(_segments(starts, ends), NEEDLE, 1.5)
+
+
+def _segments(starts: np.ndarray, ends: np.ndarray) -> vtkPolyData:
+    result, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(np.concatenate([starts, ends]), deep=True))
+    for i in range(len(starts)):
+        lines.InsertNextCell(2, (i, len(starts) + i))
+    result.SetPoints(points)
+    result.SetLines(lines)
+    return result
+
+
+def lone_vertices(mesh: vtkPolyData) -> vtkActor:
+    lone = vertices_without_face(mesh)
+    dots, cells = vtkPolyData(), vtkCellArray()
+    for v in lone:
+        cells.InsertNextCell(1, (int(v),))
+    dots.SetPoints(mesh.GetPoints())
+    dots.SetVerts(cells)
+    actor = _lines_and_dots(dots, CONTROL, 1.0)
+    actor.GetProperty().SetPointSize(6)
+    return actor
+
+
+def _lines_and_dots(data: vtkPolyData, colour: tuple[float, float, float],
+                    width: float) -> vtkActor:
+    data.GetPointData().Initialize()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -2.0)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    style = actor.GetProperty()
+    style.SetColor(*colour)
+    style.SetLineWidth(width)
+    style.LightingOff()
+    return actor
+
+
+def scalar_limit(meshes: list[vtkPolyData], name: str, wanted: float | None) -> float:
+    """The value at the ends of the colours, one for all tiles."""
+    values = [mesh.GetPointData().GetArray(name) for mesh in meshes]
+    if any(v is None for v in values):
+        raise ValueError(f"not every mesh has a vertex array '{name}'")
+    every = np.abs(np.concatenate([vtk_to_numpy(v) for v in values]))
+    return wanted or float(np.percentile(every, 98)) or 1.0
+
+
+def _colours(limit: float) -> vtkColorTransferFunction:
+    table = vtkColorTransferFunction()
+    table.SetColorSpaceToLab()
+    for value, colour in ((-limit, BLUE), (0.0, WHITE), (limit, RED)):
+        table.AddRGBPoint(value, *colour)
+    return table
+
+
+def colour_bar(title: str, limit: float, font_size: int) -> vtkScalarBarActor:
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(_colours(limit))
+    bar.SetTitle(title)
+    bar.SetNumberOfLabels(3)
+    bar.SetLabelFormat("%.3g")
+    bar.UnconstrainedFontSizeOn()
+    bar.SetPosition(0.87, 0.25)
+    bar.SetWidth(0.12)
+    bar.SetHeight(0.5)
+    for style in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        style.SetColor(0.1, 0.1, 0.1)
+        style.SetFontSize(font_size)
+        style.ShadowOff()
+        style.ItalicOff()
+        style.BoldOff()
+    return bar

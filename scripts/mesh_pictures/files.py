@@ -1,0 +1,108 @@
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Mesh files as vtkPolyData."""
+
+from pathlib import Path
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
+from vtkmodules.vtkIOGeometry import vtkOBJReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".vtp": vtkXMLPolyDataReader}
+
+
+def read_mesh(path: Path) -> vtkPolyData:
+    suffix = path.suffix.lower()
+    if suffix == ".off":
+        try:
+            mesh = _read_off(path)
+        except (ValueError, IndexError) as error:
+            raise ValueError(f"{path}: not a complete OFF file") from error
+    elif suffix in READERS:
+        reader = READERS[suffix]()
+        reader.SetFileName(str(path))
+        reader.Update()
+        mesh = reader.GetOutput()
+        if suffix == ".obj" and normals_of(mesh) is None:
+            mesh = _without_seams(mesh)
+    else:
+        raise ValueError(f"{path}: only .ply, .off, .obj and .vtp can be drawn")
+    if mesh.GetNumberOfPoints() == 0:
+        raise ValueError(f"{path}: holds no mesh")
+    return mesh
+
+
+def _read_off(path: Path) -> vtkPolyData:
+    """OFF and NOFF; colours behind the faces are skipped."""
+    lines = [line.split("#")[0].split() for line in path.read_text().splitlines()]
+    lines = [line for line in lines if line]
+    kind = lines[0].pop(0) if lines else ""
+    if kind not in ("OFF", "NOFF"):
+        raise ValueError("no header")
+    lines = lines if lines[0] else lines[1:]
+    vertices, faces = int(lines[0][0]), int(lines[0][1])
+    if len(lines) <= vertices + faces:
+        raise ValueError("truncated")
+    rows = np.array([line[:6 if kind == "NOFF" else 3] for line in lines[1:vertices + 1]], float)
+    mesh = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(rows[:, :3].copy(), deep=True))
+    mesh.SetPoints(points)
+    cells = vtkCellArray()
+    for line in lines[vertices + 1:vertices + faces + 1]:
+        corners = [int(v) for v in line[1:int(line[0]) + 1]]
+        cells.InsertNextCell(len(corners), corners)
+    mesh.SetPolys(cells)
+    if kind == "NOFF":
+        set_normals(mesh, rows[:, 3:6])
+    return mesh
+
+
+def _without_seams(mesh: vtkPolyData) -> vtkPolyData:
+    """VTK's OBJ reader doubles points where texture coordinates differ; this joins them again."""
+    mesh.GetPointData().Initialize()
+    join = vtkCleanPolyData()
+    join.SetInputData(mesh)
+    join.SetTolerance(0.0)
+    join.Update()
+    return join.GetOutput()
+
+
+def points_of(mesh: vtkPolyData) -> np.ndarray:
+    return vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+
+
+def normals_of(mesh: vtkPolyData) -> np.ndarray | None:
+    normals = mesh.GetPointData().GetNormals()
+    return None if normals is None else vtk_to_numpy(normals).astype(float)
+
+
+def set_normals(mesh: vtkPolyData, normals: np.ndarray) -> None:
+    array = numpy_to_vtk(normals.copy(), deep=True)
+    array.SetName("Normals")
+    mesh.GetPointData().SetNormals(array)
+
+
+def averaged_normals(mesh: vtkPolyData) -> np.ndarray:
+    """Vertex normals from the faces."""
+    bare = vtkPolyData()
+    bare.SetPoints(mesh.GetPoints())
+    bare.SetPolys(mesh.GetPolys())
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(bare)
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals_of(normals.GetOutput())
+
+
+def vertices_without_face(mesh: vtkPolyData) -> np.ndarray:
+    used = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+    return np.setdiff1d(np.arange(mesh.GetNumberOfPoints()), used)

@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Draws meshes (PLY, OFF, OBJ, VTP) side by side into one PNG, without a screen.
+
+Needs the Debian packages python3-vtk9, python3-numpy and xvfb (--no-install-recommends is enough).
+
+  scripts/render.py -o sheet.png data/*.ply
+  scripts/render.py -o pn.png --control data/creature.obj out/creature_5.ply
+
+Meshes with normals are shaded smoothly, others flat; insides (seen from behind) are orange, and
+vertices without a face are dots.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+WORKER = "PN_SUBDIVISION_RENDER_WORKER"
+VIEWS = {"front": (0, 0), "right": (90, 0), "back": (180, 0), "left": (-90, 0),
+         "top": (0, 90), "bottom": (0, -90)}
+
+
+def parse_arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("meshes", nargs="+", type=Path)
+    parser.add_argument("-o", "--output", type=Path, required=True, help="the PNG file")
+    parser.add_argument("--view", default="auto", metavar="VIEW",
+                        help=f"auto (three-quarter), {', '.join(VIEWS)}, or AZIMUTH,ELEVATION in "
+                             "degrees from the front, which looks along +y (write --view=-35,20)")
+    parser.add_argument("--up", choices="xyz", default="z", help="the upward axis (default: z)")
+    parser.add_argument("--same-view", action="store_true",
+                        help="the first mesh's view and scale for all")
+    parser.add_argument("--shading", choices=("auto", "smooth", "flat"), default="auto")
+    parser.add_argument("--edges", action="store_true", help="draw the edges of the faces")
+    parser.add_argument("--normals", action="store_true", help="draw the vertex normals")
+    parser.add_argument("--control", type=Path, action="append", default=[], metavar="MESH",
+                        help="draw this mesh's edges over it; once for all, or once per mesh")
+    parser.add_argument("--scalars", metavar="NAME",
+                        help="colour by this vertex array of VTP files, symmetric about 0")
+    parser.add_argument("--range", type=float, metavar="MAX",
+                        help="the scalar at the ends of the colours (default: 98th percentile)")
+    parser.add_argument("--caption", action="append", default=[], metavar="TEXT",
+                        help="once per mesh (default: file name and number of faces)")
+    parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")
+    parser.add_argument("--tile", type=int, default=480, help="pixels of a tile's side")
+    arguments = parser.parse_args()
+    check_arguments(parser, arguments)
+    return arguments
+
+
+def check_arguments(parser: argparse.ArgumentParser, arguments: argparse.Namespace) -> None:
+    count = len(arguments.meshes)
+    if len(arguments.control) not in (0, 1, count):
+        parser.error("give --control once, or once per mesh")
+    if len(arguments.caption) not in (0, count):
+        parser.error("give --caption once per mesh")
+    if arguments.tile < 16 or (arguments.columns is not None and arguments.columns < 1):
+        parser.error("--tile must be at least 16, --columns at least 1")
+    try:
+        view_angles(arguments.view)
+    except ValueError:
+        parser.error(f"--view: '{arguments.view}' is neither a name nor AZIMUTH,ELEVATION")
+    for path in arguments.meshes + arguments.control:
+        if not path.is_file():
+            parser.error(f"{path}: no such file")
+
+
+def view_angles(view: str) -> tuple[float, float] | None:
+    if view == "auto":
+        return None
+    if view in VIEWS:
+        return VIEWS[view]
+    azimuth, elevation = map(float, view.split(","))
+    return azimuth, elevation
+
+
+def run_under_xvfb() -> int:
+    """Runs this script again, with Debian's Python, on a virtual screen of its own."""
+    read_end, write_end = os.pipe()
+    try:
+        server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x1024x24",
+             "-nolisten", "tcp"],
+            pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    except FileNotFoundError:
+        sys.exit("render.py: Xvfb is missing; install the package xvfb")
+    os.close(write_end)
+    try:
+        with os.fdopen(read_end) as pipe:
+            display = pipe.readline().strip()
+        if not display:
+            sys.exit("render.py: Xvfb did not start")
+        environment = os.environ | {"DISPLAY": f":{display}", WORKER: "1"}
+        command = ["/usr/bin/python3", __file__, *sys.argv[1:]]
+        return subprocess.run(command, env=environment).returncode
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def main() -> int:
+    arguments = parse_arguments()
+    if WORKER not in os.environ:
+        return run_under_xvfb()
+    try:
+        from mesh_pictures import sheet
+    except ImportError as error:
+        sys.exit(f"render.py: {error}; install the packages python3-vtk9 and python3-numpy")
+    try:
+        sheet.draw(arguments, view_angles(arguments.view))
+    except ValueError as error:
+        sys.exit(f"render.py: {error}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
