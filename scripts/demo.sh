@@ -14,8 +14,17 @@ scripts/build.sh subdivide_control_meshes
 mkdir -p build/demo
 build/release/examples/PN_subdivision_3/subdivide_control_meshes data build/demo
 
+# each result with the edges of its control mesh
 picture=build/demo/subdivided.png
-if scripts/render.py --output "$picture" build/demo/*.vtp; then
+meshes=(build/demo/*.vtp)
+controls=()
+for mesh in "${meshes[@]}"; do
+  for control in data/"$(basename "$mesh" .vtp)".*; do
+    [[ -e $control ]] && controls+=(--control "$control")
+  done
+done
+[[ ${#controls[@]} -eq $((2 * ${#meshes[@]})) ]] || controls=()
+if scripts/render.py --output "$picture" "${controls[@]}" "${meshes[@]}"; then
   echo "Picture: $PWD/$picture"
 else
   echo "No picture: scripts/render.py needs Python 3 with VTK and Xvfb" \

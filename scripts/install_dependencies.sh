@@ -11,9 +11,9 @@ set -euo pipefail
 
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
           libgtest-dev)
-optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libcgal-demo)
+optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libcgal-demo python3)
 if [[ ${1:-} == --picture ]]; then
-  optional+=(python3 python3-vtk9 xvfb xauth)
+  optional+=(python3-vtk9 python3-numpy xvfb xauth)
 fi
 
 cd "$(dirname "$0")/.."
@@ -29,7 +29,7 @@ This system is not Debian, so nothing is installed here. What PN_subdivision_3 n
   Eigen 3.3 or newer, GoogleTest
 and what it uses where it is found:
   TBB (threads), CLI11 (the command pn_subdivide), Google Benchmark, OpenMesh (tests),
-  Python 3 with VTK (pictures)
+  Python 3.11 or newer (a test of data/), with VTK and NumPy (pictures)
 vcpkg.json names the same for vcpkg.
 TEXT
   command -v cmake >/dev/null && command -v ninja >/dev/null && exit 0
