@@ -47,15 +47,8 @@ public:
     if (level_.is_isolated(v)) return s.add(v, FT(1));
     const Index h = level_.halfedge_of_vertex(v);
     if (level_.is_border(h)) return border_vertex(h, s);
-    Index n = 0;
-    bool quads = true;
-    Index g = h;
-    do {
-      ++n;
-      quads = quads && level_.has_degree(g, 4);
-      g = level_.next_around_target(g);
-    } while (g != h);
-    if (!quads) return vertex_among_polygons(h, n, s);
+    const Index n = level_.valence(v);
+    if (!is_among_quads(h)) return vertex_among_polygons(h, n, s);
     if (n == 4) {
       ring_of_quads(h, three_32nds_, one_64th_, s);
       s.add(v, nine_16ths_);
@@ -74,11 +67,11 @@ public:
     if (level_.is_border(h) || level_.is_border(o)) {
       s.add(level_.target(o), half_);
       s.add(level_.target(h), half_);
-    } else if (level_.has_degree(h, 4) && level_.has_degree(o, 4)) {
+    } else if (is_quad(h) && is_quad(o)) {
       s.add(level_.target(o), three_8ths_);
       s.add(level_.target(h), three_8ths_);
-      other_corners(h, one_16th_, s);
-      other_corners(o, one_16th_, s);
+      other_corners_of_quad(h, s);
+      other_corners_of_quad(o, s);
     } else
       edge_among_polygons(h, o, s);
   }
@@ -87,7 +80,7 @@ public:
   void face(Index f, Stencil& s) const
   {
     const Index h = level_.halfedge_of_face(f);
-    if (level_.has_degree(h, 4)) {
+    if (is_quad(h)) {
       Index g = h;
       for (int i = 0; i < 4; ++i, g = level_.next(g)) s.add(level_.target(g), quarter_);
       return;
@@ -98,6 +91,19 @@ public:
   }
 
 private:
+  bool is_quad(Index h) const { return level_.uniform_degree() == 4 || level_.has_degree(h, 4); }
+
+  bool is_among_quads(Index h) const
+  {
+    if (level_.uniform_degree() == 4) return true;
+    Index g = h;
+    do {
+      if (!level_.has_degree(g, 4)) return false;
+      g = level_.next_around_target(g);
+    } while (g != h);
+    return true;
+  }
+
   template <class Stencil>
   void border_vertex(Index border, Stencil& s) const
   {
@@ -145,6 +151,14 @@ private:
     other_corners(o, w2, s);
     s.add(level_.target(o), quarter_ + w1 + w2);
     s.add_rest(level_.target(h));
+  }
+
+  template <class Stencil>
+  void other_corners_of_quad(Index h, Stencil& s) const
+  {
+    const Index g = level_.next(h);
+    s.add(level_.target(g), one_16th_);
+    s.add(level_.target(level_.next(g)), one_16th_);
   }
 
   // The corners of the face of `h` that are not ends of `h`.

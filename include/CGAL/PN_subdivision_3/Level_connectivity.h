@@ -67,6 +67,8 @@ public:
   Index number_of_halfedges() const { return static_cast<Index>(size_.halfedges()); }
   Index number_of_faces() const { return static_cast<Index>(size_.faces); }
   bool has_border() const { return size_.border_halfedges() != 0; }
+  /// the degree of all faces, 0 if they differ.
+  Index uniform_degree() const { return uniform_degree_; }
   /// @}
 
   /// \name Navigation
@@ -151,12 +153,14 @@ public:
   void set_isolated(Index v) { halfedge_of_vertex_[v] = null; }
   void set_halfedge_of_face(Index f, Index h) { halfedge_of_face_[f] = h; }
   void set_number_of_corners(std::uint64_t n) { size_.corners = n; }
+  void set_uniform_degree(Index m) { uniform_degree_ = m; }
   /// @}
 
 private:
   using Array = boost::container::vector<Index>;
 
   Level_size size_;
+  Index uniform_degree_ = 0;
   Array target_, next_, face_;
   Array halfedge_of_vertex_, halfedge_of_face_;
 };

@@ -33,6 +33,9 @@ class PQQ_host
 public:
   using Index = Level_connectivity::Index;
 
+  /// the degree of all refined faces.
+  static constexpr Index refined_degree = 4;
+
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
     return {s.vertices + s.edges + s.faces, s.halfedges() + s.corners, s.corners, 4 * s.corners};
@@ -47,7 +50,7 @@ public:
   PQQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
   {
-    if (level.size().corners == 4 * level.size().faces) return;
+    if (level.uniform_degree() == 4) return;
     first_corner_.resize(level.number_of_faces(), boost::container::default_init);
     Index corner = 0;
     for (Index f = 0; f < level.number_of_faces(); ++f) {

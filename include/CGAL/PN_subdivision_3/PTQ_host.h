@@ -19,6 +19,7 @@ namespace internal {
 template <class Element_names>
 void check_triangles(const Level_connectivity& level, const Element_names& names)
 {
+  if (level.uniform_degree() == 3) return;
   for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f) {
     const auto h = level.halfedge_of_face(f);
     if (!level.has_degree(h, 3))
@@ -45,6 +46,9 @@ class PTQ_host
 {
 public:
   using Index = Level_connectivity::Index;
+
+  /// the degree of all refined faces.
+  static constexpr Index refined_degree = 3;
 
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {

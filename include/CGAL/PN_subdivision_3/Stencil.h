@@ -6,10 +6,14 @@
 #ifndef CGAL_PN_SUBDIVISION_3_STENCIL_H
 #define CGAL_PN_SUBDIVISION_3_STENCIL_H
 
-#include <boost/container/small_vector.hpp>
+#include <boost/config.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -41,7 +45,13 @@ public:
   /// @{
 
   /// adds the entry (`vertex`, `weight`) to the row.
-  void add(Index vertex, const FT& weight) { entries_.push_back(Entry{vertex, weight}); }
+  BOOST_FORCEINLINE void add(Index vertex, const FT& weight)
+  {
+    if (size_ == capacity_) grow();
+    entries_[size_].vertex = vertex;
+    entries_[size_].weight = weight;
+    ++size_;
+  }
 
   /// adds `vertex` with the weight that the row misses to 1.
   ///
@@ -50,46 +60,59 @@ public:
   void add_rest(Index vertex)
   {
     FT sum(0);
-    for (const Entry* e = entries_.data() + row_begin(); e != entries_.data() + entries_.size();
-         ++e)
-      sum += e->weight;
+    for (std::size_t i = row_begin(); i < size_; ++i) sum += entries_[i].weight;
     add(vertex, FT(1) - sum);
   }
   /// @}
 
   /// \name Rows
   /// @{
+
+  /// the most rows that a stencil holds.
+  static constexpr std::size_t maximum_number_of_rows = 32;
+
+  /// ends the row. \pre `number_of_rows() < maximum_number_of_rows`
   void close_row()
   {
-    const std::size_t length = entries_.size() - row_begin();
-    if (ends_.empty())
+    const std::size_t length = size_ - row_begin();
+    if (rows_ == 0)
       uniform_length_ = length;
     else if (length != uniform_length_)
       uniform_length_ = 0;
-    ends_.push_back(entries_.size());
+    ends_[rows_++] = size_;
   }
   void clear()
   {
-    entries_.clear();
-    ends_.clear();
+    size_ = rows_ = 0;
     uniform_length_ = 0;
   }
-  std::size_t number_of_rows() const { return ends_.size(); }
+  std::size_t number_of_rows() const { return rows_; }
   const Entry* begin(std::size_t row) const
   {
-    return entries_.data() + (row == 0 ? 0 : ends_[row - 1]);
+    return entries_.get() + (row == 0 ? 0 : ends_[row - 1]);
   }
-  const Entry* end(std::size_t row) const { return entries_.data() + ends_[row]; }
+  const Entry* end(std::size_t row) const { return entries_.get() + ends_[row]; }
   /// the length of every row if all rows are equally long, 0 otherwise.
   std::size_t uniform_length() const { return uniform_length_; }
   /// @}
 
 private:
-  std::size_t row_begin() const { return ends_.empty() ? 0 : ends_.back(); }
+  std::size_t row_begin() const { return rows_ == 0 ? 0 : ends_[rows_ - 1]; }
 
-  boost::container::small_vector<Entry, 320> entries_;
-  boost::container::small_vector<std::size_t, 32> ends_;
+  BOOST_NOINLINE void grow()
+  {
+    std::unique_ptr<Entry[]> larger(new Entry[2 * capacity_]);
+    std::move(entries_.get(), entries_.get() + size_, larger.get());
+    entries_ = std::move(larger);
+    capacity_ *= 2;
+  }
+
+  std::size_t capacity_ = 512;
+  std::unique_ptr<Entry[]> entries_{new Entry[capacity_]};
+  std::size_t size_ = 0;
+  std::size_t rows_ = 0;
   std::size_t uniform_length_ = 0;
+  std::array<std::size_t, maximum_number_of_rows> ends_;
 };
 
 } // namespace PN_subdivision_3

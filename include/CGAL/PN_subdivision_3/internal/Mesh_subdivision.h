@@ -154,6 +154,7 @@ private:
   {
     const One_round round(scheme_, level_, k);
     Level_connectivity child(round.refined_size());
+    child.set_uniform_degree(Scheme::Host::refined_degree);
     round.host().connect(child, for_chunks_);
     Values refined(round.refined_size().vertices, boost::container::default_init);
     evaluate(round, 0, child.number_of_vertices(), refined);

@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/PN_average.h>
 #include <CGAL/PN_subdivision_3/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/Lanes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,29 +99,29 @@ private:
   using Vector = Coordinates<FT, dimension>;
   using Entry = typename Stencil<FT>::Entry;
 
-  // Row r of a block; the length is known at compile time unless it is 0.
-  template <std::size_t length>
+  // The rows of a block; their length is known at compile time unless it is 0.
+  template <std::size_t uniform_length>
   struct Row
   {
     explicit Row(const Stencil<FT>& s)
       : rows(s)
       , first(s.begin(0))
-    {
-    }
+    {}
     const Entry* begin(std::size_t r) const
     {
-      if constexpr (length == 0)
+      if constexpr (uniform_length == 0)
         return rows.begin(r);
       else
-        return first + r * length;
+        return first + r * uniform_length;
     }
-    const Entry* end(std::size_t r) const
+    std::size_t length(std::size_t r) const
     {
-      if constexpr (length == 0)
-        return rows.end(r);
+      if constexpr (uniform_length == 0)
+        return static_cast<std::size_t>(rows.end(r) - rows.begin(r));
       else
-        return first + (r + 1) * length;
+        return uniform_length;
     }
+    const Entry* end(std::size_t r) const { return begin(r) + length(r); }
     const Stencil<FT>& rows;
     const Entry* first;
   };
@@ -131,26 +132,23 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Value* old,
-                     Value* result)
+  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Value* old, Value* result)
   {
     const std::size_t size = rows.rows.number_of_rows();
-    bool careful[capacity];
     FT length[capacity];
-    for (std::size_t r = 0; r < size; ++r) sum_row(rows, normal_rows, r, old, result[r]);
-    for (std::size_t r = 0; r < size; ++r) {
-      const FT squared = dot<FT, dimension>(result[r].normal, result[r].normal);
-      // a length of 1/4 is far from vanishing for any mask that is of use
-      careful[r] = !(squared > FT(1) / FT(16));
-      length[r] = squared;
-    }
+    bool careful[capacity];
+    for (std::size_t r = 0; r < size; ++r) result[r] = sums(rows, normal_rows, r, old);
+    for (std::size_t r = 0; r < size; ++r)
+      length[r] = dot<FT, dimension>(result[r].normal, result[r].normal);
+    // a length of 1/4 is far from vanishing for any mask that is of use
+    for (std::size_t r = 0; r < size; ++r) careful[r] = !(length[r] > FT(1) / FT(16));
     for (std::size_t r = 0; r < size; ++r) length[r] = std::sqrt(length[r]);
     for (std::size_t r = 0; r < size; ++r)
       for (int c = 0; c < dimension; ++c) result[r].normal[c] /= length[r];
     for (std::size_t r = 0; r < size; ++r) {
       FT least_denominator(2);
       const FT h = height(rows, r, old, result[r], least_denominator);
-      careful[r] = careful[r] || !(least_denominator >= fade_begin<FT>());
+      if (!(least_denominator >= fade_begin<FT>())) careful[r] = true;
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
     }
     for (std::size_t r = 0; r < size; ++r)
@@ -159,49 +157,78 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static void sum_row(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
-                      const Value* old, Value& result)
+  static Value sums(const Rows& rows,
+                    const Normal_rows& normal_rows,
+                    std::size_t r,
+                    const Value* old)
   {
     Value sum;
     sum.point.fill(FT(0));
     sum.normal.fill(FT(0));
-    const Entry* const end = rows.end(r);
-    for (const Entry* e = rows.begin(r); e != end; ++e) {
-      const Value& pj = old[e->vertex];
-      add_multiple<FT, dimension>(sum.point, e->weight, pj.point);
-      if (&rows.rows == &normal_rows.rows)
-        add_multiple<FT, dimension>(sum.normal, e->weight, pj.normal);
+    const Entry* const e = rows.begin(r);
+    if (&rows.rows == &normal_rows.rows) {
+      for (std::size_t j = 0; j < rows.length(r); ++j) {
+        add_multiple<FT, dimension>(sum.point, e[j].weight, old[e[j].vertex].point);
+        add_multiple<FT, dimension>(sum.normal, e[j].weight, old[e[j].vertex].normal);
+      }
+      return sum;
     }
-    if (&rows.rows != &normal_rows.rows) {
-      const Entry* const normal_end = normal_rows.end(r);
-      for (const Entry* e = normal_rows.begin(r); e != normal_end; ++e)
-        add_multiple<FT, dimension>(sum.normal, e->weight, old[e->vertex].normal);
-    }
-    result = sum;
-  }
-
-  template <class Rows>
-  static FT height(const Rows& rows, std::size_t r, const Value* old, const Value& result,
-                   FT& least_denominator)
-  {
-    const Value local = result;
-    FT sum(0), least(2);
-    const Entry* const end = rows.end(r);
-    for (const Entry* e = rows.begin(r); e != end; ++e) {
-      const auto h = pn_height<FT, dimension>(old[e->vertex], local.point, local.normal);
-      least = std::min(least, h.denominator);
-      sum += e->weight * (h.numerator / h.denominator);
-    }
-    least_denominator = least;
+    for (std::size_t j = 0; j < rows.length(r); ++j)
+      add_multiple<FT, dimension>(sum.point, e[j].weight, old[e[j].vertex].point);
+    const Entry* const m = normal_rows.begin(r);
+    for (std::size_t j = 0; j < normal_rows.length(r); ++j)
+      add_multiple<FT, dimension>(sum.normal, m[j].weight, old[m[j].vertex].normal);
     return sum;
   }
 
+  // Two entries at a time; the order of the sums depends on nothing but the row.
+  template <class Rows>
+  static FT height(
+    const Rows& rows, std::size_t r, const Value* old, const Value& result, FT& least_denominator)
+  {
+    using Two = Lanes<FT>;
+    Two point[dimension], normal[dimension];
+    for (int c = 0; c < dimension; ++c) {
+      point[c] = Two::both(result.point[c]);
+      normal[c] = Two::both(result.normal[c]);
+    }
+    Two sum = Two::both(0), least = Two::both(2);
+    const Entry* const e = rows.begin(r);
+    const std::size_t length = rows.length(r);
+    for (std::size_t j = 0; j + 1 < length; j += 2) {
+      const Value& p0 = old[e[j].vertex];
+      const Value& p1 = old[e[j + 1].vertex];
+      Two s = Two::of(p0.normal[0], p1.normal[0]) + normal[0];
+      Two numerator = s * (Two::of(p0.point[0], p1.point[0]) - point[0]);
+      Two denominator = s * normal[0];
+      for (int c = 1; c < dimension; ++c) {
+        s = Two::of(p0.normal[c], p1.normal[c]) + normal[c];
+        numerator = numerator + s * (Two::of(p0.point[c], p1.point[c]) - point[c]);
+        denominator = denominator + s * normal[c];
+      }
+      sum = sum + Two::of(e[j].weight, e[j + 1].weight) * (numerator / denominator);
+      least = lesser(denominator, least);
+    }
+    FT last(0);
+    least_denominator = std::min(least[0], least[1]);
+    if (length % 2 != 0) {
+      const Entry& odd = e[length - 1];
+      const auto h = pn_height<FT, dimension>(old[odd.vertex], result.point, result.normal);
+      least_denominator = std::min(least_denominator, h.denominator);
+      last = odd.weight * (h.numerator / h.denominator);
+    }
+    return sum[0] + sum[1] + last;
+  }
+
   template <class Rows, class Normal_rows>
-  static Value careful_row(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
+  static Value careful_row(const Rows& rows,
+                           const Normal_rows& normal_rows,
+                           std::size_t r,
                            const Value* old)
   {
     if (&rows.rows == &normal_rows.rows) return Average()(rows.begin(r), rows.end(r), old);
-    return Average()(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
+    return Average()(
+      rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
   }
 };
 

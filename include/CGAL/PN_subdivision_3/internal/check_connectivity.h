@@ -8,6 +8,8 @@
 
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -81,6 +83,7 @@ private:
   void check_faces()
   {
     std::uint64_t corners = 0;
+    Index least = null, greatest = 0;
     for (Index f = 0; f < level_.number_of_faces(); ++f) {
       const Index h = level_.halfedge_of_face(f);
       if (h >= level_.number_of_halfedges() || level_.face(h) != f)
@@ -90,6 +93,8 @@ private:
         refuse(names_.face_name(f) + " has " + std::to_string(degree) +
                " corners: a face needs at least three");
       corners += degree;
+      least = (std::min)(least, degree);
+      greatest = (std::max)(greatest, degree);
     }
     std::uint64_t with_face = 0;
     for (Index h = 0; h < level_.number_of_halfedges(); ++h)
@@ -97,6 +102,7 @@ private:
     if (with_face != corners)
       refuse("a face has half-edges in several loops: the connectivity is broken");
     level_.set_number_of_corners(corners);
+    level_.set_uniform_degree(least == greatest ? least : 0);
   }
 
   void check_vertices()
