@@ -1,0 +1,151 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Subdivides every control mesh of a folder, triangle meshes by PN-Loop and all others by
+// PN-Catmull-Clark, and writes the results as PLY with normals. A comment line `sphere X Y Z R` or
+// `cylinder X Y Z DX DY DZ R` in a PLY file names the surface that the control data lies on; the
+// largest distance of the result from it is printed in units of 2^-52 times the radius.
+//
+//   subdivide_control_meshes FOLDER OUTPUT_FOLDER [ROUNDS]
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Timer.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Vector_3>;
+namespace params = CGAL::parameters;
+
+// A sphere (no direction) or a circular cylinder; radius 0 if the data lies on none.
+struct Round_surface
+{
+  long double center[3] = {0, 0, 0}, direction[3] = {0, 0, 0}, radius = 0;
+
+  long double distance(const Kernel::Point_3& p) const
+  {
+    const long double d[3] = {p.x() - center[0], p.y() - center[1], p.z() - center[2]};
+    long double along = 0, length2 = 0;
+    for (int c = 0; c < 3; ++c) along += d[c] * direction[c];
+    for (int c = 0; c < 3; ++c) {
+      const long double across = d[c] - along * direction[c];
+      length2 += across * across;
+    }
+    return std::abs(std::sqrt(length2) - radius);
+  }
+};
+
+Round_surface surface_in_comments(const std::string& comments)
+{
+  Round_surface s;
+  std::istringstream lines(comments);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind != "sphere" && kind != "cylinder") continue;
+    for (long double& x : s.center) words >> x;
+    if (kind == "cylinder")
+      for (long double& x : s.direction) words >> x;
+    words >> s.radius;
+  }
+  return s;
+}
+
+bool read(const std::filesystem::path& file, Mesh& mesh, std::string& comments)
+{
+  if (file.extension() != ".ply") return CGAL::IO::read_polygon_mesh(file.string(), mesh);
+  std::ifstream in(file, std::ios::binary);
+  return CGAL::IO::read_PLY(in, mesh, comments);
+}
+
+// the normals of the file, or estimated ones
+Normal_map control_normals(Mesh& mesh)
+{
+  const auto [normals, is_new] =
+    mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR);
+  if (is_new) CGAL::PN_subdivision_3::estimate_control_normals(mesh, normals);
+  return normals;
+}
+
+void subdivide(const std::filesystem::path& file, const std::filesystem::path& folder, unsigned rounds)
+{
+  Mesh mesh;
+  std::string comments;
+  if (!read(file, mesh, comments)) throw std::runtime_error("cannot be read");
+  const std::size_t control_faces = mesh.number_of_faces();
+  const bool triangles = CGAL::is_triangle_mesh(mesh);
+  const Normal_map normals = control_normals(mesh);
+
+  CGAL::Timer timer;
+  timer.start();
+  const auto np = params::number_of_iterations(rounds).vertex_normal_map(normals);
+  if (triangles)
+    CGAL::PN_subdivision_3::Loop_subdivision(mesh, np);
+  else
+    CGAL::PN_subdivision_3::CatmullClark_subdivision(mesh, np);
+  timer.stop();
+
+  std::cout << std::left << std::setw(26) << file.filename().string() << std::setw(18)
+            << (triangles ? "PN-Loop" : "PN-Catmull-Clark") << std::right << std::setw(7)
+            << control_faces << std::setw(10) << mesh.number_of_faces() << std::setw(10)
+            << mesh.number_of_vertices() << std::fixed << std::setprecision(1) << std::setw(9)
+            << timer.time() * 1e3 << " ms";
+  const Round_surface surface = surface_in_comments(comments);
+  if (surface.radius > 0) {
+    long double deviation = 0;
+    for (const Kernel::Point_3& p : mesh.points())
+      deviation = (std::max)(deviation, surface.distance(p));
+    std::cout << std::setprecision(2) << std::setw(9)
+              << static_cast<double>(deviation / surface.radius * 0x1p52L);
+  }
+  std::cout << '\n';
+
+  const std::filesystem::path output = folder / file.filename().replace_extension(".ply");
+  std::ofstream out(output, std::ios::binary);
+  CGAL::IO::set_binary_mode(out);
+  if (!CGAL::IO::write_PLY(out, mesh)) throw std::runtime_error(output.string() + " is not writable");
+}
+
+int main(int argc, char** argv)
+{
+  if (argc < 3) {
+    std::cerr << "Usage: " << argv[0] << " FOLDER OUTPUT_FOLDER [ROUNDS]\n";
+    return EXIT_FAILURE;
+  }
+  const std::filesystem::path folder = argv[1], output = argv[2];
+  const unsigned rounds = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 4;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const char* extension : {".ply", ".off", ".obj"})
+      if (entry.path().extension() == extension) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::filesystem::create_directories(output);
+
+  std::cout << "control mesh              scheme            control     faces  vertices        time"
+               "  deviation/R in 2^-52\n";
+  int result = EXIT_SUCCESS;
+  for (const std::filesystem::path& file : files)
+    try {
+      subdivide(file, output, rounds);
+    } catch (const std::exception& e) {
+      std::cerr << file.string() << ": " << e.what() << '\n';
+      result = EXIT_FAILURE;
+    }
+  return files.empty() ? EXIT_FAILURE : result;
+}
