@@ -43,7 +43,8 @@ public:
     : graph_(&graph)
     , points_(points)
     , pull_(pull)
-  {}
+  {
+  }
 
   void face_node(face_descriptor f, Node& node) const { node = centroid(f); }
 

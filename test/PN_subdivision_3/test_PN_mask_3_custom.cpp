@@ -90,7 +90,8 @@ public:
     , points_(points)
     , share_(share)
     , far_(far)
-  {}
+  {
+  }
 
   void edge_node(typename Traits::halfedge_descriptor h, Node& node)
   {
@@ -130,7 +131,8 @@ class Curious_mask_3
 public:
   explicit Curious_mask_3(const Mesh* mesh)
     : mesh_(mesh)
-  {}
+  {
+  }
 
   void vertex_node(typename Traits::vertex_descriptor v, Node& node)
   {
