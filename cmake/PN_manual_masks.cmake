@@ -2,7 +2,8 @@
 # CGAL's examples. A system include folder, since it is not our code to mend.
 function(pn_unpack_cgal_examples target)
   find_file(PN_CGAL_EXAMPLES_ARCHIVE examples.tar.gz
-            PATHS /usr/share/doc/libcgal-dev NO_DEFAULT_PATH
+            PATHS /usr/share/doc/libcgal-dev ${PN_subdivision_3_SOURCE_DIR}/build/debian
+            NO_DEFAULT_PATH
             DOC "Archive with CGAL's examples")
   set(folder examples/Subdivision_method_3)
   set(example ${folder}/Customized_subdivision.cpp)
