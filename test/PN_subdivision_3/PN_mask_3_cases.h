@@ -130,11 +130,11 @@ struct Control
   Normal_map normals;
 
   Control(const Soup& soup, const std::vector<Triple>& control_normals)
+    : normals(get(Normal_tag(), mesh))
   {
     std::vector<Point> points;
     for (const Triple& p : soup.points) points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.faces, mesh);
-    normals = get(Normal_tag(), mesh);
     std::size_t i = 0;
     for (auto v : vertices(mesh)) {
       const Triple& n = control_normals[i++];
