@@ -34,37 +34,37 @@ public:
   std::vector<Vector_3> normals;
 
   bool has_normals() const { return !normals.empty(); }
-  std::size_t number_of_faces() const { return m_face_end.size(); }
-  std::size_t number_of_corners() const { return m_corners.size(); }
+  std::size_t number_of_faces() const { return face_end_.size(); }
+  std::size_t number_of_corners() const { return corners_.size(); }
 
   Face face(std::size_t f) const
   {
-    const std::size_t begin = f == 0 ? 0 : m_face_end[f - 1];
-    return Face(m_corners.data() + begin, m_corners.data() + m_face_end[f]);
+    const std::size_t begin = f == 0 ? 0 : face_end_[f - 1];
+    return Face(corners_.data() + begin, corners_.data() + face_end_[f]);
   }
 
   template <class Index_range>
   void add_face(const Index_range& vertices)
   {
-    for (const auto& v : vertices) m_corners.push_back(static_cast<Index>(v));
-    m_face_end.push_back(m_corners.size());
+    for (const auto& v : vertices) corners_.push_back(static_cast<Index>(v));
+    face_end_.push_back(corners_.size());
   }
 
   void reserve_faces(std::size_t faces, std::size_t corners)
   {
-    m_face_end.reserve(faces);
-    m_corners.reserve(corners);
+    face_end_.reserve(faces);
+    corners_.reserve(corners);
   }
 
   void clear_faces()
   {
-    m_corners.clear();
-    m_face_end.clear();
+    corners_.clear();
+    face_end_.clear();
   }
 
 private:
-  std::vector<Index> m_corners;        // the faces' vertices, one face after the other
-  std::vector<std::size_t> m_face_end; // where each face ends in `m_corners`
+  std::vector<Index> corners_;        // the faces' vertices, one face after the other
+  std::vector<std::size_t> face_end_; // where each face ends in `corners_`
 };
 
 } // namespace pn_subdivide

@@ -62,25 +62,25 @@ void Output_file::check(const std::string& file)
 }
 
 Output_file::Output_file(const std::string& file)
-  : m_target(real_target(file))
+  : target_(real_target(file))
 {
-  const fs::file_status status = checked_status(m_target);
+  const fs::file_status status = checked_status(target_);
   std::error_code error;
-  m_buffer.reserve(buffer_size + 64);
+  buffer_.reserve(buffer_size + 64);
   if (!fs::exists(status) || fs::is_regular_file(status)) {
     open_temporary();
-    if (fs::is_regular_file(status)) fs::permissions(m_temporary, status.permissions(), error);
+    if (fs::is_regular_file(status)) fs::permissions(temporary_, status.permissions(), error);
   } else {
-    m_file = std::fopen(m_target.string().c_str(), "wb");
-    if (m_file == nullptr) throw Error("cannot be written: " + reason(errno));
+    file_ = std::fopen(target_.string().c_str(), "wb");
+    if (file_ == nullptr) throw Error("cannot be written: " + reason(errno));
   }
 }
 
 Output_file::~Output_file()
 {
-  if (m_file != nullptr) std::fclose(m_file);
+  if (file_ != nullptr) std::fclose(file_);
   std::error_code ignored;
-  if (!m_temporary.empty()) fs::remove(m_temporary, ignored);
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
 
 void Output_file::open_temporary()
@@ -88,10 +88,10 @@ void Output_file::open_temporary()
   std::random_device random;
   for (int attempt = 0; attempt < 100; ++attempt) {
     const std::string name = ".pn_subdivide-" + std::to_string(random()) + ".tmp";
-    const fs::path temporary = m_target.parent_path() / name;
-    m_file = std::fopen(temporary.string().c_str(), "wbx"); // x: never opens an existing file
-    if (m_file != nullptr) {
-      m_temporary = temporary;
+    const fs::path temporary = target_.parent_path() / name;
+    file_ = std::fopen(temporary.string().c_str(), "wbx"); // x: never opens an existing file
+    if (file_ != nullptr) {
+      temporary_ = temporary;
       return;
     }
     if (errno != EEXIST) break;
@@ -101,8 +101,8 @@ void Output_file::open_temporary()
 
 void Output_file::text(std::string_view s)
 {
-  m_buffer.append(s);
-  if (m_buffer.size() >= buffer_size) flush();
+  buffer_.append(s);
+  if (buffer_.size() >= buffer_size) flush();
 }
 
 void Output_file::number(double x)
@@ -122,15 +122,15 @@ void Output_file::number(std::uint64_t n)
 
 void Output_file::flush()
 {
-  if (std::fwrite(m_buffer.data(), 1, m_buffer.size(), m_file) != m_buffer.size())
+  if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size())
     throw Error("writing failed: " + reason(errno));
-  m_buffer.clear();
+  buffer_.clear();
 }
 
 void Output_file::close()
 {
-  std::FILE* file = m_file;
-  m_file = nullptr;
+  std::FILE* file = file_;
+  file_ = nullptr;
   const bool flushed = std::fflush(file) == 0;
   const int error = errno;
   const bool closed = std::fclose(file) == 0;
@@ -141,12 +141,12 @@ void Output_file::commit()
 {
   flush();
   close();
-  if (m_temporary.empty()) return;
+  if (temporary_.empty()) return;
 
   std::error_code error;
-  fs::rename(m_temporary, m_target, error);
+  fs::rename(temporary_, target_, error);
   if (error) throw Error("cannot be replaced: " + error.message());
-  m_temporary.clear();
+  temporary_.clear();
 }
 
 } // namespace pn_subdivide

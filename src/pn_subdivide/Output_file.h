@@ -52,9 +52,9 @@ private:
   void flush();
   void close();
 
-  std::filesystem::path m_target, m_temporary; // `m_temporary` is empty for devices
-  std::FILE* m_file = nullptr;
-  std::string m_buffer;
+  std::filesystem::path target_, temporary_; // `temporary_` is empty for devices
+  std::FILE* file_ = nullptr;
+  std::string buffer_;
 };
 
 } // namespace pn_subdivide

@@ -23,10 +23,10 @@ class Ply_values
 {
 public:
   Ply_values(const std::string& content, const Text_reader& behind_header, Ply_format format)
-    : m_content(content)
-    , m_text(behind_header)
-    , m_pos(behind_header.offset())
-    , m_format(format)
+    : content_(content)
+    , text_(behind_header)
+    , pos_(behind_header.offset())
+    , format_(format)
   {
   }
 
@@ -55,41 +55,41 @@ public:
 
   std::size_t bytes_left() const
   {
-    return m_content.size() - (m_format == Ply_format::ascii ? m_text.position() : m_pos);
+    return content_.size() - (format_ == Ply_format::ascii ? text_.position() : pos_);
   }
 
   // Is nothing but blanks left?
   bool at_end()
   {
-    if (m_format == Ply_format::ascii) return m_text.at_end_of_line() && !m_text.next_line();
-    return m_content.find_first_not_of(" \t\r\n", m_pos) == std::string::npos;
+    if (format_ == Ply_format::ascii) return text_.at_end_of_line() && !text_.next_line();
+    return content_.find_first_not_of(" \t\r\n", pos_) == std::string::npos;
   }
 
 private:
   template <class T>
   double value()
   {
-    if (m_format == Ply_format::ascii) return text_value();
-    if (m_content.size() - m_pos < sizeof(T)) throw Error("truncated");
-    const auto* bytes = reinterpret_cast<const unsigned char*>(m_content.data()) + m_pos;
-    m_pos += sizeof(T);
+    if (format_ == Ply_format::ascii) return text_value();
+    if (content_.size() - pos_ < sizeof(T)) throw Error("truncated");
+    const auto* bytes = reinterpret_cast<const unsigned char*>(content_.data()) + pos_;
+    pos_ += sizeof(T);
     using boost::endian::order;
-    return m_format == Ply_format::little_endian
+    return format_ == Ply_format::little_endian
                ? boost::endian::endian_load<T, sizeof(T), order::little>(bytes)
                : boost::endian::endian_load<T, sizeof(T), order::big>(bytes);
   }
 
   double text_value()
   {
-    const std::string_view word = m_text.word_across_lines();
+    const std::string_view word = text_.word_across_lines();
     if (word.empty()) throw Error("truncated");
-    return m_text.to_number(word, "a number");
+    return text_.to_number(word, "a number");
   }
 
-  const std::string& m_content;
-  Text_reader m_text;
-  std::size_t m_pos;
-  Ply_format m_format;
+  const std::string& content_;
+  Text_reader text_;
+  std::size_t pos_;
+  Ply_format format_;
 };
 
 } // namespace pn_subdivide

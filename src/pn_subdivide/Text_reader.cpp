@@ -31,44 +31,44 @@ std::string printable(std::string_view word)
 } // namespace
 
 Text_reader::Text_reader(const std::string& text, char comment_sign)
-  : m_text(text)
-  , m_comment_sign(comment_sign)
+  : text_(text)
+  , comment_sign_(comment_sign)
 {
 }
 
 bool Text_reader::next_line()
 {
-  while (m_next < m_text.size()) {
-    m_pos = m_next;
-    const std::size_t newline = std::min(m_text.find('\n', m_pos), m_text.size());
-    m_next = std::min(newline + 1, m_text.size());
-    ++m_line;
-    const std::string_view line(m_text.data() + m_pos, newline - m_pos);
-    m_end = newline;
-    if (m_comment_sign != '\0') m_end = m_pos + std::min(line.find(m_comment_sign), line.size());
+  while (next_ < text_.size()) {
+    pos_ = next_;
+    const std::size_t newline = std::min(text_.find('\n', pos_), text_.size());
+    next_ = std::min(newline + 1, text_.size());
+    ++line_;
+    const std::string_view line(text_.data() + pos_, newline - pos_);
+    end_ = newline;
+    if (comment_sign_ != '\0') end_ = pos_ + std::min(line.find(comment_sign_), line.size());
     if (!at_end_of_line()) return true;
   }
-  m_pos = m_end = m_text.size();
+  pos_ = end_ = text_.size();
   return false;
 }
 
 void Text_reader::skip_blanks()
 {
-  while (m_pos < m_end && is_blank(m_text[m_pos])) ++m_pos;
+  while (pos_ < end_ && is_blank(text_[pos_])) ++pos_;
 }
 
 bool Text_reader::at_end_of_line()
 {
   skip_blanks();
-  return m_pos == m_end;
+  return pos_ == end_;
 }
 
 std::string_view Text_reader::word()
 {
   skip_blanks();
-  const std::size_t begin = m_pos;
-  while (m_pos < m_end && !is_blank(m_text[m_pos])) ++m_pos;
-  return std::string_view(m_text.data() + begin, m_pos - begin);
+  const std::size_t begin = pos_;
+  while (pos_ < end_ && !is_blank(text_[pos_])) ++pos_;
+  return std::string_view(text_.data() + begin, pos_ - begin);
 }
 
 std::string_view Text_reader::word_across_lines()
@@ -80,18 +80,18 @@ std::string_view Text_reader::word_across_lines()
 std::string_view Text_reader::rest_of_line()
 {
   skip_blanks();
-  const std::size_t begin = m_pos;
-  m_pos = m_end;
-  return std::string_view(m_text.data() + begin, m_end - begin);
+  const std::size_t begin = pos_;
+  pos_ = end_;
+  return std::string_view(text_.data() + begin, end_ - begin);
 }
 
 std::size_t Text_reader::words_left() const
 {
   std::size_t n = 0;
   bool blank = true;
-  for (std::size_t i = m_pos; i < m_end; ++i) {
-    if (blank && !is_blank(m_text[i])) ++n;
-    blank = is_blank(m_text[i]);
+  for (std::size_t i = pos_; i < end_; ++i) {
+    if (blank && !is_blank(text_[i])) ++n;
+    blank = is_blank(text_[i]);
   }
   return n;
 }
@@ -136,7 +136,7 @@ std::int64_t Text_reader::to_integer(std::string_view w, const char* what) const
 
 void Text_reader::fail(const std::string& what) const
 {
-  throw Error("line " + std::to_string(m_line) + ": " + what);
+  throw Error("line " + std::to_string(line_) + ": " + what);
 }
 
 } // namespace pn_subdivide

@@ -42,11 +42,11 @@ public:
   double to_number(std::string_view word, const char* what) const;
   std::int64_t to_integer(std::string_view word, const char* what) const;
 
-  std::size_t line() const { return m_line; } // counted from 1
+  std::size_t line() const { return line_; } // counted from 1
   // Where the next word is looked for in the text.
-  std::size_t position() const { return m_pos; }
+  std::size_t position() const { return pos_; }
   // Where the next line begins.
-  std::size_t offset() const { return m_next; }
+  std::size_t offset() const { return next_; }
 
   // Throws Error naming the line.
   [[noreturn]] void fail(const std::string& what) const;
@@ -55,9 +55,9 @@ private:
   void skip_blanks();
   std::string_view required_word(const char* what);
 
-  const std::string& m_text;
-  char m_comment_sign;
-  std::size_t m_pos = 0, m_end = 0, m_next = 0, m_line = 0;
+  const std::string& text_;
+  char comment_sign_;
+  std::size_t pos_ = 0, end_ = 0, next_ = 0, line_ = 0;
 };
 
 } // namespace pn_subdivide

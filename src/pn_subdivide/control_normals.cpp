@@ -26,6 +26,7 @@ using Source = Normals_option::Source;
 std::vector<double> parse_numbers(const std::string& text, std::size_t number,
                                   const std::string& option)
 {
+  const std::string place = "--normals " + option + ": ";
   std::vector<std::string> words;
   boost::algorithm::split(words, text, boost::algorithm::is_any_of(","));
   std::vector<double> numbers;
@@ -33,11 +34,10 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t number,
     char* end = nullptr;
     numbers.push_back(std::strtod(word.c_str(), &end));
     if (word.empty() || *end != '\0' || !std::isfinite(numbers.back()))
-      throw Usage_error("--normals " + option + ": '" + word + "' is not a number");
+      throw Usage_error(place + "'" + word + "' is not a number");
   }
   if (numbers.size() != number)
-    throw Usage_error("--normals " + option + ": " + std::to_string(number) +
-                      " numbers with commas between are expected");
+    throw Usage_error(place + std::to_string(number) + " numbers with commas between are expected");
   return numbers;
 }
 

@@ -43,15 +43,15 @@ class Ply_reader
 {
 public:
   Ply_reader(const std::string& content, const Ply_header& header, const Text_reader& behind_header)
-    : m_header(header)
-    , m_values(content, behind_header, header.format)
+    : header_(header)
+    , values_(content, behind_header, header.format)
   {
   }
 
   Mesh_data read()
   {
     bool has_vertices = false, has_faces = false;
-    for (const Ply_element& element : m_header.elements) {
+    for (const Ply_element& element : header_.elements) {
       if (element.name == "vertex" && !has_vertices) {
         has_vertices = true;
         read_vertices(element);
@@ -64,13 +64,13 @@ public:
     }
     if (!has_vertices) throw Error("the PLY file has no element 'vertex'");
     if (!has_faces) throw Error("the PLY file has no element 'face', so it is not a mesh");
-    if (!m_values.at_end()) throw Error("more data than the PLY header announces");
+    if (!values_.at_end()) throw Error("more data than the PLY header announces");
     check_indices();
-    return std::move(m_mesh);
+    return std::move(mesh_);
   }
 
 private:
-  // Reads element i; scalars go to `m_scalars`, and the list `wanted_list` to `m_list`.
+  // Reads element i; scalars go to `scalars_`, and the list `wanted_list` to `list_`.
   void read_item(const Ply_element& element, std::size_t i, std::size_t wanted_list)
   {
     try {
@@ -79,7 +79,7 @@ private:
         if (property.is_list)
           read_list(property, k == wanted_list);
         else
-          m_scalars[k] = m_values.next(property.type);
+          scalars_[k] = values_.next(property.type);
       }
     } catch (const Error& e) {
       throw Error(std::string(e.what()) + " (in " + name_of(element, i) + ")");
@@ -88,21 +88,21 @@ private:
 
   void read_list(const Ply_property& property, bool wanted)
   {
-    const double size = m_values.next(property.size_type);
+    const double size = values_.next(property.size_type);
     if (!(size >= 0) || size != std::floor(size))
       throw Error("a list with a negative or broken length");
-    if (size > static_cast<double>(m_values.bytes_left())) throw Error("truncated");
-    if (wanted) m_list.clear();
+    if (size > static_cast<double>(values_.bytes_left())) throw Error("truncated");
+    if (wanted) list_.clear();
     for (double i = 0; i < size; ++i) {
-      const double x = m_values.next(property.type);
-      if (wanted) m_list.push_back(x);
+      const double x = values_.next(property.type);
+      if (wanted) list_.push_back(x);
     }
   }
 
   void skip(const Ply_element& element)
   {
     if (element.properties.empty()) return;
-    m_scalars.assign(element.properties.size(), 0);
+    scalars_.assign(element.properties.size(), 0);
     for (std::size_t i = 0; i < element.size; ++i) read_item(element, i, Ply_element::none);
   }
 
@@ -114,15 +114,14 @@ private:
     const bool has_normals = n[0] != Ply_element::none;
     if (element.size > Mesh_data::max_number_of_points) throw Error("too many vertices");
 
-    const std::size_t plausible = std::min(element.size, m_values.bytes_left() / 3);
-    m_mesh.points.reserve(plausible);
-    if (has_normals) m_mesh.normals.reserve(plausible);
-    m_scalars.assign(element.properties.size(), 0);
+    const std::size_t plausible = std::min(element.size, values_.bytes_left() / 3);
+    mesh_.points.reserve(plausible);
+    if (has_normals) mesh_.normals.reserve(plausible);
+    scalars_.assign(element.properties.size(), 0);
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, Ply_element::none);
-      m_mesh.points.emplace_back(m_scalars[p[0]], m_scalars[p[1]], m_scalars[p[2]]);
-      if (has_normals)
-        m_mesh.normals.emplace_back(m_scalars[n[0]], m_scalars[n[1]], m_scalars[n[2]]);
+      mesh_.points.emplace_back(scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]);
+      if (has_normals) mesh_.normals.emplace_back(scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]);
     }
   }
 
@@ -133,35 +132,35 @@ private:
     if (indices == Ply_element::none || !element.properties[indices].is_list)
       throw Error("the faces have no list 'vertex_indices'");
 
-    const std::size_t plausible = std::min(element.size, m_values.bytes_left() / 4);
-    m_mesh.reserve_faces(plausible, 4 * plausible);
-    m_scalars.assign(element.properties.size(), 0);
+    const std::size_t plausible = std::min(element.size, values_.bytes_left() / 4);
+    mesh_.reserve_faces(plausible, 4 * plausible);
+    scalars_.assign(element.properties.size(), 0);
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, indices);
-      if (m_list.size() < 3)
-        throw Error(name_of(element, i) + " has " + std::to_string(m_list.size()) + " vertices");
-      for (const double v : m_list)
+      if (list_.size() < 3)
+        throw Error(name_of(element, i) + " has " + std::to_string(list_.size()) + " vertices");
+      for (const double v : list_)
         if (!(v >= 0 && v < 4294967295.0) || v != std::floor(v))
           throw Error(name_of(element, i) + " has a negative or broken vertex index");
-      m_mesh.add_face(m_list);
+      mesh_.add_face(list_);
     }
   }
 
   // Not earlier, because the faces may come before the vertices.
   void check_indices() const
   {
-    for (std::size_t f = 0; f < m_mesh.number_of_faces(); ++f)
-      for (const Mesh_data::Index v : m_mesh.face(f))
-        if (v >= m_mesh.points.size())
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
+      for (const Mesh_data::Index v : mesh_.face(f))
+        if (v >= mesh_.points.size())
           throw Error("face " + std::to_string(f) + ": the vertex index " + std::to_string(v) +
-                      " is out of range, there are " + std::to_string(m_mesh.points.size()) +
+                      " is out of range, there are " + std::to_string(mesh_.points.size()) +
                       " vertices");
   }
 
-  const Ply_header& m_header;
-  Ply_values m_values;
-  Mesh_data m_mesh;
-  std::vector<double> m_scalars, m_list;
+  const Ply_header& header_;
+  Ply_values values_;
+  Mesh_data mesh_;
+  std::vector<double> scalars_, list_;
 };
 
 } // namespace

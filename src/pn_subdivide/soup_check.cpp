@@ -35,7 +35,7 @@ std::vector<Side> sorted_sides(const Mesh_data& mesh)
   std::size_t first = 0;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Mesh_data::Face face = mesh.face(f);
-    const std::size_t n = static_cast<std::size_t>(face.size());
+    const auto n = static_cast<std::size_t>(face.size());
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = (i + 1) % n;
       const Index a = face.begin()[i], b = face.begin()[j];
@@ -71,7 +71,7 @@ Soup_defects::Vertices find_pinched(const Mesh_data& mesh, const std::vector<Sid
     fans.union_set(s.corner_at_high, t.corner_at_high);
   }
 
-  const std::size_t none = static_cast<std::size_t>(-1);
+  const auto none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> fan(mesh.points.size(), none);
   std::vector<bool> pinched(mesh.points.size(), false);
   std::size_t corner = 0;

@@ -12,18 +12,12 @@ namespace {
 
 struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
 {
-  Visitor(Mesh_data& mesh_, Soup_repair& repair_)
-    : mesh(&mesh_)
-    , repair(&repair_)
-  {
-  }
-
   void polygon_orientation_reversed(std::size_t) { ++repair->reversed_faces; }
 
   void duplicated_vertex(std::size_t old_vertex, std::size_t)
   {
     ++repair->added_vertices;
-    if (mesh->has_normals()) mesh->normals.push_back(Vector_3(mesh->normals[old_vertex]));
+    if (mesh->has_normals()) mesh->normals.push_back(mesh->normals[old_vertex]);
   }
 
   Mesh_data* mesh;
@@ -39,8 +33,9 @@ Soup_repair repair_soup(Mesh_data& mesh)
     faces[f].assign(mesh.face(f).begin(), mesh.face(f).end());
 
   Soup_repair repair;
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(
-      mesh.points, faces, CGAL::parameters::visitor(Visitor(mesh, repair)));
+  const Visitor visitor{{}, &mesh, &repair};
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(mesh.points, faces,
+                                                     CGAL::parameters::visitor(visitor));
 
   mesh.clear_faces();
   for (const auto& face : faces) mesh.add_face(face);

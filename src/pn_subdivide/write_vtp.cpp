@@ -19,26 +19,27 @@ class Vtp_writer
 {
 public:
   Vtp_writer(Output_file& out, Encoding encoding)
-    : m_out(out)
-    , m_encoding(encoding)
+    : out_(out)
+    , encoding_(encoding)
   {
   }
 
   void begin(std::size_t points, std::size_t polygons)
   {
-    m_out.text("<?xml version=\"1.0\"?>\n"
-               "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\""
-               " header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"");
-    write_count(m_out, points);
-    m_out.text("\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"");
-    write_count(m_out, polygons);
-    m_out.text("\">\n");
+    out_.text(R"(<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData>
+<Piece NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPoints=")");
+    write_count(out_, points);
+    out_.text("\" NumberOfPolys=\"");
+    write_count(out_, polygons);
+    out_.text("\">\n");
   }
 
   void line(const char* xml)
   {
-    m_out.text(xml);
-    m_out.text("\n");
+    out_.text(xml);
+    out_.text("\n");
   }
 
   template <class Triple>
@@ -59,26 +60,26 @@ public:
   template <class T>
   void value(T x, bool ends_line)
   {
-    if (m_encoding == Encoding::binary) {
-      m_out.little_endian<T>(x);
+    if (encoding_ == Encoding::binary) {
+      out_.little_endian<T>(x);
     } else {
       text_value(x);
-      m_out.text(ends_line ? "\n" : " ");
+      out_.text(ends_line ? "\n" : " ");
     }
   }
 
   void end()
   {
-    m_out.text("</Piece>\n</PolyData>\n");
-    if (m_encoding == Encoding::binary) {
-      m_out.text("<AppendedData encoding=\"raw\">\n_");
-      for (const Appended& array : m_appended) {
-        m_out.little_endian<std::uint64_t>(array.bytes);
+    out_.text("</Piece>\n</PolyData>\n");
+    if (encoding_ == Encoding::binary) {
+      out_.text("<AppendedData encoding=\"raw\">\n_");
+      for (const Appended& array : appended_) {
+        out_.little_endian<std::uint64_t>(array.bytes);
         array.put();
       }
-      m_out.text("\n</AppendedData>\n");
+      out_.text("\n</AppendedData>\n");
     }
-    m_out.text("</VTKFile>\n");
+    out_.text("</VTKFile>\n");
   }
 
 private:
@@ -88,29 +89,29 @@ private:
     std::function<void()> put;
   };
 
-  void text_value(double x) { m_out.number(x); }
-  void text_value(std::int64_t n) { m_out.number(static_cast<std::uint64_t>(n)); }
+  void text_value(double x) { out_.number(x); }
+  void text_value(std::int64_t n) { out_.number(static_cast<std::uint64_t>(n)); }
 
   void array_tag(const char* type, const char* name, std::size_t components, std::size_t bytes,
                  std::function<void()> put)
   {
-    m_out.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-               "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
-    if (m_encoding == Encoding::binary) {
-      m_out.text("appended\" offset=\"" + std::to_string(m_offset) + "\"/>\n");
-      m_offset += sizeof(std::uint64_t) + bytes;
-      m_appended.push_back({bytes, std::move(put)});
+    out_.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+              "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
+    if (encoding_ == Encoding::binary) {
+      out_.text("appended\" offset=\"" + std::to_string(offset_) + "\"/>\n");
+      offset_ += sizeof(std::uint64_t) + bytes;
+      appended_.push_back({bytes, std::move(put)});
     } else {
-      m_out.text("ascii\">\n");
+      out_.text("ascii\">\n");
       put();
-      m_out.text("\n</DataArray>\n");
+      out_.text("\n</DataArray>\n");
     }
   }
 
-  Output_file& m_out;
-  Encoding m_encoding;
-  std::uint64_t m_offset = 0;
-  std::vector<Appended> m_appended;
+  Output_file& out_;
+  Encoding encoding_;
+  std::uint64_t offset_ = 0;
+  std::vector<Appended> appended_;
 };
 
 } // namespace

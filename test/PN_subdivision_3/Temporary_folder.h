@@ -18,21 +18,21 @@ class Temporary_folder
 {
 public:
   Temporary_folder()
-    : m_path(std::filesystem::temp_directory_path() /
-             ("pn_subdivide_test_" + std::to_string(std::random_device()()) + "_" +
-              std::to_string(std::random_device()())))
+    : path_(std::filesystem::temp_directory_path() /
+            ("pn_subdivide_test_" + std::to_string(std::random_device()()) + "_" +
+             std::to_string(std::random_device()())))
   {
-    std::filesystem::create_directories(m_path);
+    std::filesystem::create_directories(path_);
   }
   ~Temporary_folder()
   {
     std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
+    std::filesystem::remove_all(path_, ignored);
   }
   Temporary_folder(const Temporary_folder&) = delete;
   Temporary_folder& operator=(const Temporary_folder&) = delete;
 
-  std::string file(const std::string& name) const { return (m_path / name).string(); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
 
   std::string write(const std::string& name, const std::string& content) const
   {
@@ -48,11 +48,11 @@ public:
 
   std::size_t number_of_files() const
   {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(m_path), {}));
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
   }
 
 private:
-  std::filesystem::path m_path;
+  std::filesystem::path path_;
 };
 
 #endif // PN_SUBDIVISION_3_TEST_TEMPORARY_FOLDER_H
