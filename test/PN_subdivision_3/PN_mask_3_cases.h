@@ -14,9 +14,13 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <random>
 #include <type_traits>
 #include <vector>
@@ -123,14 +127,14 @@ struct Control
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   using FT = typename Kernel::FT;
   using Vector = typename Kernel::Vector_3;
-  using Normal_tag = CGAL::dynamic_vertex_property_t<Vector>;
-  using Normal_map = typename boost::property_map<Mesh, Normal_tag>::type;
+  using Normals = std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, Vector>;
+  using Normal_map = boost::associative_property_map<Normals>;
 
   Mesh mesh;
-  Normal_map normals;
+  std::shared_ptr<Normals> store = std::make_shared<Normals>();
+  Normal_map normals{*store};
 
   Control(const Soup& soup, const std::vector<Triple>& control_normals)
-    : normals(get(Normal_tag(), mesh))
   {
     std::vector<Point> points;
     for (const Triple& p : soup.points) points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
