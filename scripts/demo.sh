@@ -10,16 +10,27 @@ cd "$(dirname "$0")/.."
 
 scripts/install_dependencies.sh --picture
 scripts/build.sh subdivide_control_meshes
+if cmake --build build/release --target help | grep '^pn_subdivide:' >/dev/null; then # needs CLI11
+  scripts/build.sh pn_subdivide
+fi
 
+rm -rf build/demo
 mkdir -p build/demo
 build/release/examples/PN_subdivision_3/subdivide_control_meshes data build/demo
 
+meshes=(build/demo/*.ply)
+command=build/release/src/pn_subdivide/pn_subdivide
+if [[ -x $command ]]; then
+  for mesh in "${meshes[@]}"; do # VTP, for ParaView and VTK
+    "$command" surface "$mesh" "${mesh%.ply}.vtp" --scheme catmull-clark --levels 0 --quiet
+  done
+fi
+
 # each result with the edges of its control mesh
 picture=build/demo/subdivided.png
-meshes=(build/demo/*.vtp)
 controls=()
 for mesh in "${meshes[@]}"; do
-  for control in data/"$(basename "$mesh" .vtp)".*; do
+  for control in data/"$(basename "$mesh" .ply)".*; do
     [[ -e $control ]] && controls+=(--control "$control")
   done
 done
@@ -30,4 +41,4 @@ else
   echo "No picture: scripts/render.py needs Python 3 with VTK and Xvfb" \
        "(Debian packages python3-vtk9 and xvfb)." >&2
 fi
-echo "Meshes:  $PWD/build/demo (PLY and VTP)"
+echo "Meshes:  $PWD/build/demo (PLY, and VTP where the command pn_subdivide is built)"

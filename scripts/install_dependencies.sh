@@ -18,9 +18,9 @@ fi
 
 cd "$(dirname "$0")/.."
 
-# The archive with CGAL's real meshes; lost where dpkg is told to leave out /usr/share/doc.
-mesh_archive=/usr/share/doc/libcgal-dev/data.tar.gz
-own_mesh_archive=build/debian/data.tar.gz
+# Archives with CGAL's real meshes and examples; lost where dpkg is told to leave out /usr/share/doc.
+archives=/usr/share/doc/libcgal-dev
+own_archives=build/debian
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   cat >&2 <<'TEXT'
@@ -88,15 +88,15 @@ if [[ ${#missing_optional[@]} -gt 0 ]] && ! install_packages "${missing_optional
   done
 fi
 
-if [[ ! -e $mesh_archive && ! -e $own_mesh_archive ]]; then
-  mkdir -p "$(dirname "$own_mesh_archive")"
+if [[ ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
+  mkdir -p "$own_archives"
   (
-    cd "$(dirname "$own_mesh_archive")"
+    cd "$own_archives"
     apt-get -q download libcgal-demo >"$log" 2>&1 &&
-      dpkg-deb --fsys-tarfile libcgal-demo_*.deb | tar -xO ".$mesh_archive" >data.tar.gz.part &&
-      mv data.tar.gz.part data.tar.gz
-    rm -f libcgal-demo_*.deb data.tar.gz.part
+      dpkg-deb --fsys-tarfile libcgal-demo_*.deb |
+        tar -x --strip-components=5 ".$archives/data.tar.gz" ".$archives/examples.tar.gz"
+    rm -f libcgal-demo_*.deb
   )
-  [[ -e $own_mesh_archive ]] ||
+  [[ -e $own_archives/data.tar.gz ]] ||
     echo "CGAL's meshes (package libcgal-demo) cannot be had; tests on them are skipped." >&2
 fi
