@@ -11,8 +11,12 @@
 Everything of the package but `PN_mask_3`, which needs the package `Subdivision_method_3`.
 */
 
+#include <CGAL/PN_subdivision_3/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

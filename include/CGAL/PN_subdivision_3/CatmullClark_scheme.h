@@ -38,8 +38,7 @@ public:
 
   explicit CatmullClark_mask(const Level_connectivity& level)
     : level_(level)
-  {
-  }
+  {}
 
   template <class Stencil>
   void vertex(Index v, Stencil& s) const

@@ -19,15 +19,13 @@ namespace internal {
 
 template <class FT, class = void>
 struct Has_trigonometry : std::false_type
-{
-};
+{};
 
 template <class FT>
 struct Has_trigonometry<
-    FT, std::void_t<decltype(FT(cos(std::declval<FT>()))), decltype(FT(acos(std::declval<FT>())))>>
+  FT, std::void_t<decltype(FT(cos(std::declval<FT>()))), decltype(FT(acos(std::declval<FT>())))>>
   : std::true_type
-{
-};
+{};
 
 template <class FT>
 FT irrational_cosine(std::int64_t k, std::int64_t n)
@@ -38,7 +36,7 @@ FT irrational_cosine(std::int64_t k, std::int64_t n)
     return static_cast<FT>(std::cos(2 * pi * turn));
   else if constexpr (Has_trigonometry<FT>::value)
     return FT(
-        cos(FT(2) * FT(acos(FT(-1))) * FT(static_cast<double>(k)) / FT(static_cast<double>(n))));
+      cos(FT(2) * FT(acos(FT(-1))) * FT(static_cast<double>(k)) / FT(static_cast<double>(n))));
   else
     return FT(static_cast<double>(std::cos(2 * pi * turn)));
 }

@@ -23,6 +23,11 @@ struct Level_size
   std::uint64_t faces = 0;
   /// (face, vertex) incidences, that is the half-edges that are not on the border
   std::uint64_t corners = 0;
+  /// vertices without edges
+  std::uint64_t isolated_vertices = 0;
+  /// the sum of the valences of the border vertices. Like `isolated_vertices` it is known of the
+  /// control level, and refined by the hosts whose sizes depend on it.
+  std::uint64_t border_valences = 0;
 
   std::uint64_t halfedges() const { return 2 * edges; }
   std::uint64_t border_halfedges() const { return halfedges() - corners; }
@@ -56,8 +61,7 @@ public:
     , face_(size.halfedges(), boost::container::default_init)
     , halfedge_of_vertex_(size.vertices, boost::container::default_init)
     , halfedge_of_face_(size.faces, boost::container::default_init)
-  {
-  }
+  {}
 
   /// \name Size
   /// @{
@@ -152,7 +156,7 @@ public:
   void set_halfedge_of_vertex(Index v, Index h) { halfedge_of_vertex_[v] = h; }
   void set_isolated(Index v) { halfedge_of_vertex_[v] = null; }
   void set_halfedge_of_face(Index f, Index h) { halfedge_of_face_[f] = h; }
-  void set_number_of_corners(std::uint64_t n) { size_.corners = n; }
+  void set_size(const Level_size& size) { size_ = size; }
   void set_uniform_degree(Index m) { uniform_degree_ = m; }
   /// @}
 

@@ -39,8 +39,7 @@ public:
   explicit Loop_mask(const Level_connectivity& level)
     : level_(level)
     , neighbor_weight_(&neighbor_weight)
-  {
-  }
+  {}
 
   template <class Stencil>
   void vertex(Index v, Stencil& s) const

@@ -223,7 +223,7 @@ private:
     for (const Entry* e = begin; e != end; ++e) {
       if (e->weight == FT(0)) continue;
       const auto h =
-          internal::pn_height<FT, dimension>(old[e->vertex], result.point, result.normal);
+        internal::pn_height<FT, dimension>(old[e->vertex], result.point, result.normal);
       if (h.denominator < internal::fade_begin<FT>()) {
         faded = true;
         const FT chi = internal::fade(h.denominator);

@@ -139,8 +139,7 @@ private:
       : probe(point_normals)
       , view(mesh, probe)
       , mask(internal::make_mask_on_view<View_mask>(view, get(vertex_point, view), args...))
-    {
-    }
+    {}
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 

@@ -36,16 +36,23 @@ public:
   /// the degree of all refined faces.
   static constexpr Index refined_degree = 4;
 
+  /// old vertices survive, in front of the new ones.
+  static constexpr bool keeps_vertices = true;
+
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
-    return {s.vertices + s.edges + s.faces, s.halfedges() + s.corners, s.corners, 4 * s.corners};
+    Level_size r;
+    r.vertices = s.vertices + s.edges + s.faces;
+    r.edges = s.halfedges() + s.corners;
+    r.faces = s.corners;
+    r.corners = 4 * s.corners;
+    return r;
   }
 
   /// any polygons are accepted.
   template <class Element_names>
   static void check(const Level_connectivity&, const Element_names&)
-  {
-  }
+  {}
 
   PQQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)

@@ -8,29 +8,10 @@
 
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/Edge_split.h>
-
-#include <stdexcept>
-#include <string>
+#include <CGAL/PN_subdivision_3/internal/check_triangles.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-namespace internal {
-
-template <class Element_names>
-void check_triangles(const Level_connectivity& level, const Element_names& names)
-{
-  if (level.uniform_degree() == 3) return;
-  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f) {
-    const auto h = level.halfedge_of_face(f);
-    if (!level.has_degree(h, 3))
-      throw std::invalid_argument(
-          "PN_subdivision_3: " + names.face_name(f) + " has " + std::to_string(level.degree(h)) +
-          " corners: the scheme takes triangles only; triangulate the mesh");
-  }
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -50,9 +31,17 @@ public:
   /// the degree of all refined faces.
   static constexpr Index refined_degree = 3;
 
+  /// old vertices survive, in front of the new ones.
+  static constexpr bool keeps_vertices = true;
+
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
-    return {s.vertices + s.edges, s.halfedges() + 3 * s.faces, 4 * s.faces, 12 * s.faces};
+    Level_size r;
+    r.vertices = s.vertices + s.edges;
+    r.edges = s.halfedges() + 3 * s.faces;
+    r.faces = 4 * s.faces;
+    r.corners = 12 * s.faces;
+    return r;
   }
 
   /// refuses a face that is not a triangle.
@@ -64,8 +53,7 @@ public:
 
   PTQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
-  {
-  }
+  {}
 
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const

@@ -23,27 +23,23 @@ constexpr bool is_exact_v = CGAL::Algebraic_structure_traits<FT>::Is_exact::valu
 
 template <class FT>
 constexpr bool has_sqrt_v =
-    std::is_convertible_v<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category*,
-                          CGAL::Field_with_sqrt_tag*>;
+  std::is_convertible_v<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category*,
+                        CGAL::Field_with_sqrt_tag*>;
 
 template <class FT, class = void>
 struct Has_default_precision : std::false_type
-{
-};
+{};
 template <class FT>
 struct Has_default_precision<FT, std::void_t<decltype(FT::get_default_precision())>>
   : std::true_type
-{
-};
+{};
 
 template <class FT, class = void>
 struct Is_lazy : std::false_type
-{
-};
+{};
 template <class FT>
 struct Is_lazy<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> : std::true_type
-{
-};
+{};
 
 // The unit of relative precision: 0 for exact types.
 template <class FT>

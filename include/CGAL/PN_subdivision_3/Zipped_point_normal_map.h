@@ -46,8 +46,7 @@ public:
   Zipped_point_normal_map(const VertexPointMap& points, const VertexNormalMap& normals)
     : points_(points)
     , normals_(normals)
-  {
-  }
+  {}
 
   /// the point and the normal of `v`.
   friend reference get(const Zipped_point_normal_map& map, const key_type& v)

@@ -56,10 +56,10 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
     for (Index v = 0; v < level.number_of_vertices(); ++v)
       coordinates.push_back(internal::checked_point<FT>(access, points, v));
     internal::angle_weighted_normals<FT>(
-        level, [&](Index v) -> const Coordinates<FT, 3>& { return coordinates[v]; },
-        [&](Index v, const Coordinates<FT, 3>& n) {
-          put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
-        });
+      level, [&](Index v) -> const Coordinates<FT, 3>& { return coordinates[v]; },
+      [&](Index v, const Coordinates<FT, 3>& n) {
+        put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
+      });
   });
 }
 

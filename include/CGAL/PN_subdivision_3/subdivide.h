@@ -139,7 +139,7 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme,
     using Access = std::decay_t<decltype(access)>;
     internal::Mesh_subdivision<Concurrency_tag, Access, Scheme, typename Parameters::FT,
                                typename Parameters::Point_map, typename Parameters::Normal_map>
-        subdivision(access, scheme, Parameters::point_map(mesh, np), Parameters::normal_map(np));
+      subdivision(access, scheme, Parameters::point_map(mesh, np), Parameters::normal_map(np));
     auto visitor = Parameters::visitor(np);
     subdivision(iterations, internal::unwrapped(visitor));
   });

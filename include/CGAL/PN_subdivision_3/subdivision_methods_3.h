@@ -6,8 +6,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H
 
+#include <CGAL/PN_subdivision_3/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 namespace CGAL {
@@ -42,6 +46,79 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
 void Loop_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, Loop_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal Doo-Sabin subdivision, for polygons of any degree. The same as `subdivide(mesh,
+DooSabin_scheme(), np)`, which documents all parameters, guarantees and exceptions.
+
+Every vertex is new. The order is that of `DQQ_host`; the vertices take the descriptors of old ones
+as far as there are any, and what other vertex property maps hold for these is not touched. The
+resulting mesh is compact: a `Surface_mesh` holds no removed elements.
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void DooSabin_subdivision(PolygonMesh& mesh,
+                          const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, DooSabin_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal \f$ \sqrt{3} \f$ subdivision, for triangles. The same as `subdivide(mesh,
+Sqrt3_scheme(), np)`, which documents all parameters, guarantees and exceptions. The order of the
+new vertices is that of `Sqrt3_host`.
+
+\attention The border is refined in the even rounds of one call only, as in
+`CGAL::Subdivision_method_3::Sqrt3_subdivision()`: k calls with one round each never refine it.
+
+\throws std::invalid_argument also if a face is not a triangle
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void Sqrt3_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, Sqrt3_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal modified Butterfly subdivision, for triangles. The same as `subdivide(mesh,
+Butterfly_scheme(), np)`, which documents all parameters, guarantees and exceptions. Old vertices
+keep their points and normals bit for bit. The order of the new vertices is that of `PTQ_host`.
+
+\throws std::invalid_argument also if a face is not a triangle or an interior vertex has valence 2
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void Butterfly_subdivision(PolygonMesh& mesh,
+                           const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, Butterfly_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies the point-normal form of Kobbelt's interpolatory scheme, for quadrilaterals, with tension
+1/16. The same as `subdivide(mesh, Kobbelt_scheme(), np)`, which documents all parameters,
+guarantees and exceptions; use it for other tensions. Old vertices keep their points and normals bit
+for bit. The order of the new vertices is that of `PQQ_host`.
+
+\throws std::invalid_argument also if a face is not a quadrilateral or an interior vertex has
+valence 2
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void Kobbelt_subdivision(PolygonMesh& mesh,
+                         const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, Kobbelt_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

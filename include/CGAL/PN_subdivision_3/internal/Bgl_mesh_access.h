@@ -26,13 +26,11 @@ namespace internal {
 
 template <class Descriptor, class = void>
 struct Has_idx : std::false_type
-{
-};
+{};
 template <class Descriptor>
 struct Has_idx<Descriptor, std::void_t<decltype(std::declval<const Descriptor&>().idx())>>
   : std::true_type
-{
-};
+{};
 
 // Names of elements in messages: the descriptor's own number where it has one, otherwise the
 // position in the order of iteration.
@@ -79,15 +77,22 @@ void bgl_set_face(Halfedge h, Face f, Graph& g)
 
 template <class Mesh, class Vertex, class = void>
 struct Has_adjust_outgoing_halfedge : std::false_type
-{
-};
+{};
 template <class Mesh, class Vertex>
 struct Has_adjust_outgoing_halfedge<
-    Mesh, Vertex,
-    std::void_t<decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(std::declval<Vertex>()))>>
+  Mesh, Vertex,
+  std::void_t<decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(std::declval<Vertex>()))>>
   : std::true_type
-{
-};
+{};
+
+template <class Mesh, class = void>
+struct Has_collect_garbage : std::false_type
+{};
+template <class Mesh>
+struct Has_collect_garbage<Mesh, std::void_t<decltype(std::declval<Mesh&>().has_garbage()),
+                                             decltype(std::declval<Mesh&>().collect_garbage())>>
+  : std::true_type
+{};
 
 // While new vertices are added to a mesh that recycles removed ones, it must not: their order would
 // be lost. Meshes that do not recycle need nothing.
@@ -132,7 +137,9 @@ public:
     for (Vertex v : vertices(graph_)) vertices_.push_back(v);
     for (auto e : edges(graph_)) edges_.push_back(halfedge(e, graph_));
     for (Face f : faces(graph_)) faces_.push_back(f);
-    old_size_ = Level_size{vertices_.size(), edges_.size(), faces_.size(), 0};
+    old_size_.vertices = vertices_.size();
+    old_size_.edges = edges_.size();
+    old_size_.faces = faces_.size();
   }
 
   static constexpr std::uint64_t index_limit() { return internal::index_limit<Vertex>(); }
@@ -180,13 +187,13 @@ public:
     while (edges_.size() < size.edges) edges_.push_back(halfedge(add_edge(graph_), graph_));
     while (faces_.size() < size.faces) faces_.push_back(add_face(graph_));
   }
-  void shrink()
+  void shrink() { remove_beyond(old_size_); }
+  // removes the elements that the result does not use
+  void trim(const Level_size& size)
   {
-    for (; faces_.size() > old_size_.faces; faces_.pop_back()) remove_face(faces_.back(), graph_);
-    for (; edges_.size() > old_size_.edges; edges_.pop_back())
-      remove_edge(edge(edges_.back(), graph_), graph_);
-    for (; vertices_.size() > old_size_.vertices; vertices_.pop_back())
-      remove_vertex(vertices_.back(), graph_);
+    remove_beyond(size);
+    if constexpr (Has_collect_garbage<Graph>::value)
+      if (graph_.has_garbage()) graph_.collect_garbage();
   }
 
   // the child of a host
@@ -217,6 +224,15 @@ public:
   }
 
 private:
+  void remove_beyond(const Level_size& size)
+  {
+    for (; faces_.size() > size.faces; faces_.pop_back()) remove_face(faces_.back(), graph_);
+    for (; edges_.size() > size.edges; edges_.pop_back())
+      remove_edge(edge(edges_.back(), graph_), graph_);
+    for (; vertices_.size() > size.vertices; vertices_.pop_back())
+      remove_vertex(vertices_.back(), graph_);
+  }
+
   Halfedge halfedge_descriptor(Index h) const
   {
     return (h & 1u) == 0 ? edges_[h >> 1] : opposite(edges_[h >> 1], graph_);

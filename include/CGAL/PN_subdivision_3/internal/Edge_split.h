@@ -24,8 +24,7 @@ public:
   explicit Edge_split(const Level_connectivity& level)
     : level_(level)
     , number_of_halfedges_(level.number_of_halfedges())
-  {
-  }
+  {}
 
   // the halves of h: from its source to the edge vertex, from there to its target
   Index first_half(Index h) const { return (h & 1u) == 0 ? h : number_of_halfedges_ + h; }

@@ -35,8 +35,7 @@ public:
   Mask_point_map() = default;
   explicit Mask_point_map(const Probe& probe)
     : probe_(&probe)
-  {
-  }
+  {}
 
   friend reference get(const Mask_point_map& map, const key_type& v) { return (*map.probe_)(v); }
 
@@ -62,8 +61,7 @@ public:
   Mask_mesh_view(const PolygonMesh& mesh, const Mask_probe<PointNormalMap>& probe)
     : mesh_(&mesh)
     , point_map_(probe)
-  {
-  }
+  {}
 
   friend auto vertices(const View& g) { return vertices(*g.mesh_); }
   friend auto halfedges(const View& g) { return halfedges(*g.mesh_); }
@@ -123,8 +121,7 @@ private:
 template <class PolygonMesh, class PointNormalMap>
 struct graph_has_property<PN_subdivision_3::internal::Mask_mesh_view<PolygonMesh, PointNormalMap>,
                           vertex_point_t> : Tag_true
-{
-};
+{};
 
 } // namespace CGAL
 
@@ -133,8 +130,7 @@ namespace boost {
 template <class PolygonMesh, class PointNormalMap>
 struct graph_traits<CGAL::PN_subdivision_3::internal::Mask_mesh_view<PolygonMesh, PointNormalMap>>
   : graph_traits<PolygonMesh>
-{
-};
+{};
 
 template <class PolygonMesh, class PointNormalMap, class Property>
 struct property_map<CGAL::PN_subdivision_3::internal::Mask_mesh_view<PolygonMesh, PointNormalMap>,

@@ -31,8 +31,7 @@ public:
   Mask_normalization()
     : vanishing_(is_exact ? FT(0) : FT(4096) * epsilon())
     , unit_tolerance_(is_exact && has_sqrt ? FT(0) : FT(4) * epsilon())
-  {
-  }
+  {}
 
   bool vanishes(const Vector& sum) const
   {

@@ -31,8 +31,7 @@ public:
 
   explicit Mask_probe(const PointNormalMap& point_normals)
     : point_normals_(point_normals)
-  {
-  }
+  {}
 
   void answer_points() { answer_ = Answer::points; }
   void answer_normals() { answer_ = Answer::normals; }

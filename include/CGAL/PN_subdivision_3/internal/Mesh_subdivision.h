@@ -17,6 +17,7 @@
 #include <boost/container/vector.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -29,8 +30,7 @@ namespace internal {
 
 // stands for a normal map that the user has not given
 struct No_normal_map
-{
-};
+{};
 
 // reads the connectivity of a mesh and checks it
 template <class Access>
@@ -75,14 +75,13 @@ public:
     , scheme_(scheme)
     , points_(points)
     , normals_(normals)
-  {
-  }
+  {}
 
   template <class Visitor>
   void operator()(unsigned iterations, Visitor& visitor)
   {
     level_ = checked_level(access_);
-    Scheme::Host::check(level_, access_);
+    check_scheme(scheme_, level_, access_);
     check_refined_sizes(iterations);
     read_values();
     for (unsigned k = 1; k < iterations; ++k) {
@@ -125,8 +124,8 @@ private:
       read_normals();
     else if constexpr (is_pn)
       angle_weighted_normals<FT>(
-          level_, [&](Index v) -> const Coordinates<FT, 3>& { return values_[v].point; },
-          [&](Index v, const Coordinates<FT, 3>& m) { values_[v].normal = m; });
+        level_, [&](Index v) -> const Coordinates<FT, 3>& { return values_[v].point; },
+        [&](Index v, const Coordinates<FT, 3>& m) { values_[v].normal = m; });
   }
 
   void read_normals()
@@ -178,12 +177,14 @@ private:
   {
     const One_round round(scheme_, level_, k);
     const Level_size size = round.refined_size();
+    const Index new_vertices = static_cast<Index>(size.vertices);
+    const Index old_vertices = (std::min)(new_vertices, static_cast<Index>(old_points_.size()));
     bool old_values_put = false;
     try {
       access_.grow(size);
-      put_range(round, level_.number_of_vertices(), static_cast<Index>(size.vertices));
+      put_range(round, old_vertices, new_vertices);
       old_values_put = true;
-      put_range(round, 0, level_.number_of_vertices());
+      put_range(round, 0, old_vertices);
       visitor.round_done(k, static_cast<std::size_t>(size.faces));
     } catch (...) {
       if (old_values_put) put_old_values();
@@ -191,12 +192,13 @@ private:
       throw;
     }
     connect(round);
+    if constexpr (!Scheme::Host::keeps_vertices) access_.trim(size);
   }
 
   void put_range(const One_round& round, Index begin, Index end)
   {
     constexpr bool concurrent =
-        has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>);
+      has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>);
     if constexpr (concurrent || !is_parallel_v<Concurrency_tag>)
       for_chunks_(end - begin, [&](Index first, Index last) {
         round.evaluate(begin + first, begin + last, values_.data(),
@@ -265,7 +267,7 @@ private:
   std::vector<Point> old_points_;
   std::vector<typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
                                           Value_type<Point_map>>::type>
-      old_normals_;
+    old_normals_;
 };
 
 } // namespace internal

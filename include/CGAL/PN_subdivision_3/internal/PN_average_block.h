@@ -44,7 +44,7 @@ public:
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
       result[r] =
-          average_(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
+        average_(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
   }
 
 private:
@@ -132,7 +132,8 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Value* old, Value* result)
+  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Value* old,
+                     Value* result)
   {
     const std::size_t size = rows.rows.number_of_rows();
     FT length[capacity];
@@ -157,9 +158,7 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static Value sums(const Rows& rows,
-                    const Normal_rows& normal_rows,
-                    std::size_t r,
+  static Value sums(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
                     const Value* old)
   {
     Value sum;
@@ -183,8 +182,8 @@ private:
 
   // Two entries at a time; the order of the sums depends on nothing but the row.
   template <class Rows>
-  static FT height(
-    const Rows& rows, std::size_t r, const Value* old, const Value& result, FT& least_denominator)
+  static FT height(const Rows& rows, std::size_t r, const Value* old, const Value& result,
+                   FT& least_denominator)
   {
     using Two = Lanes<FT>;
     Two point[dimension], normal[dimension];
@@ -221,14 +220,11 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static Value careful_row(const Rows& rows,
-                           const Normal_rows& normal_rows,
-                           std::size_t r,
+  static Value careful_row(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
                            const Value* old)
   {
     if (&rows.rows == &normal_rows.rows) return Average()(rows.begin(r), rows.end(r), old);
-    return Average()(
-      rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
+    return Average()(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
   }
 };
 
@@ -242,8 +238,8 @@ template <class FT, int dimension>
 struct Block_of<PN_average<FT, dimension>>
 {
   using type =
-      std::conditional_t<std::is_floating_point_v<FT>, Staged_PN_average_block<FT, dimension>,
-                         Average_block<PN_average<FT, dimension>>>;
+    std::conditional_t<std::is_floating_point_v<FT>, Staged_PN_average_block<FT, dimension>,
+                       Average_block<PN_average<FT, dimension>>>;
 };
 
 } // namespace internal

@@ -34,10 +34,10 @@ public:
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
     : host_(level, number)
     , mask_(scheme.template mask<FT>(level, number))
+    , normal_mask_(make_normal_mask(scheme, level, number))
     , size_(Host::refined_size(level.size(), number))
     , number_(number)
-  {
-  }
+  {}
 
   const Level_size& refined_size() const { return size_; }
   const Host& host() const { return host_; }
@@ -47,7 +47,7 @@ public:
   template <class Sink>
   void evaluate(Index begin, Index end, const Value* old, const Sink& sink) const
   {
-    Stencil<FT> rows;
+    Stencil<FT> rows, normal_rows;
     std::array<Value, block_size_v<FT>> values;
     const Block average{};
     for (Index first = begin; first < end;) {
@@ -57,36 +57,70 @@ public:
         host_.stencil(mask_, first + i, rows);
         rows.close_row();
       }
-      evaluate_block(average, rows, old, values.data(), first);
+      if constexpr (has_normal_mask) {
+        normal_rows.clear();
+        for (Index i = 0; i < n; ++i) {
+          host_.stencil(normal_mask_, first + i, normal_rows);
+          normal_rows.close_row();
+        }
+      }
+      evaluate_block(average, rows, normal_rows, old, values.data(), first);
       sink(first, values.data(), n);
       first += n;
     }
   }
 
 private:
+  static constexpr bool has_normal_mask = Has_normal_mask<Scheme>::value;
+
+  struct No_mask
+  {};
+
+  static auto make_normal_mask(const Scheme& scheme, const Level_connectivity& level,
+                               unsigned number)
+  {
+    if constexpr (has_normal_mask)
+      return scheme.template normal_mask<FT>(level, number);
+    else
+      return No_mask();
+  }
+
   using Block = typename Block_of<Average>::type;
   using Mask = decltype(std::declval<const Scheme&>().template mask<FT>(
-      std::declval<const Level_connectivity&>(), 0u));
+    std::declval<const Level_connectivity&>(), 0u));
+  using Normal_mask = decltype(make_normal_mask(std::declval<const Scheme&>(),
+                                                std::declval<const Level_connectivity&>(), 0u));
 
-  void evaluate_block(const Block& average, const Stencil<FT>& rows, const Value* old,
-                      Value* result, Index first) const
+  static void average_rows(const Block& average, const Stencil<FT>& rows,
+                           [[maybe_unused]] const Stencil<FT>& normal_rows, const Value* old,
+                           Value* result)
+  {
+    if constexpr (has_normal_mask)
+      average(rows, normal_rows, old, result);
+    else
+      average(rows, old, result);
+  }
+
+  void evaluate_block(const Block& average, const Stencil<FT>& rows, const Stencil<FT>& normal_rows,
+                      const Value* old, Value* result, Index first) const
   {
     if constexpr (std::is_floating_point_v<FT>)
-      average(rows, old, result);
+      average_rows(average, rows, normal_rows, old, result);
     else
       try {
-        average(rows, old, result);
+        average_rows(average, rows, normal_rows, old, result);
       } catch (const Uncertain_conversion_exception&) {
-        throw std::domain_error("PN_subdivision_3: the precision of the number type does not "
-                                "decide whether the normal of " +
-                                ("vertex " + std::to_string(first)) + " in round " +
-                                std::to_string(number_) +
-                                " vanishes or is opposite to a neighbor's: use a higher precision");
+        throw std::domain_error(
+          "PN_subdivision_3: the precision of the number type does not decide "
+          "whether the normal of vertex " +
+          std::to_string(first) + " in round " + std::to_string(number_) +
+          " vanishes or is opposite to a neighbor's: use a higher precision");
       }
   }
 
   Host host_;
   Mask mask_;
+  Normal_mask normal_mask_;
   Level_size size_;
   unsigned number_;
 };

@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -41,8 +42,10 @@ public:
 
   explicit Surface_mesh_access(Mesh& mesh)
     : mesh_(mesh)
-    , old_size_{mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces(), 0}
   {
+    old_size_.vertices = mesh.number_of_vertices();
+    old_size_.edges = mesh.number_of_edges();
+    old_size_.faces = mesh.number_of_faces();
   }
 
   static constexpr std::uint64_t index_limit() { return Level_connectivity::null; }
@@ -67,8 +70,18 @@ public:
       level.set_halfedge_of_face(f, mesh_.halfedge(Face(f)));
   }
 
-  void grow(const Level_size& size) { resize(size); }
+  // never smaller than before: what the user holds must be there to be put back
+  void grow(const Level_size& size)
+  {
+    Level_size larger;
+    larger.vertices = (std::max)(size.vertices, old_size_.vertices);
+    larger.edges = (std::max)(size.edges, old_size_.edges);
+    larger.faces = (std::max)(size.faces, old_size_.faces);
+    resize(larger);
+  }
   void shrink() { resize(old_size_); }
+  // removes the elements that the result does not use
+  void trim(const Level_size& size) { resize(size); }
 
   // the child of a host
   void set_target(Index h, Index v) { mesh_.set_target(Halfedge(h), Vertex(v)); }
@@ -101,7 +114,7 @@ std::false_type is_surface_mesh_map(const void*);
 
 template <class Property_map>
 constexpr bool has_concurrent_put_v =
-    decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
+  decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
 
 } // namespace internal
 } // namespace PN_subdivision_3

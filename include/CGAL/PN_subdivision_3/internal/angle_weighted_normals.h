@@ -52,8 +52,7 @@ public:
     : level_(level)
     , sums_(level.number_of_vertices(), Coordinates<T, 3>{T(0), T(0), T(0)})
     , angles_(level.number_of_vertices(), 0.)
-  {
-  }
+  {}
 
   template <class Point_of>
   void add_face(Index f, const Point_of& point)
@@ -69,7 +68,7 @@ public:
     const std::size_t n = corners_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const double angle =
-          corner_angle(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]);
+        corner_angle(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]);
       const T weight(angle / area_length);
       for (int k = 0; k < 3; ++k) sums_[vertices_[i]][k] += weight * area[k];
       angles_[vertices_[i]] += angle;

@@ -33,14 +33,15 @@ public:
   Connectivity_check(Level_connectivity& level, const Element_names& names)
     : level_(level)
     , names_(names)
-  {
-  }
+    , size_(level.size())
+  {}
 
   void operator()()
   {
     check_links();
     check_faces();
     check_vertices();
+    level_.set_size(size_);
   }
 
 private:
@@ -101,7 +102,7 @@ private:
       if (!level_.is_border(h)) ++with_face;
     if (with_face != corners)
       refuse("a face has half-edges in several loops: the connectivity is broken");
-    level_.set_number_of_corners(corners);
+    size_.corners = corners;
     level_.set_uniform_degree(least == greatest ? least : 0);
   }
 
@@ -116,12 +117,16 @@ private:
   void check_vertex(Index v, std::vector<bool>& reached)
   {
     const Index first = level_.halfedge_of_vertex(v);
-    if (first == null) return;
+    if (first == null) {
+      ++size_.isolated_vertices;
+      return;
+    }
     if (first >= level_.number_of_halfedges() || level_.target(first) != v)
       refuse(names_.vertex_name(v) + " has no valid half-edge: the connectivity is broken");
-    Index gaps = 0;
+    Index gaps = 0, valence = 0;
     Index h = first;
     do {
+      ++valence;
       reached[h] = true;
       if (level_.is_border(h)) {
         ++gaps;
@@ -130,6 +135,7 @@ private:
       h = level_.next_around_target(h);
     } while (h != first);
     if (gaps > 1) refuse_several_fans(v);
+    if (gaps == 1) size_.border_valences += valence;
   }
 
   [[noreturn]] void refuse_several_fans(Index v) const
@@ -141,6 +147,7 @@ private:
 
   Level_connectivity& level_;
   const Element_names& names_;
+  Level_size size_;
 };
 
 } // namespace internal

@@ -31,9 +31,9 @@ struct For_chunks
   void operator()(Index n, const Function& f) const
   {
     static_assert(
-        std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
-            std::is_convertible_v<Concurrency_tag, Parallel_tag>,
-        "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
+      std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
+        std::is_convertible_v<Concurrency_tag, Parallel_tag>,
+      "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
       constexpr Index grain = 2048; // a multiple of the block of the averages

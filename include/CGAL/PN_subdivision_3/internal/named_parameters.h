@@ -41,12 +41,12 @@ struct Surface_parameters
   using Geom_traits = typename GetGeomTraits<PolygonMesh, NamedParameters>::type;
   using FT = typename Geom_traits::FT;
   using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-      internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>::type>;
+    internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>::type>;
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
     return parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
+      parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
   }
   static Point_map point_map(PolygonMesh& mesh, const NamedParameters& np)
   {
@@ -61,7 +61,7 @@ struct Surface_parameters
   static Normal_map normal_map(const NamedParameters& np)
   {
     return parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::vertex_normal_map), No_normal_map());
+      parameters::get_parameter(np, internal_np::vertex_normal_map), No_normal_map());
   }
   static auto visitor(const NamedParameters& np)
   {

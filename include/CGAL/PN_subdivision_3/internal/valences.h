@@ -1,0 +1,44 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_VALENCES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_VALENCES_H
+
+#include <CGAL/PN_subdivision_3/Level_connectivity.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Which vertices are interior and of another valence than the regular one.
+inline std::vector<char> irregular_vertices(const Level_connectivity& level,
+                                            Level_connectivity::Index regular)
+{
+  std::vector<char> irregular(level.number_of_vertices());
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    irregular[v] =
+      !level.is_isolated(v) && !level.is_border_vertex(v) && level.valence(v) != regular;
+  return irregular;
+}
+
+// Refuses an interior vertex of valence 2, for which the interpolatory schemes have no rule.
+template <class Element_names>
+void check_interior_valences(const Level_connectivity& level, const Element_names& names)
+{
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (!level.is_isolated(v) && !level.is_border_vertex(v) && level.valence(v) == 2)
+      throw std::invalid_argument("PN_subdivision_3: " + names.vertex_name(v) +
+                                  " has valence 2: the scheme has no rule for an interior vertex "
+                                  "with two edges; join them");
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_VALENCES_H
