@@ -49,8 +49,8 @@ int main()
   const unsigned int rounds = 5;
   const auto point_normals = PN::make_point_normal_map(mesh.points(), normals);
   CGAL::Subdivision_method_3::PQQ(
-      mesh, PN::make_PN_mask_3<CGAL::CatmullClark_mask_3>(mesh, point_normals),
-      params::vertex_point_map(point_normals).number_of_iterations(rounds));
+    mesh, PN::make_PN_mask_3<CGAL::CatmullClark_mask_3>(mesh, point_normals),
+    params::vertex_point_map(point_normals).number_of_iterations(rounds));
   CGAL::Subdivision_method_3::CatmullClark_subdivision(linear,
                                                        params::number_of_iterations(rounds));
 

@@ -43,15 +43,14 @@ public:
     : graph_(&graph)
     , points_(points)
     , pull_(pull)
-  {
-  }
+  {}
 
   void face_node(face_descriptor f, Node& node) const { node = centroid(f); }
 
   void edge_node(halfedge_descriptor h, Node& node) const
   {
     const Node faces =
-        CGAL::midpoint(centroid(face(h, *graph_)), centroid(face(opposite(h, *graph_), *graph_)));
+      CGAL::midpoint(centroid(face(h, *graph_)), centroid(face(opposite(h, *graph_), *graph_)));
     node = CGAL::barycenter(edge_midpoint(h), 1 - pull_, faces, pull_);
   }
 
@@ -128,8 +127,8 @@ int main()
   const unsigned int rounds = 4;
   const auto point_normals = PN::make_point_normal_map(mesh.points(), normals);
   CGAL::Subdivision_method_3::PQQ(
-      mesh, PN::make_PN_mask_3<Pull_mask_3>(mesh, point_normals, pull),
-      params::vertex_point_map(point_normals).number_of_iterations(rounds));
+    mesh, PN::make_PN_mask_3<Pull_mask_3>(mesh, point_normals, pull),
+    params::vertex_point_map(point_normals).number_of_iterations(rounds));
   CGAL::Subdivision_method_3::PQQ(linear, Pull_mask_3<Mesh>(linear, linear.points(), pull),
                                   params::number_of_iterations(rounds));
 

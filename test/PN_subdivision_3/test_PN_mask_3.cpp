@@ -37,14 +37,13 @@ struct Case
 
 template <class>
 class PN_mask_3 : public testing::Test
-{
-};
+{};
 
 using Cases =
-    testing::Types<Case<CatmullClark, Surface_mesh>, Case<Loop, Surface_mesh>,
-                   Case<DooSabin, Surface_mesh>, Case<Sqrt3, Surface_mesh>,
-                   Case<CatmullClark, Epick_mesh>, Case<CatmullClark, Polyhedron>,
-                   Case<Loop, Polyhedron>, Case<DooSabin, Polyhedron>, Case<Sqrt3, Polyhedron>>;
+  testing::Types<Case<CatmullClark, Surface_mesh>, Case<Loop, Surface_mesh>,
+                 Case<DooSabin, Surface_mesh>, Case<Sqrt3, Surface_mesh>,
+                 Case<CatmullClark, Epick_mesh>, Case<CatmullClark, Polyhedron>,
+                 Case<Loop, Polyhedron>, Case<DooSabin, Polyhedron>, Case<Sqrt3, Polyhedron>>;
 TYPED_TEST_SUITE(PN_mask_3, Cases, );
 
 std::vector<Triple> scaled(std::vector<Triple> vectors, double factor)
@@ -279,7 +278,7 @@ TYPED_TEST(PN_mask_3, FadesOppositeNormals)
       for (std::size_t i = 0; i < normals.size(); i += 3)
         normals[i] = {std::sin(angle), 0, -std::cos(angle)};
       const Seen more =
-          compare_with_dense_form<Scheme, typename TypeParam::Mesh>(soup, normals, 1e-11);
+        compare_with_dense_form<Scheme, typename TypeParam::Mesh>(soup, normals, 1e-11);
       seen.fading += more.fading;
       seen.gone += more.gone;
     }
@@ -331,7 +330,7 @@ TEST(PN_mask_3_checks, NamesTheOffendingVertex)
     Control<Surface_mesh> control(soup, normals);
     EXPECT_EQ(message(control), "nothing thrown");
     control.mesh.point(CGAL::SM_Vertex_index(3)) =
-        Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+      Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
     EXPECT_NE(message(control).find("vertex 3 "), std::string::npos) << message(control);
   }
   {

@@ -47,8 +47,8 @@ template <class Pn_mask>
 void keeps_sphere(Control<Surface_mesh>& control, Pn_mask mask)
 {
   CGAL::Subdivision_method_3::PTQ(
-      control.mesh, mask,
-      CGAL::parameters::vertex_point_map(control.point_normals()).number_of_iterations(4));
+    control.mesh, mask,
+    CGAL::parameters::vertex_point_map(control.point_normals()).number_of_iterations(4));
   ASSERT_GT(num_vertices(control.mesh), 1000u);
   for (const auto& p : control.points()) ASSERT_NEAR(distance(p, K::Point_3(0, 0, 0)), 3, 2e-14);
 }
@@ -90,8 +90,7 @@ public:
     , points_(points)
     , share_(share)
     , far_(far)
-  {
-  }
+  {}
 
   void edge_node(typename Traits::halfedge_descriptor h, Node& node)
   {
@@ -131,8 +130,7 @@ class Curious_mask_3
 public:
   explicit Curious_mask_3(const Mesh* mesh)
     : mesh_(mesh)
-  {
-  }
+  {}
 
   void vertex_node(typename Traits::vertex_descriptor v, Node& node)
   {
