@@ -14,8 +14,8 @@
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// Closed control meshes of sizes in small steps, with extraordinary vertices, and normals that are not
-// those of the positions, so that no average is a trivial one.
+// Closed control meshes of sizes in small steps, with extraordinary vertices, and normals that are
+// not those of the positions, so that no average is a trivial one.
 namespace Control_meshes {
 
 // a torus-like tube whose radius varies: `rings` times `segments` quads
@@ -28,8 +28,9 @@ inline Mesh tube(int rings, int segments, bool triangles)
     for (int j = 0; j < segments; ++j) {
       const double a = 2 * pi * i / rings, b = 2 * pi * j / segments;
       const double r = 1 + 0.2 * std::cos(3 * a) + 0.1 * std::sin(2 * b);
-      v.push_back(mesh.add_vertex(Kernel::Point_3(
-        (3 + r * std::cos(b)) * std::cos(a), (3 + r * std::cos(b)) * std::sin(a), r * std::sin(b))));
+      v.push_back(
+        mesh.add_vertex(Kernel::Point_3((3 + r * std::cos(b)) * std::cos(a),
+                                        (3 + r * std::cos(b)) * std::sin(a), r * std::sin(b))));
     }
   const auto at = [&](int i, int j) { return v[(i % rings) * segments + j % segments]; };
   for (int i = 0; i < rings; ++i)

@@ -10,11 +10,12 @@
 
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-// Prints as usual, and keeps the medians: the ratios of a group `name/size/job` are to its first job.
+// Prints as usual, and keeps the medians: the ratios of a group `name/size/job` are to its first
+// job.
 class Ratio_reporter : public benchmark::ConsoleReporter
 {
 public:
@@ -23,28 +24,30 @@ public:
     benchmark::ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs)
       if (run.aggregate_name == "median")
-        medians_.emplace_back(run.run_name.function_name, run.GetAdjustedRealTime());
+        medians_[run.run_name.function_name] = run.GetAdjustedRealTime();
   }
 
-  void print_ratios() const
+  // names in the order of registration; jobs that a filter has left out are skipped
+  void print_ratios(const std::vector<std::string>& names) const
   {
-    std::cout << "\nRatios of medians to the first job of each group\n";
+    std::cout << "\nMedians, and their ratios to the first job of each group\n";
     std::string group;
     double first = 0;
-    for (const auto& [name, time] : medians_) {
-      const std::string of = name.substr(0, name.rfind('/'));
-      if (of != group) {
-        group = of;
-        first = time;
+    for (const std::string& name : names) {
+      const auto median = medians_.find(name);
+      if (median == medians_.end()) continue;
+      if (name.substr(0, name.rfind('/')) != group) {
+        group = name.substr(0, name.rfind('/'));
+        first = median->second;
       }
       std::cout << std::left << std::setw(48) << name << std::right << std::fixed
-                << std::setprecision(3) << std::setw(10) << time << " ms" << std::setw(9)
-                << time / first << '\n';
+                << std::setprecision(3) << std::setw(10) << median->second << " ms" << std::setw(9)
+                << median->second / first << '\n';
     }
   }
 
 private:
-  std::vector<std::pair<std::string, double>> medians_;
+  std::map<std::string, double> medians_;
 };
 
 #endif // CGAL_PN_SUBDIVISION_3_BENCHMARK_RATIO_REPORTER_H

@@ -52,8 +52,11 @@ void time_job(benchmark::State& state, const Mesh& control, unsigned rounds, con
                        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+std::vector<std::string> names;
+
 void add(const std::string& name, const Mesh& control, unsigned rounds, const Job& job)
 {
+  names.push_back(name);
   benchmark::RegisterBenchmark(
     name.c_str(),
     [control, rounds, job](benchmark::State& state) { time_job(state, control, rounds, job); })
@@ -65,8 +68,8 @@ void add(const std::string& name, const Mesh& control, unsigned rounds, const Jo
 // The linear function of CGAL first: the ratios of a group are to its first job. It gets a mesh
 // without normals.
 template <class Linear, class Scheme>
-void add_group(
-  const std::string& group, const Mesh& control, unsigned rounds, Linear cgal, const Scheme& scheme)
+void add_group(const std::string& group, const Mesh& control, unsigned rounds, Linear cgal,
+               const Scheme& scheme)
 {
   add(group + "/CGAL-linear", control, rounds, [cgal](Mesh& m, Normal_map n, unsigned k) {
     m.remove_property_map(n);
@@ -82,8 +85,8 @@ void add_group(
 #ifdef CGAL_LINKED_WITH_TBB
   add(group + "/PN-2-threads", control, rounds, [scheme](Mesh& m, Normal_map n, unsigned k) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
-    PN::subdivide<CGAL::Parallel_tag>(
-      m, scheme, params::number_of_iterations(k).vertex_normal_map(n));
+    PN::subdivide<CGAL::Parallel_tag>(m, scheme,
+                                      params::number_of_iterations(k).vertex_normal_map(n));
   });
 #endif
 }
@@ -96,23 +99,22 @@ void add_all()
   const auto loop = [](Mesh& m, unsigned k) {
     CGAL::Subdivision_method_3::Loop_subdivision(m, params::number_of_iterations(k));
   };
-  add_group("CatmullClark/100k", Control_meshes::quads(24, 18), 4, catmull_clark, PN::CatmullClark_scheme());
+  add_group("CatmullClark/100k", Control_meshes::quads(24, 18), 4, catmull_clark,
+            PN::CatmullClark_scheme());
   add_group("CatmullClark/1M", Control_meshes::quads(72, 56), 4, catmull_clark,
             PN::CatmullClark_scheme());
   add_group("CatmullClark/1M-one-round", Control_meshes::quads(500, 500), 1, catmull_clark,
             PN::CatmullClark_scheme());
   add_group("Loop/100k", Control_meshes::triangles(16, 14), 4, loop, PN::Loop_scheme());
   add_group("Loop/1M", Control_meshes::triangles(50, 40), 4, loop, PN::Loop_scheme());
-  add_group("Loop/1M-one-round", Control_meshes::triangles(360, 350), 1, loop,
-            PN::Loop_scheme());
+  add_group("Loop/1M-one-round", Control_meshes::triangles(360, 350), 1, loop, PN::Loop_scheme());
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> defaults = {argv[0],
-                                       "--benchmark_repetitions=9",
+  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=9",
                                        "--benchmark_enable_random_interleaving=true",
                                        "--benchmark_report_aggregates_only=true"};
   std::vector<char*> arguments;
@@ -124,6 +126,6 @@ int main(int argc, char** argv)
   add_all();
   Ratio_reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.print_ratios();
+  reporter.print_ratios(names);
   return EXIT_SUCCESS;
 }

@@ -11,6 +11,9 @@
 
 #include <boost/container/vector.hpp>
 
+#include <stdexcept>
+#include <string>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 
@@ -63,7 +66,8 @@ public:
     internal::check_triangles(level, names);
   }
 
-  /// \pre in an even round no triangle has two border edges; none has after an odd round
+  /// \throws std::invalid_argument if in an even round a triangle has two border edges, as none has
+  /// after an odd round
   Sqrt3_host(const Level_connectivity& level, unsigned round)
     : level_(level)
     , first_center_(level.number_of_vertices())
@@ -75,7 +79,12 @@ public:
     for (Index f = 0; f < level.number_of_faces(); ++f) {
       border_faces_before_[f] = border_faces;
       face_of_center_.push_back(f);
-      if (border_halfedge(f) == Level_connectivity::null) continue;
+      const Index h = border_halfedge(f);
+      if (h == Level_connectivity::null) continue;
+      if (level.is_border(opposite(level.next(h))) || level.is_border(opposite(level.prev(h))))
+        throw std::invalid_argument("PN_subdivision_3: face number " + std::to_string(f) +
+                                    " has two border edges: an even round of sqrt(3) cannot cut "
+                                    "it; begin with an odd round");
       face_of_center_.push_back(f);
       ++border_faces;
     }
