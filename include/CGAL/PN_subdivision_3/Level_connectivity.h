@@ -56,6 +56,7 @@ public:
   /// allocates a level; its elements are undefined until they are set.
   explicit Level_connectivity(const Level_size& size)
     : size_(size)
+    , has_border_(size.border_halfedges() != 0)
     , target_(size.halfedges(), boost::container::default_init)
     , next_(size.halfedges(), boost::container::default_init)
     , face_(size.halfedges(), boost::container::default_init)
@@ -70,7 +71,7 @@ public:
   Index number_of_edges() const { return static_cast<Index>(size_.edges); }
   Index number_of_halfedges() const { return static_cast<Index>(size_.halfedges()); }
   Index number_of_faces() const { return static_cast<Index>(size_.faces); }
-  bool has_border() const { return size_.border_halfedges() != 0; }
+  bool has_border() const { return has_border_; }
   /// the degree of all faces, 0 if they differ.
   Index uniform_degree() const { return uniform_degree_; }
   /// @}
@@ -107,7 +108,7 @@ public:
 
   /// \name Queries
   /// @{
-  bool is_border(Index h) const { return face_[h] == null; }
+  bool is_border(Index h) const { return has_border_ && face_[h] == null; }
   bool is_border_edge(Index e) const { return is_border(2 * e) || is_border(2 * e + 1); }
   bool is_isolated(Index v) const { return halfedge_of_vertex_[v] == null; }
   /// \pre `v` is not isolated
@@ -156,7 +157,11 @@ public:
   void set_halfedge_of_vertex(Index v, Index h) { halfedge_of_vertex_[v] = h; }
   void set_isolated(Index v) { halfedge_of_vertex_[v] = null; }
   void set_halfedge_of_face(Index f, Index h) { halfedge_of_face_[f] = h; }
-  void set_size(const Level_size& size) { size_ = size; }
+  void set_size(const Level_size& size)
+  {
+    size_ = size;
+    has_border_ = size.border_halfedges() != 0;
+  }
   void set_uniform_degree(Index m) { uniform_degree_ = m; }
   /// @}
 
@@ -164,6 +169,7 @@ private:
   using Array = boost::container::vector<Index>;
 
   Level_size size_;
+  bool has_border_ = false;
   Index uniform_degree_ = 0;
   Array target_, next_, face_;
   Array halfedge_of_vertex_, halfedge_of_face_;

@@ -94,8 +94,35 @@ struct Has_collect_garbage<Mesh, std::void_t<decltype(std::declval<Mesh&>().has_
   : std::true_type
 {};
 
-// While new vertices are added to a mesh that recycles removed ones, it must not: their order would
-// be lost. Meshes that do not recycle need nothing.
+// A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
+// again by a resize(), without a trace and without an exception. Removing them would leave removed
+// slots.
+template <class Mesh, class = void>
+struct Slots
+{
+  static constexpr bool exist = false;
+  explicit Slots(const Mesh&) {}
+};
+template <class Mesh>
+struct Slots<Mesh, std::void_t<decltype(std::declval<Mesh&>().resize(0, 0, 0))>>
+{
+  static constexpr bool exist = true;
+  explicit Slots(const Mesh& mesh) // BGL counts removed elements too
+    : vertices(num_vertices(mesh))
+    , edges(num_edges(mesh))
+    , faces(num_faces(mesh))
+  {}
+  void restore(Mesh& mesh) const
+  {
+    mesh.resize(static_cast<unsigned>(vertices), static_cast<unsigned>(edges),
+                static_cast<unsigned>(faces));
+  }
+  std::size_t vertices, edges, faces;
+};
+
+// While elements are added to a mesh that recycles removed ones, it must not: the order of vertices
+// would be lost, and if the copy of a property's default value fails while a slot is recycled,
+// Surface_mesh counts its removed elements wrongly. Meshes that do not recycle need nothing.
 template <class Mesh, class = void>
 struct Recycling_pause
 {
@@ -133,6 +160,7 @@ public:
 
   explicit Bgl_mesh_access(Graph& graph)
     : graph_(graph)
+    , old_slots_(graph)
   {
     for (Vertex v : vertices(graph_)) vertices_.push_back(v);
     for (auto e : edges(graph_)) edges_.push_back(halfedge(e, graph_));
@@ -176,7 +204,8 @@ public:
       level.set_halfedge_of_face(f, find(halfedge_index, halfedge(faces_[f], graph_)));
   }
 
-  // adds unconnected elements; what was added before an exception, shrink() removes
+  // adds unconnected elements behind all others, removed ones included; what was added before an
+  // exception, shrink() removes
   void grow(const Level_size& size)
   {
     vertices_.reserve(size.vertices);
@@ -187,7 +216,13 @@ public:
     while (edges_.size() < size.edges) edges_.push_back(halfedge(add_edge(graph_), graph_));
     while (faces_.size() < size.faces) faces_.push_back(add_face(graph_));
   }
-  void shrink() { remove_beyond(old_size_); }
+  void shrink()
+  {
+    if constexpr (Slots<std::remove_const_t<Graph>>::exist)
+      old_slots_.restore(graph_);
+    else
+      remove_beyond(old_size_);
+  }
   // removes the elements that the result does not use
   void trim(const Level_size& size)
   {
@@ -252,6 +287,7 @@ private:
   }
 
   Graph& graph_;
+  Slots<std::remove_const_t<Graph>> old_slots_;
   std::vector<Vertex> vertices_;
   std::vector<Halfedge> edges_;
   std::vector<Face> faces_;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <type_traits>
 
 namespace CGAL {
@@ -161,24 +162,47 @@ private:
   static Value sums(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
                     const Value* old)
   {
+    const Entry* const e = rows.begin(r);
+    const std::size_t length = rows.length(r);
+    if (&rows.rows == &normal_rows.rows) {
+      Packed_value sum;
+      for (std::size_t j = 0; j < length; ++j) sum.add_multiple(e[j].weight, old[e[j].vertex]);
+      return sum.value();
+    }
     Value sum;
     sum.point.fill(FT(0));
     sum.normal.fill(FT(0));
-    const Entry* const e = rows.begin(r);
-    if (&rows.rows == &normal_rows.rows) {
-      for (std::size_t j = 0; j < rows.length(r); ++j) {
-        add_multiple<FT, dimension>(sum.point, e[j].weight, old[e[j].vertex].point);
-        add_multiple<FT, dimension>(sum.normal, e[j].weight, old[e[j].vertex].normal);
-      }
-      return sum;
-    }
-    for (std::size_t j = 0; j < rows.length(r); ++j)
+    for (std::size_t j = 0; j < length; ++j)
       add_multiple<FT, dimension>(sum.point, e[j].weight, old[e[j].vertex].point);
     const Entry* const m = normal_rows.begin(r);
     for (std::size_t j = 0; j < normal_rows.length(r); ++j)
       add_multiple<FT, dimension>(sum.normal, m[j].weight, old[m[j].vertex].normal);
     return sum;
   }
+
+  // The 2 * dimension coordinates of a point and its normal, two by two.
+  struct Packed_value
+  {
+    static_assert(sizeof(Value) == dimension * sizeof(Lanes<FT>), "coordinates without padding");
+
+    Packed_value()
+    {
+      for (Lanes<FT>& l : lanes) l = Lanes<FT>::both(0);
+    }
+    void add_multiple(FT factor, const Value& v)
+    {
+      const char* const bytes = reinterpret_cast<const char*>(&v);
+      for (int i = 0; i < dimension; ++i)
+        lanes[i] = lanes[i] + Lanes<FT>::both(factor) * Lanes<FT>::load(bytes + i * sizeof(Lanes<FT>));
+    }
+    Value value() const
+    {
+      Value v;
+      std::memcpy(&v, lanes, sizeof(Value));
+      return v;
+    }
+    Lanes<FT> lanes[dimension];
+  };
 
   // Two entries at a time; the order of the sums depends on nothing but the row.
   template <class Rows>
