@@ -1,0 +1,448 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The same subdivision for every type of mesh and every kind of property map.
+
+#include "Mesh_type_cases.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using namespace mesh_type_cases;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+// A mesh of the user's own, derived from Surface_mesh as CGAL's manual shows.
+struct Named_mesh : CGAL::Surface_mesh<Kernel::Point_3>
+{
+  std::string name;
+};
+#define CGAL_GRAPH_TRAITS_INHERITANCE_CLASS_NAME Named_mesh
+#define CGAL_GRAPH_TRAITS_INHERITANCE_BASE_CLASS_NAME CGAL::Surface_mesh<Kernel::Point_3>
+#include <CGAL/boost/graph/graph_traits_inheritance_macros.h>
+
+namespace {
+
+// the number of border half-edges that vertices with a border do not show
+std::size_t hidden_borders(const Mesh& mesh)
+{
+  std::size_t n = 0;
+  for (auto v : mesh.vertices()) {
+    if (mesh.is_isolated(v)) continue;
+    bool border = false;
+    for (auto h : CGAL::halfedges_around_target(v, mesh)) border = border || mesh.is_border(h);
+    n += border != mesh.is_border(v, false);
+  }
+  return n;
+}
+
+} // namespace
+
+TEST(Mesh_types, reference_has_the_right_sizes)
+{
+  // 13 vertices, 9 + 7 edges, 5 faces with 20 corners; border edges are halved
+  const Result r = reference(cases()[1]);
+  EXPECT_EQ(r.faces.size(), 4u * 20u);
+  EXPECT_EQ(r.points.size(), (13u + 16u + 5u) + (2 * 16u + 20u) + 20u);
+  EXPECT_EQ(reference(cases()[2]).faces.size(), 64u);
+}
+
+TEST(Mesh_types, surface_mesh_with_epick)
+{
+  expect_same_as_surface_mesh<Epick, CGAL::Surface_mesh<Epick::Point_3>>();
+}
+
+TEST(Mesh_types, derived_from_surface_mesh)
+{
+  expect_same_as_surface_mesh<Kernel, Named_mesh>();
+}
+
+TEST(Mesh_types, polyhedron)
+{
+  expect_same_as_surface_mesh<Kernel, CGAL::Polyhedron_3<Kernel>>();
+  expect_same_as_surface_mesh<Epick, CGAL::Polyhedron_3<Epick>>();
+  expect_same_as_surface_mesh<Kernel,
+                              CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>();
+}
+
+TEST(Mesh_types, polyhedron_is_valid_after_normalizing_the_border)
+{
+  for (const Case& c : cases()) {
+    CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3> mesh;
+    build(c.soup, mesh);
+    subdivide(c, mesh, params::number_of_iterations(2));
+    mesh.normalize_border();
+    EXPECT_TRUE(mesh.is_valid(false, 3)) << c.name;
+  }
+}
+
+TEST(Mesh_types, surface_mesh_keeps_its_border_convention)
+{
+  for (const Case& c : cases())
+    for (bool with_removed_elements : {false, true}) {
+      Mesh mesh;
+      build(c.soup, mesh);
+      if (with_removed_elements) mesh.remove_vertex(mesh.add_vertex());
+      subdivide(c, mesh, params::number_of_iterations(2));
+      EXPECT_EQ(hidden_borders(mesh), 0u) << c.name;
+      EXPECT_TRUE(mesh.is_valid(false)) << c.name;
+    }
+}
+
+// \name Property maps of the user's
+
+TEST(Property_maps, associative)
+{
+  for (const Case& c : cases()) {
+    Mesh mesh;
+    std::map<Mesh::Vertex_index, Kernel::Point_3> point_of;
+    std::map<Mesh::Vertex_index, Vector> normal_of;
+    boost::associative_property_map p(point_of);
+    boost::associative_property_map n(normal_of);
+    build(c.soup, mesh, p);
+    for (auto v : mesh.vertices()) mesh.point(v) = Kernel::Point_3(0, 0, 0);
+    put_normals(normals(c.soup), mesh, n);
+    subdivide(c, mesh, params::number_of_iterations(2).vertex_point_map(p).vertex_normal_map(n));
+    EXPECT_TRUE((Result{values(mesh, p), values(mesh, n), faces_of(mesh)} == reference(c)));
+    for (std::size_t i = 0; i < c.soup.points.size(); ++i)
+      EXPECT_EQ(mesh.point(Mesh::Vertex_index(i)), Kernel::Point_3(0, 0, 0));
+  }
+}
+
+TEST(Property_maps, associative_of_a_polyhedron)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  using Vertex = boost::graph_traits<Polyhedron>::vertex_descriptor;
+  for (const Case& c : cases()) {
+    Polyhedron mesh;
+    std::map<Vertex, Kernel::Point_3> point_of;
+    std::map<Vertex, Vector> normal_of;
+    boost::associative_property_map p(point_of);
+    boost::associative_property_map n(normal_of);
+    build(c.soup, mesh, p);
+    put_normals(normals(c.soup), mesh, n);
+    subdivide(c, mesh, params::number_of_iterations(2).vertex_point_map(p).vertex_normal_map(n));
+    EXPECT_TRUE((Result{values(mesh, p), values(mesh, n), faces_of(mesh)} == reference(c)));
+  }
+}
+
+TEST(Property_maps, vectors_with_an_index_map)
+{
+  for (const Case& c : cases()) {
+    Mesh mesh;
+    const auto index = get(boost::vertex_index, mesh);
+    const Result expected = reference(c);
+    std::vector<Kernel::Point_3> point_of(expected.points.size(), CGAL::ORIGIN);
+    std::vector<Vector> normal_of(expected.points.size(), CGAL::NULL_VECTOR);
+    const auto p = boost::make_iterator_property_map(point_of.begin(), index);
+    const auto n = boost::make_iterator_property_map(normal_of.begin(), index);
+    build(c.soup, mesh, p);
+    put_normals(normals(c.soup), mesh, n);
+    subdivide(c, mesh, params::number_of_iterations(2).vertex_point_map(p).vertex_normal_map(n));
+    EXPECT_TRUE((Result{values(mesh, p), values(mesh, n), faces_of(mesh)} == expected)) << c.name;
+  }
+}
+
+TEST(Property_maps, dynamic_points)
+{
+  for (const Case& c : cases()) {
+    Mesh mesh;
+    const auto p = get(CGAL::dynamic_vertex_property_t<Kernel::Point_3>(), mesh);
+    const auto n = get(CGAL::dynamic_vertex_property_t<Vector>(), mesh);
+    build(c.soup, mesh, p);
+    put_normals(normals(c.soup), mesh, n);
+    subdivide(c, mesh, params::number_of_iterations(2).vertex_point_map(p).vertex_normal_map(n));
+    EXPECT_TRUE((Result{values(mesh, p), values(mesh, n), faces_of(mesh)} == reference(c)));
+  }
+}
+
+// Points of EPICK in the mesh, the map gives those of another kernel.
+TEST(Property_maps, points_of_another_kernel_decide_the_number_type)
+{
+  using Float = CGAL::Simple_cartesian<float>;
+  CGAL::Surface_mesh<Epick::Point_3> mesh;
+  auto p = mesh.add_property_map<Mesh::Vertex_index, Float::Point_3>("p").first;
+  build(cube(), mesh, p);
+  PN::CatmullClark_subdivision(mesh, params::vertex_point_map(p));
+  CGAL::Surface_mesh<Float::Point_3> expected;
+  build(cube(), expected);
+  PN::CatmullClark_subdivision(expected);
+  EXPECT_EQ(values(mesh, p), points(expected));
+}
+
+// \name Removed elements of a Surface_mesh
+
+namespace {
+
+struct Properties
+{
+  Mesh::Property_map<Mesh::Vertex_index, int> vertex;
+  Mesh::Property_map<Mesh::Halfedge_index, int> halfedge;
+  Mesh::Property_map<Mesh::Edge_index, int> edge;
+  Mesh::Property_map<Mesh::Face_index, std::string> face;
+};
+
+// each element gets its own value
+Properties add_properties(Mesh& mesh)
+{
+  Properties p{mesh.add_property_map<Mesh::Vertex_index, int>("int", -1).first,
+               mesh.add_property_map<Mesh::Halfedge_index, int>("int", -2).first,
+               mesh.add_property_map<Mesh::Edge_index, int>("int", -3).first,
+               mesh.add_property_map<Mesh::Face_index, std::string>("string", "new").first};
+  for (auto v : mesh.vertices()) p.vertex[v] = int(v);
+  for (auto h : mesh.halfedges()) p.halfedge[h] = int(h);
+  for (auto e : mesh.edges()) p.edge[e] = int(e);
+  for (auto f : mesh.faces()) p.face[f] = std::to_string(int(f));
+  return p;
+}
+
+// the case's mesh among removed vertices, edges and faces: at the front, in between, at the end
+Mesh with_garbage(const Soup& soup)
+{
+  Mesh mesh;
+  const auto other = [&](double x) {
+    return CGAL::make_tetrahedron(Kernel::Point_3(x, 0, 0), Kernel::Point_3(x, 1, 0),
+                                  Kernel::Point_3(x, 0, 1), Kernel::Point_3(x + 1, 0, 0), mesh);
+  };
+  const auto remove = [&](Mesh::Halfedge_index h) { CGAL::Euler::remove_center_vertex(h, mesh); };
+  const auto front = other(7);
+  build(soup, mesh);
+  const auto back = other(9);
+  // a tetrahedron shrinks to two faces back to back, which go one by one
+  for (auto h : {back, front}) {
+    const std::array<Mesh::Vertex_index, 4> v{mesh.target(h), mesh.source(h),
+                                              mesh.target(mesh.next(h)),
+                                              mesh.target(mesh.next(mesh.opposite(h)))};
+    remove(h);
+    std::vector<Mesh::Face_index> rest;
+    for (auto f : mesh.faces())
+      for (auto w : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+        if (std::find(v.begin(), v.end(), w) != v.end()) {
+          rest.push_back(f);
+          break;
+        }
+    for (auto f : rest) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  return mesh;
+}
+
+// the same mesh without removed elements, in the same order
+Mesh compacted(const Mesh& mesh)
+{
+  Mesh result;
+  std::map<Mesh::Vertex_index, Mesh::Vertex_index> vertex;
+  std::map<Mesh::Halfedge_index, Mesh::Halfedge_index> halfedge;
+  std::map<Mesh::Face_index, Mesh::Face_index> face;
+  for (auto v : mesh.vertices()) vertex[v] = result.add_vertex(mesh.point(v));
+  for (auto e : mesh.edges()) {
+    const auto h = mesh.halfedge(e);
+    halfedge[h] = result.add_edge(vertex[mesh.source(h)], vertex[mesh.target(h)]);
+    halfedge[mesh.opposite(h)] = result.opposite(halfedge[h]);
+  }
+  for (auto f : mesh.faces()) face[f] = result.add_face();
+  for (auto h : mesh.halfedges()) {
+    result.set_next(halfedge[h], halfedge[mesh.next(h)]);
+    result.set_face(halfedge[h], mesh.is_border(h) ? Mesh::null_face() : face[mesh.face(h)]);
+  }
+  for (auto v : mesh.vertices())
+    if (!mesh.is_isolated(v)) result.set_halfedge(vertex[v], halfedge[mesh.halfedge(v)]);
+  for (auto f : mesh.faces()) result.set_halfedge(face[f], halfedge[mesh.halfedge(f)]);
+  return result;
+}
+
+} // namespace
+
+TEST(Removed_elements, result_is_that_of_the_compact_mesh)
+{
+  for (const Case& c : cases()) {
+    Mesh mesh = with_garbage(c.soup);
+    ASSERT_EQ(mesh.number_of_removed_vertices(), 8u);
+    ASSERT_EQ(mesh.number_of_removed_edges(), 12u);
+    ASSERT_EQ(mesh.number_of_removed_faces(), 8u);
+    ASSERT_EQ(mesh.number_of_faces(), c.soup.faces.size());
+    Mesh compact = compacted(mesh);
+    ASSERT_FALSE(compact.has_garbage());
+    for (Mesh* m : {&mesh, &compact}) {
+      auto n = m->add_property_map<Mesh::Vertex_index, Vector>("n").first;
+      put_normals(normals(c.soup), *m, n);
+      subdivide(c, *m, params::number_of_iterations(2).vertex_normal_map(n));
+    }
+    EXPECT_TRUE(is_linked(mesh));
+    EXPECT_TRUE(mesh.is_valid(false));
+    EXPECT_EQ(points(mesh), points(compact)) << c.name;
+    EXPECT_EQ(values(mesh, mesh.property_map<Mesh::Vertex_index, Vector>("n").first),
+              values(compact, compact.property_map<Mesh::Vertex_index, Vector>("n").first));
+    EXPECT_EQ(faces_of(mesh), faces_of(compact)) << c.name;
+    EXPECT_EQ(mesh.number_of_edges(), compact.number_of_edges());
+    // removed elements stay removed, until the user collects them
+    EXPECT_EQ(mesh.number_of_removed_vertices(), 8u);
+    EXPECT_EQ(mesh.number_of_removed_edges(), 12u);
+    EXPECT_EQ(mesh.number_of_removed_faces(), 8u);
+    EXPECT_TRUE(mesh.does_recycle_garbage());
+    mesh.collect_garbage();
+    EXPECT_EQ(mesh.num_faces(), compact.num_faces());
+    EXPECT_TRUE(is_linked(mesh));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  }
+}
+
+// \name Property maps that the user holds while the mesh is subdivided
+
+TEST(Properties_of_the_user, stay_valid_and_keep_their_values)
+{
+  for (const Case& c : cases())
+    for (bool garbage : {false, true}) {
+      Mesh mesh;
+      if (garbage)
+        mesh = with_garbage(c.soup);
+      else
+        build(c.soup, mesh);
+      const Mesh old = mesh;
+      const Properties p = add_properties(mesh);
+      subdivide(c, mesh, params::number_of_iterations(1));
+      SCOPED_TRACE(std::string(c.name) + (garbage ? " with garbage" : ""));
+
+      std::map<int, int> count;
+      for (auto v : mesh.vertices())
+        if (std::size_t(v) < old.num_vertices())
+          EXPECT_EQ(p.vertex[v], int(v));
+        else
+          EXPECT_EQ(p.vertex[v], -1);
+
+      // an old face's value is on exactly one of its children, whose corners are among its own
+      // corners, the new vertices of its edges and its own new vertex
+      const std::size_t vertices = old.num_vertices(), edges = old.number_of_edges();
+      const auto old_position = [](const auto& range, auto x) {
+        return std::size_t(std::distance(range.begin(), std::find(range.begin(), range.end(), x)));
+      };
+      std::map<std::string, std::vector<Mesh::Face_index>> by_value;
+      for (auto f : mesh.faces()) by_value[p.face[f]].push_back(f);
+      EXPECT_EQ(by_value.size(), old.number_of_faces() + 1);
+      for (auto f : old.faces()) {
+        const auto& children = by_value[std::to_string(int(f))];
+        ASSERT_EQ(children.size(), 1u);
+        std::set<std::size_t> corners{vertices + edges + old_position(old.faces(), f)};
+        for (auto h : CGAL::halfedges_around_face(old.halfedge(f), old)) {
+          corners.insert(old.target(h));
+          corners.insert(vertices + old_position(old.edges(), old.edge(h)));
+        }
+        for (auto v : CGAL::vertices_around_face(mesh.halfedge(children[0]), mesh))
+          EXPECT_EQ(corners.count(v), 1u);
+      }
+
+      // an old edge's value is on exactly one edge, one of its halves; a half-edge's likewise
+      std::map<int, std::vector<Mesh::Edge_index>> edges_by_value;
+      for (auto e : mesh.edges()) edges_by_value[p.edge[e]].push_back(e);
+      EXPECT_EQ(edges_by_value.size(), old.number_of_edges() + 1);
+      for (auto e : old.edges()) {
+        const auto& halves = edges_by_value[int(e)];
+        ASSERT_EQ(halves.size(), 1u);
+        const auto h = mesh.halfedge(halves[0]), g = old.halfedge(e);
+        EXPECT_TRUE(mesh.source(h) == old.source(g) || mesh.target(h) == old.target(g));
+        EXPECT_EQ(p.halfedge[h], int(g));
+        EXPECT_EQ(p.halfedge[mesh.opposite(h)], int(old.opposite(g)));
+        const auto new_vertex = mesh.source(h) == old.source(g) ? mesh.target(h) : mesh.source(h);
+        EXPECT_GE(std::size_t(new_vertex), old.num_vertices());
+      }
+    }
+}
+
+// \name geom_traits and visitor
+
+namespace {
+
+struct Visitor
+{
+  std::vector<std::pair<unsigned, std::size_t>>* seen;
+  void round_done(unsigned k, std::size_t n) { seen->emplace_back(k, n); }
+};
+
+struct Counting_visitor
+{
+  std::size_t calls = 0;
+  void round_done(unsigned, std::size_t) { ++calls; }
+};
+
+struct Cancelling_visitor
+{
+  unsigned round;
+  void round_done(unsigned k, std::size_t) const
+  {
+    if (k == round) throw std::runtime_error("cancelled");
+  }
+};
+
+} // namespace
+
+TEST(Visitor_parameter, is_called_after_each_round)
+{
+  Mesh mesh;
+  build(cube(), mesh);
+  std::vector<std::pair<unsigned, std::size_t>> seen;
+  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(3).visitor(Visitor{&seen}));
+  const std::vector<std::pair<unsigned, std::size_t>> expected{{1, 24}, {2, 96}, {3, 384}};
+  EXPECT_EQ(seen, expected);
+}
+
+TEST(Visitor_parameter, may_be_a_reference)
+{
+  Mesh mesh;
+  build(tetrahedron(), mesh);
+  Counting_visitor visitor;
+  PN::Loop_subdivision(mesh, params::number_of_iterations(4).visitor(std::ref(visitor)));
+  EXPECT_EQ(visitor.calls, 4u);
+}
+
+TEST(Visitor_parameter, cancels_by_an_exception)
+{
+  for (unsigned round : {1u, 2u, 3u}) {
+    Mesh mesh;
+    build(mixed_with_border(), mesh);
+    const auto p = points(mesh);
+    const auto f = faces_of(mesh);
+    EXPECT_THROW(PN::CatmullClark_subdivision(
+                   mesh, params::number_of_iterations(3).visitor(Cancelling_visitor{round})),
+                 std::runtime_error);
+    EXPECT_EQ(points(mesh), p);
+    EXPECT_EQ(faces_of(mesh), f);
+    EXPECT_EQ(mesh.num_vertices(), p.size());
+    EXPECT_TRUE(is_linked(mesh));
+  }
+}
+
+// Computing in float must show: the number type is that of the traits.
+TEST(Geom_traits_parameter, decides_the_number_type)
+{
+  const auto subdivided = [](const auto& np) {
+    Mesh mesh;
+    build(mixed_with_border(), mesh);
+    PN::CatmullClark_subdivision(mesh, np.number_of_iterations(2));
+    return points(mesh);
+  };
+  const auto plain = subdivided(params::geom_traits(Kernel()));
+  const auto in_float = subdivided(params::geom_traits(CGAL::Simple_cartesian<float>()));
+  ASSERT_EQ(plain.size(), in_float.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(in_float[i][k], double(float(in_float[i][k])));
+      largest = std::max(largest, std::abs(plain[i][k] - in_float[i][k]));
+    }
+  EXPECT_GT(largest, 1e-9);
+  EXPECT_LT(largest, 1e-5);
+}

@@ -1,0 +1,452 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Whatever fails, wherever it fails: the mesh and its maps are as they were, and serve again.
+
+#include "Mesh_cases.h"
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+// \name Allocations of this program that can be told to fail
+
+namespace {
+
+std::atomic<long> allocations_left{std::numeric_limits<long>::max()};
+
+void* allocate(std::size_t size)
+{
+  if (allocations_left.fetch_sub(1) <= 0) throw std::bad_alloc();
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+
+void* allocate(std::size_t size, std::align_val_t alignment)
+{
+  if (allocations_left.fetch_sub(1) <= 0) throw std::bad_alloc();
+  const auto a = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+  throw std::bad_alloc();
+}
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+  return allocate(size);
+}
+void* operator new[](std::size_t size)
+{
+  return allocate(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+  return allocate(size, alignment);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment)
+{
+  return allocate(size, alignment);
+}
+void operator delete(void* p) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p) noexcept
+{
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p, std::size_t) noexcept
+{
+  std::free(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+void operator delete[](void* p, std::size_t, std::align_val_t) noexcept
+{
+  std::free(p);
+}
+
+using namespace mesh_cases;
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector = Kernel::Vector_3;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+
+// \name What must be as before
+
+// all that BGL shows of a mesh, descriptor by descriptor
+template <class Mesh>
+struct State
+{
+  using Traits = boost::graph_traits<Mesh>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Face = typename Traits::face_descriptor;
+
+  explicit State(const Mesh& mesh)
+    : slots(num_vertices(mesh), num_halfedges(mesh), num_faces(mesh))
+    , coordinates(points(mesh))
+  {
+    for (auto v : vertices(mesh)) vertex.emplace_back(v, halfedge(v, mesh));
+    for (auto h : halfedges(mesh))
+      edge.emplace_back(h, opposite(h, mesh), next(h, mesh), prev(h, mesh), target(h, mesh),
+                        face(h, mesh));
+    for (auto f : faces(mesh)) polygon.emplace_back(f, halfedge(f, mesh));
+  }
+  bool operator==(const State& s) const
+  {
+    return slots == s.slots && vertex == s.vertex && edge == s.edge && polygon == s.polygon &&
+           coordinates == s.coordinates;
+  }
+
+  std::tuple<std::size_t, std::size_t, std::size_t> slots; // removed elements included
+  std::vector<std::pair<Vertex, Halfedge>> vertex;
+  std::vector<std::tuple<Halfedge, Halfedge, Halfedge, Halfedge, Vertex, Face>> edge;
+  std::vector<std::pair<Face, Halfedge>> polygon;
+  std::vector<Triple> coordinates;
+};
+
+// properties of a Surface_mesh's user, with default values whose copies allocate
+struct Properties
+{
+  using Text = std::vector<std::string>;
+  Surface_mesh::Property_map<Surface_mesh::Vertex_index, std::string> vertex;
+  Surface_mesh::Property_map<Surface_mesh::Edge_index, std::string> edge;
+  Surface_mesh::Property_map<Surface_mesh::Halfedge_index, int> halfedge;
+  Surface_mesh::Property_map<Surface_mesh::Face_index, std::string> face;
+
+  explicit Properties(Surface_mesh& mesh)
+  {
+    const std::string fallback = "a default value too long to be kept inside of a string";
+    vertex = mesh.add_property_map<Surface_mesh::Vertex_index, std::string>("u", fallback).first;
+    edge = mesh.add_property_map<Surface_mesh::Edge_index, std::string>("u", fallback).first;
+    halfedge = mesh.add_property_map<Surface_mesh::Halfedge_index, int>("u", -1).first;
+    face = mesh.add_property_map<Surface_mesh::Face_index, std::string>("u", fallback).first;
+    for (auto v : mesh.vertices()) vertex[v] = "vertex " + std::to_string(int(v));
+    for (auto e : mesh.edges()) edge[e] = "edge " + std::to_string(int(e));
+    for (auto h : mesh.halfedges()) halfedge[h] = int(h);
+    for (auto f : mesh.faces()) face[f] = "face " + std::to_string(int(f));
+  }
+  bool are_as_before(const Surface_mesh& mesh) const
+  {
+    for (auto v : mesh.vertices())
+      if (vertex[v] != "vertex " + std::to_string(int(v))) return false;
+    for (auto e : mesh.edges())
+      if (edge[e] != "edge " + std::to_string(int(e))) return false;
+    for (auto h : mesh.halfedges())
+      if (halfedge[h] != int(h)) return false;
+    for (auto f : mesh.faces())
+      if (face[f] != "face " + std::to_string(int(f))) return false;
+    return true;
+  }
+};
+
+struct No_properties
+{
+  explicit No_properties(const Polyhedron&) {}
+  bool are_as_before(const Polyhedron&) const { return true; }
+};
+
+// \name The meshes
+
+struct Compact_surface_mesh
+{
+  using Mesh = Surface_mesh;
+  using User_properties = Properties;
+  static void make(const Soup& soup, Mesh& mesh) { build(soup, mesh); }
+  static std::size_t removed(const Mesh& mesh)
+  {
+    return mesh.number_of_removed_vertices() + mesh.number_of_removed_edges() +
+           mesh.number_of_removed_faces();
+  }
+};
+
+// fewer removed edges and faces than the first round adds, so that both ways of adding occur
+struct Surface_mesh_with_garbage : Compact_surface_mesh
+{
+  static void make(const Soup& soup, Mesh& mesh)
+  {
+    const auto triangle = [&] {
+      std::array<Mesh::Vertex_index, 3> v{mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex()};
+      return mesh.add_face(v[0], v[1], v[2]);
+    };
+    const auto first = triangle();
+    build(soup, mesh);
+    const auto last = triangle();
+    for (auto f : {first, last}) {
+      const auto h = mesh.halfedge(f);
+      const std::array<Mesh::Vertex_index, 3> v{mesh.source(h), mesh.target(h),
+                                                mesh.target(mesh.next(h))};
+      CGAL::Euler::remove_face(h, mesh);
+      for (auto w : v)
+        if (!mesh.is_removed(w)) mesh.remove_vertex(w);
+    }
+  }
+};
+
+struct Plain_polyhedron
+{
+  using Mesh = Polyhedron;
+  using User_properties = No_properties;
+  static void make(const Soup& soup, Mesh& mesh) { build(soup, mesh); }
+  static std::size_t removed(const Mesh&) { return 0; }
+};
+
+template <class Maker>
+class Strong_guarantee : public ::testing::Test
+{};
+using Makers = ::testing::Types<Compact_surface_mesh, Surface_mesh_with_garbage, Plain_polyhedron>;
+TYPED_TEST_SUITE(Strong_guarantee, Makers);
+
+// \name Failing property maps
+
+struct User_failure : std::runtime_error
+{
+  User_failure()
+    : std::runtime_error("the user's map fails")
+  {}
+};
+
+// A property map whose n-th call fails, and no other one.
+template <class Map>
+struct Failing_map
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  void count() const
+  {
+    if (--*gets_and_puts_left == 0) throw User_failure();
+  }
+  friend value_type get(const Failing_map& m, const key_type& k)
+  {
+    m.count();
+    return get(m.map, k);
+  }
+  friend void put(const Failing_map& m, const key_type& k, const value_type& x)
+  {
+    m.count();
+    put(m.map, k, x);
+  }
+
+  Map map;
+  std::atomic<long>* gets_and_puts_left;
+};
+
+// A property map that fails from the n-th put on.
+template <class Map>
+struct Failing_on_map
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  friend value_type get(const Failing_on_map& m, const key_type& k) { return get(m.map, k); }
+  friend void put(const Failing_on_map& m, const key_type& k, const value_type& x)
+  {
+    if (--*m.puts_left <= 0) throw User_failure();
+    put(m.map, k, x);
+  }
+
+  Map map;
+  long* puts_left;
+};
+
+struct Failing_visitor
+{
+  long* calls_left;
+  void round_done(unsigned, std::size_t) const
+  {
+    if (--*calls_left == 0) throw User_failure();
+  }
+};
+
+// \name One subdivision that may fail
+
+// Lets the n-th occurrence fail for n = 1, 2, ... until none fails; after each failure all must be
+// as before. Returns how many failed.
+template <class Maker, class Attempt>
+long fail_everywhere(const Soup& soup, const Attempt& attempt)
+{
+  using Mesh = typename Maker::Mesh;
+  Mesh mesh;
+  Maker::make(soup, mesh);
+  auto n = get(CGAL::dynamic_vertex_property_t<Vector>(), mesh);
+  put_normals(normals(soup), mesh, n);
+  const typename Maker::User_properties properties(mesh);
+  const State<Mesh> state(mesh);
+  const auto old_normals = values(mesh, n);
+  const std::size_t removed = Maker::removed(mesh);
+
+  Mesh untroubled;
+  Maker::make(soup, untroubled);
+  auto m = get(CGAL::dynamic_vertex_property_t<Vector>(), untroubled);
+  put_normals(normals(soup), untroubled, m);
+  const std::string message = attempt(untroubled, m, std::numeric_limits<long>::max());
+  EXPECT_EQ(message, "");
+
+  for (long k = 1;; ++k) {
+    if (attempt(mesh, n, k).empty()) {
+      EXPECT_EQ(points(mesh), points(untroubled));
+      EXPECT_EQ(values(mesh, n), values(untroubled, m));
+      EXPECT_EQ(faces_of(mesh), faces_of(untroubled));
+      EXPECT_TRUE(is_linked(mesh));
+      return k - 1;
+    }
+    const bool as_before = State<Mesh>(mesh) == state && values(mesh, n) == old_normals &&
+                           properties.are_as_before(mesh) && Maker::removed(mesh) == removed;
+    EXPECT_TRUE(as_before) << "after failure " << k;
+    if (!as_before) return k;
+  }
+}
+
+template <class Tag, class Mesh, class Np>
+void subdivide_as_asked(bool loop, Mesh& mesh, const Np& np)
+{
+  if (loop)
+    PN::Loop_subdivision<Tag>(mesh, np);
+  else
+    PN::CatmullClark_subdivision<Tag>(mesh, np);
+}
+
+// returns what failed, nothing if nothing did
+template <class Function>
+std::string failure_of(const Function& f)
+{
+  try {
+    f();
+    return "";
+  } catch (const User_failure&) {
+    return "user";
+  } catch (const std::bad_alloc&) {
+    return "memory";
+  }
+}
+
+template <class Maker, class Tag>
+long fail_in_maps(const Soup& soup, bool loop)
+{
+  return fail_everywhere<Maker>(soup, [&](auto& mesh, auto n, long k) {
+    std::atomic<long> left{k};
+    auto p = get(CGAL::vertex_point, mesh);
+    const Failing_map<decltype(p)> point_map{p, &left};
+    const Failing_map<decltype(n)> normal_map{n, &left};
+    const auto np =
+      params::number_of_iterations(2).vertex_point_map(point_map).vertex_normal_map(normal_map);
+    return failure_of([&] { subdivide_as_asked<Tag>(loop, mesh, np); });
+  });
+}
+
+template <class Maker, class Tag>
+long fail_in_allocations(const Soup& soup, bool loop, unsigned rounds)
+{
+  return fail_everywhere<Maker>(soup, [&](auto& mesh, auto n, long k) {
+    const auto np = params::number_of_iterations(rounds).vertex_normal_map(n);
+    return failure_of([&] {
+      struct Limit
+      {
+        explicit Limit(long k) { allocations_left = k - 1; }
+        ~Limit() { allocations_left = std::numeric_limits<long>::max(); }
+      } limit(k);
+      subdivide_as_asked<Tag>(loop, mesh, np);
+    });
+  });
+}
+
+} // namespace
+
+// Reading takes 2 calls a vertex, and one more a point to keep it; writing two for each new vertex.
+TYPED_TEST(Strong_guarantee, property_maps)
+{
+  EXPECT_GE((fail_in_maps<TypeParam, CGAL::Sequential_tag>(mixed_with_border(), false)), 2 * 109);
+  EXPECT_GE((fail_in_maps<TypeParam, CGAL::Sequential_tag>(triangles_with_border(), true)), 2 * 88);
+}
+
+TYPED_TEST(Strong_guarantee, allocations)
+{
+  for (unsigned rounds : {1u, 2u}) {
+    EXPECT_GE(
+      (fail_in_allocations<TypeParam, CGAL::Sequential_tag>(mixed_with_border(), false, rounds)),
+      10);
+    EXPECT_GE(
+      (fail_in_allocations<TypeParam, CGAL::Sequential_tag>(triangles_with_border(), true, rounds)),
+      10);
+  }
+}
+
+TYPED_TEST(Strong_guarantee, visitor)
+{
+  const long failures = fail_everywhere<TypeParam>(cube(), [](auto& mesh, auto n, long k) {
+    const auto np =
+      params::number_of_iterations(3).vertex_normal_map(n).visitor(Failing_visitor{&k});
+    return failure_of([&] { PN::CatmullClark_subdivision(mesh, np); });
+  });
+  EXPECT_EQ(failures, 3);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TYPED_TEST(Strong_guarantee, property_maps_with_threads)
+{
+  EXPECT_GE((fail_in_maps<TypeParam, CGAL::Parallel_tag>(mixed_with_border(), false)), 2 * 109);
+}
+
+// The allocations of TBB itself are among those that fail.
+TYPED_TEST(Strong_guarantee, allocations_with_threads)
+{
+  EXPECT_GE((fail_in_allocations<TypeParam, CGAL::Parallel_tag>(mixed_with_border(), false, 2)),
+            10);
+}
+#endif
+
+// A map that goes on failing: nothing is promised of what it holds, but of the mesh.
+TYPED_TEST(Strong_guarantee, connectivity_survives_a_map_that_goes_on_failing)
+{
+  using Mesh = typename TypeParam::Mesh;
+  Mesh mesh;
+  TypeParam::make(mixed_with_border(), mesh);
+  auto p = get(CGAL::vertex_point, mesh);
+  const State<Mesh> state(mesh);
+  // all new vertices are written (17 edges, 5 faces) and one old one; the second old one fails
+  long puts_left = 17 + 5 + 2;
+  const Failing_on_map<decltype(p)> map{p, &puts_left};
+  EXPECT_THROW(PN::CatmullClark_subdivision(mesh, params::vertex_point_map(map)), User_failure);
+  EXPECT_EQ(num_vertices(mesh), std::get<0>(state.slots));
+  EXPECT_EQ(State<Mesh>(mesh).edge, state.edge);
+  EXPECT_EQ(State<Mesh>(mesh).polygon, state.polygon);
+}
