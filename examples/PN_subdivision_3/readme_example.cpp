@@ -28,7 +28,7 @@ int main()
 
   // ... becomes the sphere through its eight vertices.
   CGAL::PN_subdivision_3::CatmullClark_subdivision(
-      mesh, CGAL::parameters::number_of_iterations(5).vertex_normal_map(normals));
+    mesh, CGAL::parameters::number_of_iterations(5).vertex_normal_map(normals));
 
   double deviation = 0;
   for (const Point& p : mesh.points())
