@@ -146,7 +146,7 @@ private:
     if (n == 3) return j == 0 ? FT(5) / FT(12) : FT(-1) / FT(12);
     if (n == 4) return j == 0 ? FT(3) / FT(8) : (j == 2 ? FT(-1) / FT(8) : FT(0));
     const FT c1 = cosine_weight<FT>(j, n), c2 = cosine_weight<FT>(2 * std::int64_t(j), n);
-    return (FT(1) / FT(4) + c1 + c2 / FT(2)) / FT(n);
+    return (FT(1) / FT(4) + c1 + c2 / FT(2)) / FT(int(n));
   }
 
   const Level_connectivity& level_;

@@ -52,7 +52,7 @@ public:
       ring_of_quads(h, three_32nds_, one_64th_, s);
       s.add(v, nine_16ths_);
     } else {
-      const FT n2 = FT(n) * FT(n);
+      const FT n2 = FT(int(n)) * FT(int(n));
       ring_of_quads(h, FT(3) / (FT(2) * n2), FT(1) / (FT(4) * n2), s);
       s.add_rest(v);
     }
@@ -84,7 +84,7 @@ public:
       for (int i = 0; i < 4; ++i, g = level_.next(g)) s.add(level_.target(g), quarter_);
       return;
     }
-    const FT weight = FT(1) / FT(level_.degree(h));
+    const FT weight = FT(1) / FT(int(level_.degree(h)));
     for (Index g = level_.next(h); g != h; g = level_.next(g)) s.add(level_.target(g), weight);
     s.add_rest(level_.target(h));
   }
@@ -127,11 +127,11 @@ private:
   template <class Stencil>
   void vertex_among_polygons(Index h, Index n, Stencil& s) const
   {
-    const FT w = FT(1) / (FT(n) * FT(n));
-    FT before = w / FT(level_.degree(Level_connectivity::opposite(h)));
+    const FT w = FT(1) / (FT(int(n)) * FT(int(n)));
+    FT before = w / FT(int(level_.degree(Level_connectivity::opposite(h))));
     Index g = h;
     do {
-      const FT corner = w / FT(level_.degree(g));
+      const FT corner = w / FT(int(level_.degree(g)));
       s.add(level_.source(g), w + before + corner);
       Index c = level_.next(level_.next(g));
       for (; level_.next(c) != g; c = level_.next(c)) s.add(level_.target(c), corner);
@@ -144,8 +144,8 @@ private:
   template <class Stencil>
   void edge_among_polygons(Index h, Index o, Stencil& s) const
   {
-    const FT w1 = quarter_ / FT(level_.degree(h));
-    const FT w2 = quarter_ / FT(level_.degree(o));
+    const FT w1 = quarter_ / FT(int(level_.degree(h)));
+    const FT w2 = quarter_ / FT(int(level_.degree(o)));
     other_corners(h, w1, s);
     other_corners(o, w2, s);
     s.add(level_.target(o), quarter_ + w1 + w2);

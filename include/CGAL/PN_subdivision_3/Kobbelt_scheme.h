@@ -157,7 +157,7 @@ private:
   void add_virtual_point(Index h, const FT& factor, Row& row) const
   {
     const Index n = level_.valence(level_.target(h));
-    const FT mean = FT(4) / FT(n);
+    const FT mean = FT(4) / FT(int(n));
     Index g = h;
     for (Index j = 0; j < n; ++j, g = level_.next_around_target(g)) {
       // how often the indices j = i-1, i, i+1 and i-2, ..., i+1 meet this one, modulo n

@@ -86,7 +86,7 @@ private:
   static FT neighbor_weight(Index n)
   {
     const FT a = FT(3) + FT(2) * cosine_weight<FT>(1, n);
-    return (FT(5) / FT(8) - a * a / FT(64)) / FT(n);
+    return (FT(5) / FT(8) - a * a / FT(64)) / FT(int(n));
   }
 
   const Level_connectivity& level_;

@@ -96,7 +96,7 @@ private:
 
   static FT neighbor_weight(Index n)
   {
-    return (FT(4) - FT(2) * cosine_weight<FT>(1, n)) / (FT(9) * FT(n));
+    return (FT(4) - FT(2) * cosine_weight<FT>(1, n)) / (FT(9) * FT(int(n)));
   }
 
   const Level_connectivity& level_;
