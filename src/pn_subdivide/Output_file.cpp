@@ -109,7 +109,7 @@ void Output_file::number(double x)
 {
   char digits[40];
   const auto end =
-      std::to_chars(digits, digits + sizeof(digits), x, std::chars_format::general, 17).ptr;
+    std::to_chars(digits, digits + sizeof(digits), x, std::chars_format::general, 17).ptr;
   text(std::string_view(digits, static_cast<std::size_t>(end - digits)));
 }
 

@@ -27,8 +27,7 @@ public:
     , text_(behind_header)
     , pos_(behind_header.offset())
     , format_(format)
-  {
-  }
+  {}
 
   double next(Ply_type type)
   {
@@ -75,8 +74,8 @@ private:
     pos_ += sizeof(T);
     using boost::endian::order;
     return format_ == Ply_format::little_endian
-               ? boost::endian::endian_load<T, sizeof(T), order::little>(bytes)
-               : boost::endian::endian_load<T, sizeof(T), order::big>(bytes);
+             ? boost::endian::endian_load<T, sizeof(T), order::little>(bytes)
+             : boost::endian::endian_load<T, sizeof(T), order::big>(bytes);
   }
 
   double text_value()

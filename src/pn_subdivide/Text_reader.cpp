@@ -24,7 +24,7 @@ std::string printable(std::string_view word)
 {
   std::string s(word.substr(0, 40));
   std::replace_if(
-      s.begin(), s.end(), [](unsigned char c) { return c < 32 || c == 127; }, '?');
+    s.begin(), s.end(), [](unsigned char c) { return c < 32 || c == 127; }, '?');
   return s;
 }
 
@@ -33,8 +33,7 @@ std::string printable(std::string_view word)
 Text_reader::Text_reader(const std::string& text, char comment_sign)
   : text_(text)
   , comment_sign_(comment_sign)
-{
-}
+{}
 
 bool Text_reader::next_line()
 {

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <sstream>
 #include <string>
 
 using namespace pn_subdivide;
@@ -23,13 +24,26 @@ using namespace pn_subdivide;
 namespace {
 
 const char* const footer =
-    "Reads .ply .off .obj .stl, writes .ply .off .obj .vtp; messages count vertices and faces from "
-    "0.\nExit code: 0 success, 1 failure, 2 wrong command line (3 is reserved for --tolerance). A "
-    "failure\nprints one line on standard error and leaves OUTPUT as it was.";
+  "Reads .ply .off .obj .stl, writes .ply .off .obj .vtp; messages count vertices and faces from "
+  "0.\nExit code: 0 success, 1 failure, 2 wrong command line (3 is reserved for --tolerance). A "
+  "failure\nprints one line on standard error and leaves OUTPUT as it was.";
 
 // Options that are spoken for. They are refused by name, so that nobody takes them for typos.
-const char* const later_options[] = {"--normal-scheme", "--tension", "--cap",
-                                     "--curvature",     "--verify",  "--tolerance"};
+const char* const later_options[] = {"--cap", "--curvature", "--verify", "--tolerance"};
+
+// A number or a fraction such as 1/16.
+double parse_tension(const std::string& text)
+{
+  std::istringstream in(text);
+  double numerator = 0, denominator = 1;
+  char slash = 0;
+  in >> numerator;
+  bool good = !in.fail();
+  if (good && in >> slash) good = slash == '/' && (in >> denominator) && denominator != 0;
+  if (!good || !(in >> std::ws).eof())
+    throw Usage_error("--tension '" + text + "': it takes a number or a fraction such as 1/16");
+  return numerator / denominator;
+}
 
 CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
 {
@@ -37,16 +51,25 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
   surface->footer(footer);
   surface->add_option("INPUT", options.input, "Control mesh")->required();
   surface->add_option("OUTPUT", options.output, "Refined mesh")->required();
-  surface->add_option("--scheme", options.scheme, "catmull-clark or loop")->required();
   surface
-      ->add_option("--levels", options.levels, "Rounds of subdivision; 0 copies the control data")
-      ->capture_default_str();
+    ->add_option("--scheme", options.scheme.scheme,
+                 "catmull-clark, loop, doo-sabin, sqrt3, butterfly or kobbelt")
+    ->required();
+  surface->add_option("--normal-scheme", options.scheme.normal_scheme,
+                      "Another scheme for the normals, with the same split of the faces");
+  surface->add_option_function<std::string>(
+    "--tension",
+    [&options](const std::string& text) { options.scheme.tension = parse_tension(text); },
+    "Kobbelt's tension, a number or a fraction; default 1/16");
+  surface
+    ->add_option("--levels", options.levels, "Rounds of subdivision; 0 copies the control data")
+    ->capture_default_str();
   surface->add_flag("--linear", options.linear, "The linear scheme, without normals");
   surface->add_option("--normals", options.normals,
                       "Control normals: auto (the file's if it has any, else estimated), file, "
                       "estimate, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
   surface->add_option("--threads", options.threads, "Number of threads; 0 for all cores")
-      ->capture_default_str();
+    ->capture_default_str();
   surface->add_flag("--repair", options.repair,
                     "Orient the faces and duplicate non-manifold edges and vertices");
   surface->add_flag("--ascii", options.ascii, "PLY and VTP as text");
@@ -64,8 +87,8 @@ void refuse_later_options(const CLI::App& surface)
 int run(int argc, char** argv)
 {
   CLI::App app(
-      "Point-normal subdivision of meshes: spheres, cylinders and circles stay what they are",
-      "pn_subdivide");
+    "Point-normal subdivision of meshes: spheres, cylinders and circles stay what they are",
+    "pn_subdivide");
   app.set_version_flag("--version", PN_SUBDIVIDE_VERSION);
   app.require_subcommand(1);
   app.footer(footer);

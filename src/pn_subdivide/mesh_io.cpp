@@ -31,16 +31,16 @@ using Reader = Mesh_data (*)(const std::string&);
 using Writer = void (*)(Output_file&, const Mesh_data&, Encoding);
 
 const Format<Reader> readers[] = {
-    {".ply", read_ply}, {".off", read_off}, {".obj", read_obj}, {".stl", read_stl}};
+  {".ply", read_ply}, {".off", read_off}, {".obj", read_obj}, {".stl", read_stl}};
 const Format<Writer> writers[] = {
-    {".ply", write_ply}, {".off", write_off}, {".obj", write_obj}, {".vtp", write_vtp}};
+  {".ply", write_ply}, {".off", write_off}, {".obj", write_obj}, {".vtp", write_vtp}};
 
 template <class Function, std::size_t n>
 Function find_format(const Format<Function> (&formats)[n], const std::string& file,
                      const std::string& action)
 {
   const std::string extension =
-      boost::algorithm::to_lower_copy(std::filesystem::path(file).extension().string());
+    boost::algorithm::to_lower_copy(std::filesystem::path(file).extension().string());
   std::string known;
   for (const auto& format : formats) {
     if (extension == format.extension) return format.function;

@@ -21,8 +21,7 @@ class Obj_reader
 public:
   explicit Obj_reader(const std::string& content)
     : in_(content, '#')
-  {
-  }
+  {}
 
   Mesh_data read()
   {
@@ -93,7 +92,7 @@ private:
     const std::size_t second_slash = w.find('/');
     if (second_slash == std::string_view::npos) return;
     const std::int64_t n =
-        index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
+      index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
     normals_.add_corner(face_.back(), static_cast<std::size_t>(n), in_.line());
   }
 

@@ -45,8 +45,7 @@ public:
   Ply_reader(const std::string& content, const Ply_header& header, const Text_reader& behind_header)
     : header_(header)
     , values_(content, behind_header, header.format)
-  {
-  }
+  {}
 
   Mesh_data read()
   {

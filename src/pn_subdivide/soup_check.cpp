@@ -87,7 +87,7 @@ Soup_defects::Vertices find_pinched(const Mesh_data& mesh, const std::vector<Sid
   Soup_defects::Vertices result;
   result.number = static_cast<std::size_t>(std::count(pinched.begin(), pinched.end(), true));
   result.first =
-      static_cast<Index>(std::find(pinched.begin(), pinched.end(), true) - pinched.begin());
+    static_cast<Index>(std::find(pinched.begin(), pinched.end(), true) - pinched.begin());
   return result;
 }
 

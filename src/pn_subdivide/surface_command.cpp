@@ -10,7 +10,6 @@
 #include "mesh_io.h"
 #include "soup_check.h"
 #include "soup_repair.h"
-#include "surface_schemes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +27,7 @@ void require_consistent(const Surface_options& options)
 {
   require_readable_format(options.input);
   require_writable_format(options.output);
-  require_surface_scheme(options.scheme);
+  require_surface_schemes(options.scheme);
   if (options.linear && options.normals)
     throw Usage_error("--normals and --linear exclude each other: in linear schemes normals take "
                       "no part");
@@ -37,7 +36,7 @@ void require_consistent(const Surface_options& options)
 unsigned number_of_threads(const Surface_options& options)
 {
   const unsigned threads =
-      options.threads != 0 ? options.threads : (std::max)(1u, std::thread::hardware_concurrency());
+    options.threads != 0 ? options.threads : (std::max)(1u, std::thread::hardware_concurrency());
   require_threads(threads);
   return threads;
 }

@@ -6,6 +6,8 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "surface_schemes.h"
+
 #include <optional>
 #include <string>
 
@@ -13,7 +15,8 @@ namespace pn_subdivide {
 
 struct Surface_options
 {
-  std::string input, output, scheme;
+  std::string input, output;
+  Scheme_choice scheme;
   unsigned levels = 1;
   bool linear = false;
   std::optional<std::string> normals;

@@ -10,6 +10,10 @@
 
 #include <CGAL/PN_subdivision_3.h>
 
+#include <type_traits>
+#include <utility>
+#include <variant>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
 #endif
@@ -18,6 +22,8 @@ namespace pn_subdivide {
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
+
+constexpr double default_tension = 1. / 16;
 
 struct Round_visitor
 {
@@ -30,79 +36,116 @@ struct Round_visitor
   std::function<void(unsigned, std::size_t)> report;
 };
 
-template <class Concurrency_tag, class Scheme>
-Mesh_data refine_with(const Mesh_data& mesh, const Scheme& scheme, const Refinement& refinement)
+// With one thread the result is the same, bit for bit.
+using Tag = CGAL::Parallel_if_available_tag;
+
+template <class Scheme>
+Mesh_data refine_linearly(const Mesh_data& mesh, const Scheme& scheme, const Refinement& refinement)
 {
   Surface surface = make_surface(mesh);
-  Round_visitor visitor{refinement.round_done};
-  if (!mesh.has_normals()) {
-    PN::subdivide<Concurrency_tag>(
-        surface, PN::linear(scheme),
-        CGAL::parameters::number_of_iterations(refinement.levels).visitor(visitor));
-    return to_mesh_data(surface);
-  }
+  PN::subdivide<Tag>(surface, PN::linear(scheme),
+                     CGAL::parameters::number_of_iterations(refinement.levels)
+                       .visitor(Round_visitor{refinement.round_done}));
+  return to_mesh_data(surface);
+}
 
+template <class Scheme>
+Mesh_data refine_with_normals(const Mesh_data& mesh, const Scheme& scheme,
+                              const Refinement& refinement)
+{
+  Surface surface = make_surface(mesh);
   auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
   for (const Surface::Vertex_index v : surface.vertices()) normals[v] = mesh.normals[v];
-  PN::subdivide<Concurrency_tag>(surface, scheme,
-                                 CGAL::parameters::number_of_iterations(refinement.levels)
-                                     .vertex_normal_map(normals)
-                                     .visitor(visitor));
+  PN::subdivide<Tag>(surface, scheme,
+                     CGAL::parameters::number_of_iterations(refinement.levels)
+                       .vertex_normal_map(normals)
+                       .visitor(Round_visitor{refinement.round_done}));
   Mesh_data refined = to_mesh_data(surface);
   refined.normals.reserve(refined.points.size());
   for (const Surface::Vertex_index v : surface.vertices()) refined.normals.push_back(normals[v]);
   return refined;
 }
 
-template <class Scheme>
-Mesh_data refine(const Mesh_data& mesh, const Scheme& scheme, const Refinement& refinement)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (refinement.threads > 1) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    refinement.threads);
-    return refine_with<CGAL::Parallel_tag>(mesh, scheme, refinement);
-  }
-#endif
-  return refine_with<CGAL::Sequential_tag>(mesh, scheme, refinement);
-}
+// All schemes. A new scheme of the library is a new type here and a new line in parse_scheme().
+using Scheme = std::variant<PN::CatmullClark_scheme, PN::Kobbelt_scheme, PN::Loop_scheme,
+                            PN::Butterfly_scheme, PN::DooSabin_scheme, PN::Sqrt3_scheme>;
 
-struct Surface_scheme
-{
-  const char* name;
-  Mesh_data (*refine)(const Mesh_data&, const Refinement&);
-};
+const char* const later_schemes[] = {"modified-catmull-clark", "modified-loop"};
 
-// A new scheme of the library is a new line here.
-const Surface_scheme schemes[] = {
-    {"catmull-clark",
-     [](const Mesh_data& mesh, const Refinement& r) {
-       return refine(mesh, PN::CatmullClark_scheme(), r);
-     }},
-    {"loop",
-     [](const Mesh_data& mesh, const Refinement& r) { return refine(mesh, PN::Loop_scheme(), r); }},
-};
-
-const char* const later_schemes[] = {
-    "doo-sabin", "sqrt3", "butterfly", "kobbelt", "modified-catmull-clark", "modified-loop"};
-
-const Surface_scheme& find_scheme(const std::string& name)
+Scheme parse_scheme(const char* option, const std::string& name, double tension)
 {
   for (const char* later : later_schemes)
-    if (name == later) throw Usage_error("--scheme " + name + " is not available yet");
+    if (name == later) throw Usage_error(option + (' ' + name) + " is not available yet");
+  const std::pair<const char*, Scheme> schemes[] = {
+    {"catmull-clark", PN::CatmullClark_scheme()},
+    {"kobbelt", PN::Kobbelt_scheme(tension)},
+    {"loop", PN::Loop_scheme()},
+    {"butterfly", PN::Butterfly_scheme()},
+    {"doo-sabin", PN::DooSabin_scheme()},
+    {"sqrt3", PN::Sqrt3_scheme()},
+  };
   std::string known;
-  for (const Surface_scheme& scheme : schemes) {
-    if (name == scheme.name) return scheme;
-    known += std::string(known.empty() ? "" : ", ") + scheme.name;
+  for (const auto& [scheme_name, scheme] : schemes) {
+    if (name == scheme_name) return scheme;
+    known += std::string(known.empty() ? "" : ", ") + scheme_name;
   }
-  throw Usage_error("--scheme '" + name + "': there is no such scheme, only " + known);
+  throw Usage_error(option + (" '" + name) + "': there is no such scheme, only " + known);
+}
+
+template <class S, class T>
+constexpr bool have_same_host = std::is_same_v<typename S::Host, typename T::Host>;
+
+Mesh_data refine(const Mesh_data& mesh, const Scheme& scheme, const Refinement& refinement)
+{
+  return std::visit(
+    [&](const auto& s) {
+      return mesh.has_normals() ? refine_with_normals(mesh, s, refinement)
+                                : refine_linearly(mesh, s, refinement);
+    },
+    scheme);
+}
+
+Mesh_data refine(const Mesh_data& mesh, const Scheme& scheme, const Scheme& normal_scheme,
+                 const Refinement& refinement)
+{
+  return std::visit(
+    [&](const auto& s, const auto& t) -> Mesh_data {
+      using S = std::decay_t<decltype(s)>;
+      using T = std::decay_t<decltype(t)>;
+      if constexpr (have_same_host<S, T> && !std::is_same_v<S, T>)
+        return refine_with_normals(mesh, PN::with_normal_scheme(s, t), refinement);
+      else
+        return refine(mesh, scheme, refinement);
+    },
+    scheme, normal_scheme);
+}
+
+void require_same_host(const Scheme_choice& choice, const Scheme& scheme,
+                       const Scheme& normal_scheme)
+{
+  const bool same = std::visit(
+    [](const auto& s, const auto& t) {
+      return have_same_host<std::decay_t<decltype(s)>, std::decay_t<decltype(t)>>;
+    },
+    scheme, normal_scheme);
+  if (!same)
+    throw Usage_error("--normal-scheme " + *choice.normal_scheme + " does not go with --scheme " +
+                      choice.scheme + ": they split the faces differently");
 }
 
 } // namespace
 
-void require_surface_scheme(const std::string& name)
+void require_surface_schemes(const Scheme_choice& choice)
 {
-  find_scheme(name);
+  if (choice.tension && choice.scheme != "kobbelt" && choice.normal_scheme != "kobbelt")
+    throw Usage_error("--tension belongs to the scheme kobbelt");
+  const double tension = choice.tension.value_or(default_tension);
+  if (!(tension > -0.5 && tension < 0.5))
+    throw Usage_error("--tension must lie between -1/2 and 1/2");
+  const Scheme scheme = parse_scheme("--scheme", choice.scheme, tension);
+  if (choice.normal_scheme)
+    require_same_host(choice, scheme,
+                      parse_scheme("--normal-scheme", *choice.normal_scheme, tension));
 }
 
 void require_threads(unsigned threads)
@@ -115,10 +158,17 @@ void require_threads(unsigned threads)
 #endif
 }
 
-Mesh_data refine_surface(const Mesh_data& mesh, const std::string& scheme,
+Mesh_data refine_surface(const Mesh_data& mesh, const Scheme_choice& choice,
                          const Refinement& refinement)
 {
-  return find_scheme(scheme).refine(mesh, refinement);
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, refinement.threads);
+#endif
+  const double tension = choice.tension.value_or(default_tension);
+  const Scheme scheme = parse_scheme("--scheme", choice.scheme, tension);
+  if (!choice.normal_scheme || !mesh.has_normals()) return refine(mesh, scheme, refinement);
+  return refine(mesh, scheme, parse_scheme("--normal-scheme", *choice.normal_scheme, tension),
+                refinement);
 }
 
 } // namespace pn_subdivide

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace pn_subdivide {
@@ -21,15 +22,22 @@ struct Refinement
   std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
 };
 
-// Throws Usage_error if there is no such scheme.
-void require_surface_scheme(const std::string& name);
+struct Scheme_choice
+{
+  std::string scheme;
+  std::optional<std::string> normal_scheme; // the scheme's own mask if there is none
+  std::optional<double> tension;
+};
+
+// Throws Usage_error if there is no such scheme, or if these do not go together.
+void require_surface_schemes(const Scheme_choice& choice);
 
 // Throws Usage_error if this program was built without TBB and there is more than one thread.
 void require_threads(unsigned threads);
 
 // Refines with the scheme, point-normal if `mesh` has normals, linear if not. Old vertices come
-// first in the result, in their order. Passes on the library's exceptions.
-Mesh_data refine_surface(const Mesh_data& mesh, const std::string& scheme,
+// first in the result, in their order, but for Doo-Sabin. Passes on the library's exceptions.
+Mesh_data refine_surface(const Mesh_data& mesh, const Scheme_choice& choice,
                          const Refinement& refinement);
 
 } // namespace pn_subdivide

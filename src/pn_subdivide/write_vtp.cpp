@@ -21,8 +21,7 @@ public:
   Vtp_writer(Output_file& out, Encoding encoding)
     : out_(out)
     , encoding_(encoding)
-  {
-  }
+  {}
 
   void begin(std::size_t points, std::size_t polygons)
   {

@@ -30,12 +30,12 @@ struct Outcome
 };
 
 const char* const cube =
-    "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
-    "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
+  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 const char* const octahedron = "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 1 2\n"
                                "3 1 3 2\n3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n";
 const char* const book =
-    "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n";
+  "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n";
 const char* const twisted = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 2 3\n";
 const char* const bow_tie = "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n";
 
@@ -46,8 +46,8 @@ protected:
   {
     const std::string out = work.file("out"), err = work.file("err");
     const int status = std::system(
-        (before + "'" PN_SUBDIVIDE_COMMAND "' " + arguments + " >'" + out + "' 2>'" + err + "'")
-            .c_str());
+      (before + "'" PN_SUBDIVIDE_COMMAND "' " + arguments + " >'" + out + "' 2>'" + err + "'")
+        .c_str());
 #ifdef __unix__
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 #else
@@ -152,7 +152,7 @@ TEST_F(Pn_subdivide, Spheres_stay_spheres)
   for (const auto& c : cases) {
     const std::string input = folder.write("sphere.off", c.content);
     const Mesh_data mesh =
-        refined(input, std::string("--levels 4 --normals sphere:0,0,0 --scheme ") + c.scheme);
+      refined(input, std::string("--levels 4 --normals sphere:0,0,0 --scheme ") + c.scheme);
     const long double radius = c.content == cube ? std::sqrt(3.L) : 1;
     ASSERT_EQ(mesh.normals.size(), mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -185,8 +185,8 @@ TEST_F(Pn_subdivide, Cylinders_stay_cylinders)
              " " + std::to_string(a + 5) + "\n";
     }
   const Mesh_data mesh =
-      refined(folder.write("c.off", off), "--scheme catmull-clark --levels 3 --normals "
-                                          "cylinder:3,-1,7,0,0,-4");
+    refined(folder.write("c.off", off), "--scheme catmull-clark --levels 3 --normals "
+                                        "cylinder:3,-1,7,0,0,-4");
   for (const Point_3& p : mesh.points) EXPECT_NEAR(std::hypot(p.x() - 3, p.y() + 1), 2, 4e-15);
 }
 
@@ -214,8 +214,8 @@ TEST_F(Pn_subdivide, No_round_copies_the_control_data_with_unit_normals)
 TEST_F(Pn_subdivide, Vertices_without_faces_are_kept)
 {
   const Mesh_data mesh =
-      refined(folder.write("i.off", "OFF\n4 1 0\n5 6 7\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"),
-              "--scheme loop --levels 2");
+    refined(folder.write("i.off", "OFF\n4 1 0\n5 6 7\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"),
+            "--scheme loop --levels 2");
   EXPECT_EQ(mesh.points.size(), 1u + 15u);
   EXPECT_EQ(mesh.points[0], Point_3(5, 6, 7));
 }
@@ -242,7 +242,7 @@ TEST_F(Pn_subdivide, Threads_do_not_change_a_bit)
   const auto bytes = [&](const std::string& threads) {
     const std::string output = folder.file("t" + threads + ".ply");
     const Outcome outcome =
-        surface(input, output, "--scheme catmull-clark --levels 6 --threads " + threads);
+      surface(input, output, "--scheme catmull-clark --levels 6 --threads " + threads);
     EXPECT_TRUE(outcome.code == 0 || outcome.err.find("without TBB") != std::string::npos);
     return outcome.code == 0 ? Temporary_folder::content(output) : std::string();
   };
@@ -281,17 +281,15 @@ TEST_F(Pn_subdivide, Soups_that_are_no_manifold_are_refused_or_repaired)
     const char *content, *error, *report;
     std::size_t points;
   } cases[] = {
-      {book, "1 edge has more than two faces (first: 0-1)", "0 faces reversed, 4 vertices added",
-       9},
-      {twisted, "1 edge has two faces of opposite orientation (first: 1-2)", "1 face reversed, 0",
-       4},
-      {bow_tie, "1 vertex joins fans of faces that share no edge (first: 0)", "1 vertex added", 6}};
+    {book, "1 edge has more than two faces (first: 0-1)", "0 faces reversed, 4 vertices added", 9},
+    {twisted, "1 edge has two faces of opposite orientation (first: 1-2)", "1 face reversed, 0", 4},
+    {bow_tie, "1 vertex joins fans of faces that share no edge (first: 0)", "1 vertex added", 6}};
   for (const auto& c : cases) {
     const std::string input = folder.write("soup.off", c.content);
     expect_failure(input, "--scheme loop", 1, c.error);
     expect_failure(input, "--scheme loop", 1, "--repair");
     const Outcome outcome =
-        surface(input, folder.file("o.ply"), "--scheme loop --levels 0 --repair");
+      surface(input, folder.file("o.ply"), "--scheme loop --levels 0 --repair");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.err.find(c.report), std::string::npos) << outcome.err;
     const Mesh_data mesh = read_mesh(folder.file("o.ply"));
@@ -300,7 +298,7 @@ TEST_F(Pn_subdivide, Soups_that_are_no_manifold_are_refused_or_repaired)
     std::filesystem::remove(folder.file("o.ply"));
   }
   const Outcome sound =
-      surface(folder.write("c.off", cube), folder.file("o.ply"), "--scheme catmull-clark --repair");
+    surface(folder.write("c.off", cube), folder.file("o.ply"), "--scheme catmull-clark --repair");
   EXPECT_EQ(sound.code, 0);
   EXPECT_EQ(sound.err, "");
 }
@@ -315,20 +313,20 @@ TEST_F(Pn_subdivide, Bad_meshes_fail_with_one_line)
     const char* name;
     std::string content, part;
   } cases[] = {
-      {"empty.off", "", "empty"},
-      {"no_mesh.off", "Dear Sir or Madam,\n", "not an OFF file"},
-      {"no_mesh.ply", "Dear Sir or Madam,\n", "not a PLY file"},
-      {"no_mesh.obj", "Dear Sir or Madam,\n", "not an OBJ mesh"},
-      {"no_mesh.stl", "Dear Sir or Madam,\n", "not an STL file"},
-      {"truncated.off", head, "truncated"},
-      {"index.off", head + "0 1 0\n3 0 1 3\n", "out of range"},
-      {"degenerate.off", head + "0 1 0\n3 0 1 1\n", "visits vertex 1 twice"},
-      {"nan.off", head + "0 nan 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
-      {"inf.off", head + "0 1e999 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
-      {"nan_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 nan 1\n3 0 1 2\n",
-       "vertex 2 has a normal"},
-      {"short_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", "line 4"},
-      {"faceless.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no face"}};
+    {"empty.off", "", "empty"},
+    {"no_mesh.off", "Dear Sir or Madam,\n", "not an OFF file"},
+    {"no_mesh.ply", "Dear Sir or Madam,\n", "not a PLY file"},
+    {"no_mesh.obj", "Dear Sir or Madam,\n", "not an OBJ mesh"},
+    {"no_mesh.stl", "Dear Sir or Madam,\n", "not an STL file"},
+    {"truncated.off", head, "truncated"},
+    {"index.off", head + "0 1 0\n3 0 1 3\n", "out of range"},
+    {"degenerate.off", head + "0 1 0\n3 0 1 1\n", "visits vertex 1 twice"},
+    {"nan.off", head + "0 nan 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
+    {"inf.off", head + "0 1e999 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
+    {"nan_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 nan 1\n3 0 1 2\n",
+     "vertex 2 has a normal"},
+    {"short_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", "line 4"},
+    {"faceless.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no face"}};
   for (const auto& c : cases) {
     const std::string input = folder.write(c.name, c.content);
     expect_failure(input, "--scheme loop", 1, c.part);
@@ -366,15 +364,26 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
 TEST_F(Pn_subdivide, What_later_versions_bring_is_refused_by_name)
 {
   const std::string input = folder.write("cube.off", cube);
-  for (const char* option : {"--normal-scheme loop", "--tension 1/16", "--cap 0.5",
-                             "--curvature mean", "--verify sphere:0,0,0,1"})
+  for (const char* option : {"--cap 0.5", "--curvature mean", "--verify sphere:0,0,0,1"})
     expect_failure(input, std::string("--scheme catmull-clark ") + option, 2,
                    std::string(option).substr(0, std::string(option).find(' ')) +
-                       " is not available yet");
-  for (const char* scheme :
-       {"doo-sabin", "sqrt3", "butterfly", "kobbelt", "modified-catmull-clark", "modified-loop"})
+                     " is not available yet");
+  for (const char* scheme : {"modified-catmull-clark", "modified-loop"})
     expect_failure(input, std::string("--scheme ") + scheme, 2, "is not available yet");
   expect_one_line(run("curve a.txt b.txt --scheme chaikin --closed"), 2, "is not available yet");
+}
+
+TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)
+{
+  const std::string input = folder.write("cube.off", cube);
+  expect_failure(input, "--scheme catmull-clark --normal-scheme loop", 2, "split");
+  expect_failure(input, "--scheme catmull-clark --normal-scheme spline", 2, "no such scheme");
+  expect_failure(input, "--scheme catmull-clark --normal-scheme kobbelt --linear", 2, "exclude");
+  expect_failure(input, "--scheme catmull-clark --tension 1/16", 2, "kobbelt");
+  for (const char* tension : {"x", "1/", "1/0", "1/16x", "0.5", "-1"})
+    expect_failure(input, std::string("--scheme kobbelt --tension ") + tension, 2, "--tension");
+  expect_failure(input, "--scheme sqrt3", 1, "triangles");
+  expect_failure(input, "--scheme butterfly", 1, "triangles");
 }
 
 TEST_F(Pn_subdivide, Output_that_cannot_be_written)

@@ -160,7 +160,7 @@ TEST_F(Mesh_io, Text_has_17_significant_digits)
   mesh.points[0] = Point_3(1.0 / 3, 0.1, 2);
   write_mesh(folder.file("t.ply"), mesh, Encoding::text);
   EXPECT_NE(Temporary_folder::content(folder.file("t.ply"))
-                .find("0.33333333333333331 0.10000000000000001 2\n"),
+              .find("0.33333333333333331 0.10000000000000001 2\n"),
             std::string::npos);
 }
 
@@ -244,11 +244,11 @@ TEST_F(Mesh_io, Ply_damage)
   expect_error("a.ply",
                "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
                "property double x\nproperty double y\nproperty double z\n" +
-                   faces + "end_header\n",
+                 faces + "end_header\n",
                "truncated");
   expect_error("a.ply",
                head + "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
-                   points + "4000000000 0 1 2",
+                 points + "4000000000 0 1 2",
                "truncated");
 }
 
@@ -275,9 +275,9 @@ TEST_F(Mesh_io, Off_variants)
 
   for (const char* keyword : {"STCNOFF", "CNSTOFF", "NCSTOFF"}) {
     mesh = read("a.off", std::string(keyword) +
-                             "\n3 1 0\n0 0 0 0 0 1 9 9 9 9 0.5 0.5\n1 0 0 0 0 1 9 9 9 9 0 0\n"
-                             "0 1 0 0 1 0 9 9 9 9 0 1\n" +
-                             faces);
+                           "\n3 1 0\n0 0 0 0 0 1 9 9 9 9 0.5 0.5\n1 0 0 0 0 1 9 9 9 9 0 0\n"
+                           "0 1 0 0 1 0 9 9 9 9 0 1\n" +
+                           faces);
     EXPECT_EQ(mesh.normals[2], Vector_3(0, 1, 0));
   }
 
@@ -316,8 +316,8 @@ TEST_F(Mesh_io, Off_damage)
 TEST_F(Mesh_io, Obj_corners_and_negative_indices)
 {
   const std::string head =
-      "# c\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\n"
-      "v 0 1 0.1\nvt 0 0\nvn 0 0 1\nvn 1 0 0\nvn 0 1 0\nvn 0 0 -1\ng a b\ns off\n";
+    "# c\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\n"
+    "v 0 1 0.1\nvt 0 0\nvn 0 0 1\nvn 1 0 0\nvn 0 1 0\nvn 0 0 -1\ng a b\ns off\n";
   const Vector_3 n[] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
 
   Mesh_data mesh = read("a.obj", head + "f 1//1 2//2 3//3 4//4\n");
@@ -346,8 +346,8 @@ TEST_F(Mesh_io, Obj_several_normals_at_a_vertex_are_summed)
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
   // At vertex 0: (1,0,0) twice, once by another number, and (0,1,0). At vertex 2: opposite ones.
   const Mesh_data mesh =
-      read("a.obj", points + "vn 1 0 0\nvn 0 1 0\nvn 1 0 0\nvn -1 0 0\nvn 0 0 3\n"
-                             "f 1//1 2//5 3//1\nf 1//3 3//4 4//2\nf 1//2 4//2 2//5\n");
+    read("a.obj", points + "vn 1 0 0\nvn 0 1 0\nvn 1 0 0\nvn -1 0 0\nvn 0 0 3\n"
+                           "f 1//1 2//5 3//1\nf 1//3 3//4 4//2\nf 1//2 4//2 2//5\n");
   EXPECT_NEAR(mesh.normals[0].x(), std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(mesh.normals[0].y(), std::sqrt(0.5), 1e-15);
   EXPECT_EQ(mesh.normals[0].z(), 0);

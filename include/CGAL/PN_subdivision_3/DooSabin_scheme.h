@@ -48,7 +48,7 @@ public:
     const Index n = level_.degree(h);
     Index k = 1;
     for (Index g = level_.next(h); g != h; g = level_.next(g), ++k)
-      s.add(level_.target(g), (FT(3) + FT(2) * cosine_weight<FT>(k, n)) / FT(4 * n));
+      s.add(level_.target(g), (FT(3) + FT(2) * cosine_weight<FT>(k, n)) / FT(int(4 * n)));
     s.add_rest(level_.target(h));
   }
 

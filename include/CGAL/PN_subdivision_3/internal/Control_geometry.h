@@ -7,7 +7,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CONTROL_GEOMETRY_H
 
 #include <CGAL/PN_subdivision_3/PN_average.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/utils.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -43,19 +45,35 @@ void check_finite(const Coordinates<FT, dimension>& x, const char* what, const N
 }
 
 // Normals of any length become unit vectors once; unit vectors and zero are taken as they are.
+// Intervals that may be unit vectors or not are normalized: the result contains both.
 template <class FT, int dimension>
 void normalize_control_normal(Coordinates<FT, dimension>& n)
 {
   using Traits = Unit_normal_traits<FT>;
   const FT squared_length = dot<FT, dimension>(n, n);
   const FT tolerance = Traits::unit_tolerance();
-  if (squared_length >= FT(1) - tolerance && squared_length <= FT(1) + tolerance) return;
+  if (CGAL::certainly(squared_length >= FT(1) - tolerance) &&
+      CGAL::certainly(squared_length <= FT(1) + tolerance))
+    return;
   FT largest(0);
   for (const FT& x : n) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
   if (largest == FT(0)) return;
   for (FT& x : n) x /= largest; // its square neither overflows nor underflows now
   const FT inverse = Traits::inverse_length(dot<FT, dimension>(n, n));
   for (FT& x : n) x *= inverse;
+}
+
+// names the element whose normal may be zero or not
+template <class FT, int dimension, class Name>
+void normalize_control_normal(Coordinates<FT, dimension>& n, const Name& name)
+{
+  try {
+    normalize_control_normal<FT, dimension>(n);
+  } catch (const Uncertain_conversion_exception&) {
+    throw std::domain_error("PN_subdivision_3: the precision of the number type does not decide "
+                            "whether the normal of " +
+                            name() + " is zero: give it a narrower interval");
+  }
 }
 
 } // namespace internal

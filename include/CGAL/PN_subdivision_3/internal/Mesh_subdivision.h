@@ -135,8 +135,9 @@ private:
     for (Index v = 0; v < n; ++v) {
       old_normals_.push_back(get(normals_, access_.vertex(v)));
       values_[v].normal = coordinates_3<FT>(old_normals_.back());
-      check_finite<FT, 3>(values_[v].normal, "normal", [&] { return access_.vertex_name(v); });
-      normalize_control_normal<FT, 3>(values_[v].normal);
+      const auto name = [&] { return access_.vertex_name(v); };
+      check_finite<FT, 3>(values_[v].normal, "normal", name);
+      normalize_control_normal<FT, 3>(values_[v].normal, name);
     }
   }
 
