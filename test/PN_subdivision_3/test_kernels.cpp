@@ -1,0 +1,407 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Kernels: results close to those of long double, normals of the stated precision, exactness.
+
+#include "Mesh_cases.h"
+#include "Tracked_double.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpfr.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_USE_CORE
+#  include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#endif
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace mesh_cases;
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+
+namespace {
+
+template <class K>
+struct Refined
+{
+  using Mesh = CGAL::Surface_mesh<typename K::Point_3>;
+  using Normal_map =
+    typename Mesh::template Property_map<typename Mesh::Vertex_index, typename K::Vector_3>;
+
+  Refined(const Soup& soup, bool loop, unsigned rounds)
+  {
+    build(soup, mesh);
+    normal = mesh
+               .template add_property_map<typename Mesh::Vertex_index, typename K::Vector_3>(
+                 "n", typename K::Vector_3(0, 0, 0))
+               .first;
+    put_normals(normals(soup), mesh, normal);
+    const auto np = params::number_of_iterations(rounds).vertex_normal_map(normal);
+    if (loop)
+      PN::Loop_subdivision(mesh, np);
+    else
+      PN::CatmullClark_subdivision(mesh, np);
+  }
+
+  Mesh mesh;
+  Normal_map normal;
+};
+
+double largest_difference(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
+  return largest;
+}
+
+// points and normals are those of long double up to `tolerance`; lengths are 1 up to `unit`, or 0
+template <class K>
+void expect_close_to_long_double(double tolerance, double unit, unsigned rounds)
+{
+  for (bool loop : {false, true}) {
+    const Soup soup = loop ? triangles_with_border() : mixed_with_border();
+    const Refined<K> r(soup, loop, rounds);
+    const Refined<CGAL::Simple_cartesian<long double>> reference(soup, loop, rounds);
+    EXPECT_LT(largest_difference(points(r.mesh), points(reference.mesh)), tolerance);
+    EXPECT_LT(
+      largest_difference(values(r.mesh, r.normal), values(reference.mesh, reference.normal)),
+      tolerance);
+    EXPECT_EQ(faces_of(r.mesh), faces_of(reference.mesh));
+    for (auto v : r.mesh.vertices()) {
+      using FT = typename K::FT;
+      const auto n = r.normal[v];
+      const FT l = n.x() * n.x() + n.y() * n.y() + n.z() * n.z();
+      const double deviation = std::abs(CGAL::to_double(FT(l - FT(1))));
+      if (CGAL::to_double(l) == 0) continue;
+      EXPECT_LE(deviation, unit) << "vertex " << std::size_t(v);
+    }
+  }
+}
+
+} // namespace
+
+// All coordinates are below 6. Soups are double numbers, which float rounds.
+TEST(Kernels, cartesian_double)
+{
+  expect_close_to_long_double<CGAL::Simple_cartesian<double>>(1e-14, 4 * 2.3e-16, 1);
+  expect_close_to_long_double<CGAL::Simple_cartesian<double>>(2e-14, 4 * 2.3e-16, 3);
+}
+
+TEST(Kernels, cartesian_float)
+{
+  expect_close_to_long_double<CGAL::Simple_cartesian<float>>(4e-6, 4 * 1.2e-7, 1);
+  expect_close_to_long_double<CGAL::Simple_cartesian<float>>(8e-6, 4 * 1.2e-7, 3);
+}
+
+TEST(Kernels, epick_is_double)
+{
+  using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const Refined<Epick> r(mixed_with_border(), false, 3);
+  const Refined<CGAL::Simple_cartesian<double>> d(mixed_with_border(), false, 3);
+  EXPECT_EQ(points(r.mesh), points(d.mesh));
+  EXPECT_EQ(values(r.mesh, r.normal), values(d.mesh, d.normal));
+}
+
+// In an exact field without square root normals have unit length up to 2^-48, squared 2^-47.
+TEST(Kernels, epeck)
+{
+  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+  expect_close_to_long_double<Epeck>(2e-14, std::ldexp(1., -47), 1);
+  expect_close_to_long_double<Epeck>(2e-14, std::ldexp(1., -47), 2);
+}
+
+TEST(Kernels, gmpq)
+{
+  using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  expect_close_to_long_double<K>(2e-14, std::ldexp(1., -47), 1);
+}
+
+// The new normal is exactly parallel to the sum of the control normals as they were normalized.
+TEST(Kernels, exact_normals_keep_their_direction)
+{
+  using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  using Mesh = CGAL::Surface_mesh<K::Point_3>;
+  Mesh mesh;
+  build(tetrahedron(), mesh);
+  auto n = mesh.add_property_map<Mesh::Vertex_index, K::Vector_3>("n").first;
+  // rational unit vectors: quadruples 1 + 4 + 4 = 9, 4 + 9 + 36 = 49, 1 + 16 + 64 = 81, 9 + 16 = 25
+  const CGAL::Gmpq third(1, 3), seventh(1, 7), ninth(1, 9), fifth(1, 5);
+  const std::vector<K::Vector_3> control{
+    K::Vector_3(1, 2, 2) * third, K::Vector_3(2, 3, -6) * seventh, K::Vector_3(-8, 4, 1) * ninth,
+    K::Vector_3(0, -3, 4) * fifth};
+  for (auto v : mesh.vertices()) n[v] = control[v];
+  const Mesh old = mesh;
+  PN::Loop_subdivision(mesh, params::vertex_normal_map(n));
+  std::size_t i = 4;
+  for (auto e : old.edges()) {
+    const auto h = old.halfedge(e);
+    const K::Vector_3 sum = CGAL::Gmpq(3, 8) * (control[old.source(h)] + control[old.target(h)]) +
+                            CGAL::Gmpq(1, 8) * (control[old.target(old.next(h))] +
+                                                control[old.target(old.next(old.opposite(h)))]);
+    const K::Vector_3 m = n[Mesh::Vertex_index(i++)];
+    EXPECT_EQ(CGAL::cross_product(m, sum), CGAL::NULL_VECTOR);
+    EXPECT_GT(m * sum, 0);
+  }
+  EXPECT_EQ(i, 10u);
+}
+
+// The linear twin in rational numbers, by hand.
+TEST(Kernels, linear_twin_is_exact)
+{
+  using K = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<K::Point_3>;
+  using FT = K::FT;
+  Mesh mesh;
+  build(cube(), mesh);
+  // a corner moved by 1/3, which no binary number is
+  mesh.point(Mesh::Vertex_index(6)) = K::Point_3(FT(4) / 3, 1, 1);
+  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()));
+  // order: 8 old, 12 edge vertices, 6 face vertices, the cube's faces as in the soup
+  EXPECT_EQ(mesh.point(Mesh::Vertex_index(20)), K::Point_3(0, 0, -1));
+  EXPECT_EQ(mesh.point(Mesh::Vertex_index(21)), K::Point_3(FT(1) / 12, 0, 1));
+  // vertex of valence 3: (mean of face points + 2 mean of edge midpoints) / 3, x only:
+  // faces 1/12, 13/12, 1/12; midpoints (-1 + 4/3)/2, (1 + 4/3)/2, (1 + 4/3)/2
+  const FT q = (FT(1) / 12 + FT(13) / 12 + FT(1) / 12) / 3;
+  const FT r = (FT(1) / 6 + FT(7) / 6 + FT(7) / 6) / 3;
+  EXPECT_EQ(mesh.point(Mesh::Vertex_index(6)).x(), (q + 2 * r) / 3);
+}
+
+#ifdef CGAL_USE_CORE
+// Exact with square root: from unit normals of a sphere, points stay on it exactly.
+TEST(Kernels, exact_with_sqrt_stays_on_the_sphere)
+{
+  using K = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
+  using Mesh = CGAL::Surface_mesh<K::Point_3>;
+  Mesh mesh;
+  build(tetrahedron(), mesh);
+  auto n = mesh.add_property_map<Mesh::Vertex_index, K::Vector_3>("n").first;
+  for (auto v : mesh.vertices()) n[v] = mesh.point(v) - CGAL::ORIGIN;
+  PN::Loop_subdivision(mesh, params::vertex_normal_map(n));
+  EXPECT_EQ(mesh.number_of_faces(), 16u);
+  // the vertices by symmetry: |p|^2 = 3, n = p/|p|
+  const auto p = mesh.point(Mesh::Vertex_index(4)) - CGAL::ORIGIN;
+  EXPECT_TRUE(p * p == K::FT(3));
+  EXPECT_TRUE(n[Mesh::Vertex_index(4)] * n[Mesh::Vertex_index(4)] == K::FT(1));
+}
+#endif
+
+#ifdef CGAL_USE_MPFR
+TEST(Kernels, gmpfr)
+{
+  using K = CGAL::Simple_cartesian<CGAL::Gmpfr>;
+  CGAL::Gmpfr::set_default_precision(100);
+  expect_close_to_long_double<K>(2e-14, std::ldexp(1., -90), 2);
+}
+#endif
+
+// \name Intervals
+
+namespace {
+
+using Interval = CGAL::Interval_nt<true>;
+using Interval_kernel = CGAL::Simple_cartesian<Interval>;
+
+struct Interval_tetrahedron
+{
+  using Mesh = CGAL::Surface_mesh<Interval_kernel::Point_3>;
+
+  explicit Interval_tetrahedron(const std::vector<Interval_kernel::Vector_3>& normals)
+  {
+    build(tetrahedron(), mesh);
+    n = mesh.add_property_map<Mesh::Vertex_index, Interval_kernel::Vector_3>("n").first;
+    for (auto v : mesh.vertices()) n[v] = normals[v];
+  }
+  void subdivide() { PN::Loop_subdivision(mesh, params::vertex_normal_map(n)); }
+  std::string refusal()
+  {
+    try {
+      subdivide();
+    } catch (const std::domain_error& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Vertex_index, Interval_kernel::Vector_3> n;
+};
+
+std::vector<Interval_kernel::Vector_3> equal_normals(const Interval_kernel::Vector_3& n)
+{
+  return std::vector<Interval_kernel::Vector_3>(4, n);
+}
+
+} // namespace
+
+TEST(Interval_kernel, contains_the_result_of_long_double)
+{
+  using Reference = CGAL::Simple_cartesian<long double>;
+  CGAL::Surface_mesh<Reference::Point_3> exact;
+  build(tetrahedron(), exact);
+  auto m = exact.add_property_map<CGAL::SM_Vertex_index, Reference::Vector_3>("n").first;
+  std::vector<Interval_kernel::Vector_3> control;
+  for (const Triple& x : normals(tetrahedron()))
+    control.emplace_back(Interval(x[0]), Interval(x[1]), Interval(x[2]));
+  put_normals(normals(tetrahedron()), exact, m);
+  Interval_tetrahedron intervals(control);
+  intervals.subdivide();
+  PN::Loop_subdivision(exact, params::vertex_normal_map(m));
+  for (auto v : exact.vertices())
+    for (int k = 0; k < 3; ++k) {
+      const Interval i = intervals.mesh.point(v)[k];
+      EXPECT_LE(i.inf(), exact.point(v)[k]);
+      EXPECT_GE(i.sup(), exact.point(v)[k]);
+      EXPECT_LT(i.sup() - i.inf(), 1e-13);
+    }
+}
+
+// The second call finds normals that may be unit vectors or not.
+TEST(Interval_kernel, serves_for_several_calls)
+{
+  Interval_tetrahedron intervals(equal_normals({Interval(0.48), Interval(0.6), Interval(0.64)}));
+  intervals.subdivide();
+  intervals.subdivide();
+  EXPECT_EQ(intervals.mesh.number_of_faces(), 64u);
+  for (auto v : intervals.mesh.vertices())
+    for (int k = 0; k < 3; ++k) {
+      const Interval i = intervals.n[v][k];
+      const double exact[] = {0.48, 0.6, 0.64};
+      EXPECT_LT(i.inf(), exact[k] + 1e-15);
+      EXPECT_GT(i.sup(), exact[k] - 1e-15);
+      EXPECT_LT(i.sup() - i.inf(), 1e-13);
+    }
+}
+
+TEST(Interval_kernel, undecided_comparisons_are_refused_by_name)
+{
+  // whether the sum at an edge vanishes depends on the interval
+  const Interval around_zero(-1e-9, 1e-9);
+  auto control = equal_normals({0, 0, 1});
+  control[0] = {0, 0, -1};
+  control[1] = {0, 0, 1};
+  control[2] = {0, around_zero, 1};
+  control[3] = {0, 0, -1};
+  Interval_tetrahedron opposite(control);
+  const auto old = opposite.mesh;
+  const std::string message = opposite.refusal();
+  EXPECT_NE(message.find("vertex"), std::string::npos) << message;
+  EXPECT_NE(message.find("precision"), std::string::npos) << message;
+  EXPECT_EQ(faces_of(opposite.mesh), faces_of(old));
+  EXPECT_EQ(points(opposite.mesh), points(old));
+}
+
+TEST(Interval_kernel, undecided_control_normals_are_refused_by_name)
+{
+  auto control = equal_normals({0, 0, 1});
+  control[2] = {0, 0, Interval(0, 1)}; // zero or not
+  Interval_tetrahedron zero_or_not(control);
+  EXPECT_NE(zero_or_not.refusal().find("vertex 2"), std::string::npos);
+}
+
+// \name A number type of the user's own
+
+TEST(Own_number_type, gives_what_double_gives)
+{
+  const Refined<CGAL::Simple_cartesian<Tracked_double>> r(mixed_with_border(), false, 2);
+  const Refined<CGAL::Simple_cartesian<double>> d(mixed_with_border(), false, 2);
+  EXPECT_LT(largest_difference(points(r.mesh), points(d.mesh)), 1e-14);
+  EXPECT_LT(largest_difference(values(r.mesh, r.normal), values(d.mesh, d.normal)), 1e-14);
+  EXPECT_GT(Tracked_double::square_roots(), 0u);
+}
+
+// \name Fade and vanishing normals in every floating point type
+
+namespace {
+
+// An edge whose two normals include an angle near 180 degrees, alone with its triangle. Its vertex
+// has the mask (1, 1)/2: closed forms of the PN average exist.
+template <class FT>
+struct Opposite_edge
+{
+  using K = CGAL::Simple_cartesian<FT>;
+  using Mesh = CGAL::Surface_mesh<typename K::Point_3>;
+
+  // normals (+-cos a, 0, sin a)
+  explicit Opposite_edge(double a)
+  {
+    build(Soup{{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, mesh);
+    auto n = mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
+    const double c = std::cos(a), s = std::sin(a);
+    n[CGAL::SM_Vertex_index(0)] = typename K::Vector_3(FT(-c), 0, FT(s));
+    n[CGAL::SM_Vertex_index(1)] = typename K::Vector_3(FT(c), 0, FT(s));
+    n[CGAL::SM_Vertex_index(2)] = typename K::Vector_3(0, 0, 1);
+    PN::Loop_subdivision(mesh, params::vertex_normal_map(n));
+    point = mesh.point(CGAL::SM_Vertex_index(3));
+    normal = n[CGAL::SM_Vertex_index(3)];
+  }
+
+  Mesh mesh;
+  typename K::Point_3 point;
+  typename K::Vector_3 normal;
+};
+
+template <class FT>
+void expect_thresholds()
+{
+  const double epsilon = double(std::numeric_limits<FT>::epsilon());
+  // n = (0, 0, 1); s = (-+c, 0, s + 1); h = c / (s (s + 1)) * ... = c / (1 + s), the arc's height
+  const double a = 0.5;
+  const Opposite_edge<FT> plain(a);
+  EXPECT_NEAR(double(plain.normal.z()), 1, 2 * epsilon);
+  EXPECT_NEAR(double(plain.point.z()), std::cos(a) / (1 + std::sin(a)), 8 * epsilon);
+
+  // |N| = sin a: vanishes for sin a <= 4096 epsilon
+  const double threshold = 4096 * epsilon;
+  const Opposite_edge<FT> above(1.01 * threshold), below(0.99 * threshold);
+  EXPECT_EQ(double(above.normal.z()), 1);
+  EXPECT_NEAR(double(above.point.z()), 1, 2 * threshold);
+  EXPECT_EQ(below.normal, CGAL::NULL_VECTOR);
+  EXPECT_EQ(below.point, (typename CGAL::Simple_cartesian<FT>::Point_3(0, 0, 0)));
+}
+
+} // namespace
+
+TEST(Kernels, thresholds_of_vanishing_normals)
+{
+  expect_thresholds<float>();
+  expect_thresholds<double>();
+  expect_thresholds<long double>();
+}
+
+// Three normals up and one down on a border polygon's vertex: 1/8, 3/4, 1/8. The last one fades.
+TEST(Kernels, fade_in_float_is_that_of_long_double)
+{
+  for (double degrees : {2.2, 2.6, 3., 3.5, 4., 4.5, 5., 5.2}) {
+    const double a = degrees * 3.14159265358979 / 180;
+    const auto z = [&](auto zero) {
+      using FT = decltype(zero);
+      using K = CGAL::Simple_cartesian<FT>;
+      CGAL::Surface_mesh<typename K::Point_3> mesh;
+      build(Soup{{{-1, 0, 0.5}, {1, 0, 0.25}, {0, 1, 0}}, {{0, 1, 2}}}, mesh);
+      auto n =
+        mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
+      n[CGAL::SM_Vertex_index(0)] = typename K::Vector_3(0, 0, 1);
+      n[CGAL::SM_Vertex_index(1)] = typename K::Vector_3(0, 0, 1);
+      n[CGAL::SM_Vertex_index(2)] = typename K::Vector_3(FT(std::sin(a)), 0, FT(-std::cos(a)));
+      PN::Loop_subdivision(mesh, params::vertex_normal_map(n));
+      return mesh.point(CGAL::SM_Vertex_index(0));
+    };
+    const auto f = z(0.f);
+    const auto l = z(0.l);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(double(f[k]), double(l[k]), 5e-4) << degrees;
+  }
+}
