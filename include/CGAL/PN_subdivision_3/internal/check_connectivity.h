@@ -56,6 +56,9 @@ private:
   {
     const Index n = level_.number_of_halfedges();
     for (Index h = 0; h < n; ++h) {
+      if (level_.is_border(h) && level_.is_border(Level_connectivity::opposite(h)))
+        refuse("the edge of " + names_.halfedge_name(h) +
+               " has no face on either side: remove the edge or add the face");
       if (level_.target(h) >= level_.number_of_vertices())
         refuse(names_.halfedge_name(h) + " has no valid target vertex: the connectivity is broken");
       if (level_.next(h) >= n)
@@ -72,9 +75,6 @@ private:
         refuse("the half-edge after " + names_.halfedge_name(h) +
                " does not continue it: the connectivity is broken");
       reached[next] = true;
-      if (level_.is_border(h) && level_.is_border(Level_connectivity::opposite(h)))
-        refuse("the edge of " + names_.halfedge_name(h) +
-               " has no face on either side: remove the edge or add the face");
       if (level_.next(h) == Level_connectivity::opposite(h))
         refuse(names_.vertex_name(level_.target(h)) +
                " has a single edge, inside a face or on the border: remove the dangling edge");
@@ -100,8 +100,7 @@ private:
     std::uint64_t with_face = 0;
     for (Index h = 0; h < level_.number_of_halfedges(); ++h)
       if (!level_.is_border(h)) ++with_face;
-    if (with_face != corners)
-      refuse("a face has half-edges in several loops: the connectivity is broken");
+    if (with_face != corners) refuse_several_loops();
     size_.corners = corners;
     level_.set_uniform_degree(least == greatest ? least : 0);
   }
@@ -110,8 +109,13 @@ private:
   {
     std::vector<bool> reached(level_.number_of_halfedges(), false);
     for (Index v = 0; v < level_.number_of_vertices(); ++v) check_vertex(v, reached);
-    for (Index h = 0; h < level_.number_of_halfedges(); ++h)
-      if (!reached[h]) refuse_several_fans(level_.target(h));
+    for (Index h = 0; h < level_.number_of_halfedges(); ++h) {
+      if (reached[h]) continue;
+      if (level_.is_isolated(level_.target(h)))
+        refuse(names_.vertex_name(level_.target(h)) + " stores no half-edge, but " +
+               names_.halfedge_name(h) + " leads to it: the connectivity is broken");
+      refuse_several_fans(level_.target(h));
+    }
   }
 
   void check_vertex(Index v, std::vector<bool>& reached)
@@ -136,6 +140,24 @@ private:
     } while (h != first);
     if (gaps > 1) refuse_several_fans(v);
     if (gaps == 1) size_.border_valences += valence;
+  }
+
+  // \pre the loops that the faces store leave out a half-edge with a face
+  [[noreturn]] void refuse_several_loops() const
+  {
+    std::vector<bool> reached(level_.number_of_halfedges(), false);
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      const Index first = level_.halfedge_of_face(f);
+      Index h = first;
+      do {
+        reached[h] = true;
+        h = level_.next(h);
+      } while (h != first);
+    }
+    Index h = 0;
+    while (level_.is_border(h) || reached[h]) ++h;
+    refuse(names_.face_name(level_.face(h)) + " has several loops of half-edges, one with " +
+           names_.halfedge_name(h) + ": the connectivity is broken");
   }
 
   [[noreturn]] void refuse_several_fans(Index v) const
