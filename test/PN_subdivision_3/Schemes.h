@@ -1,0 +1,144 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// All schemes, described for the typed tests: what a test may expect of each, what it is compared
+// with. A scheme is tested by its entry in `Schemes`, and by nothing else.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_SCHEMES_H
+#define CGAL_PN_SUBDIVISION_3_TEST_SCHEMES_H
+
+#include "PN_mask_3_cases.h"
+#include "Test_meshes.h"
+#include "reference/Butterfly.h"
+#include "reference/CatmullClark.h"
+#include "reference/DooSabin.h"
+#include "reference/Kobbelt.h"
+#include "reference/Loop.h"
+#include "reference/Sqrt3.h"
+
+#include <CGAL/PN_subdivision_3.h>
+
+#include <gtest/gtest.h>
+
+// What most schemes have in common; a description overrides what differs.
+struct Scheme_description
+{
+  // degree of the faces it takes, 0: any
+  static constexpr std::size_t degree = 0;
+  // old vertices come first, those without edges are kept
+  static constexpr bool is_primal = true;
+  // old points and normals are kept
+  static constexpr bool is_interpolatory = false;
+  // k calls with one round are one call with k rounds
+  static constexpr bool composes_single_rounds = true;
+  // after how many rounds spheres and cylinders are measured
+  static constexpr unsigned rounds_of_reproduction = 6;
+  // by how much at least a round multiplies the faces of a closed mesh of its kind, about
+  static constexpr double growth = 4;
+  // CGAL's linear function, and its mask in its host
+  using Cgal = void;
+};
+
+struct CatmullClark_description : Scheme_description
+{
+  using Cgal = ::CatmullClark;
+  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::catmull_clark(mesh);
+  }
+};
+
+struct Loop_description : Scheme_description
+{
+  static constexpr std::size_t degree = 3;
+  using Cgal = ::Loop;
+  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::loop(mesh);
+  }
+};
+
+struct DooSabin_description : Scheme_description
+{
+  static constexpr bool is_primal = false;
+  static constexpr unsigned rounds_of_reproduction = 4;
+  using Cgal = ::DooSabin;
+  static auto scheme() { return CGAL::PN_subdivision_3::DooSabin_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::doo_sabin(mesh);
+  }
+};
+
+struct Sqrt3_description : Scheme_description
+{
+  static constexpr std::size_t degree = 3;
+  static constexpr bool composes_single_rounds = false;
+  static constexpr unsigned rounds_of_reproduction = 5;
+  static constexpr double growth = 3;
+  using Cgal = ::Sqrt3;
+  static auto scheme() { return CGAL::PN_subdivision_3::Sqrt3_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned round)
+  {
+    return reference::sqrt3(mesh, round);
+  }
+};
+
+struct Butterfly_description : Scheme_description
+{
+  static constexpr std::size_t degree = 3;
+  static constexpr bool is_interpolatory = true;
+  static constexpr unsigned rounds_of_reproduction = 4;
+  static auto scheme() { return CGAL::PN_subdivision_3::Butterfly_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::butterfly(mesh);
+  }
+};
+
+struct Kobbelt_description : Scheme_description
+{
+  static constexpr std::size_t degree = 4;
+  static constexpr bool is_interpolatory = true;
+  static constexpr unsigned rounds_of_reproduction = 4;
+  static auto scheme() { return CGAL::PN_subdivision_3::Kobbelt_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::kobbelt(mesh, reference::Real(1) / 16);
+  }
+};
+
+using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,
+                               Sqrt3_description, Butterfly_description, Kobbelt_description>;
+
+// The names of the schemes in the output.
+struct Scheme_names
+{
+  template <class Description>
+  static std::string GetName(int)
+  {
+    return boost::core::demangle(typeid(Description::scheme()).name())
+      .substr(std::string("CGAL::PN_subdivision_3::").size());
+  }
+};
+
+template <class Description>
+bool takes(const test_meshes::Control_mesh& mesh)
+{
+  return Description::degree == 0 || test_meshes::all_faces_have_degree(mesh, Description::degree);
+}
+
+template <class Description>
+std::vector<test_meshes::Control_mesh> meshes_for()
+{
+  std::vector<test_meshes::Control_mesh> result;
+  for (const test_meshes::Control_mesh& mesh : test_meshes::all())
+    if (takes<Description>(mesh)) result.push_back(mesh);
+  return result;
+}
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_SCHEMES_H

@@ -1,0 +1,317 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What holds for every scheme: invariance, reduction to the linear scheme, single rounds, rows that
+// sum to 1 and rows that copy, any number of threads.
+
+#include "Scheme_runs.h"
+
+#include <CGAL/Exact_rational.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#  include <tbb/task_arena.h>
+#endif
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using test_meshes::Control_mesh;
+using test_meshes::Triple;
+
+template <class Description>
+class Scheme_property : public testing::Test
+{};
+TYPED_TEST_SUITE(Scheme_property, Schemes, Scheme_names);
+
+constexpr unsigned rounds = 2;
+
+template <class Description>
+Result refined(const Control_mesh& control)
+{
+  Surface_mesh mesh = to_surface_mesh(control);
+  refine<Description>(mesh, rounds);
+  return result_of(mesh);
+}
+
+template <class Description>
+std::vector<Control_mesh> meshes_with_wild_normals()
+{
+  std::vector<Control_mesh> result = meshes_for<Description>();
+  for (Control_mesh& mesh : result) test_meshes::set_wild_normals(mesh, 5);
+  return result;
+}
+
+// --- invariance ---
+
+Triple rotated(const Triple& v)
+{
+  return {(2 * v[0] - v[1] + 2 * v[2]) / 3, (2 * v[0] + 2 * v[1] - v[2]) / 3,
+          (-v[0] + 2 * v[1] + 2 * v[2]) / 3};
+}
+
+TYPED_TEST(Scheme_property, CommutesWithSimilarities)
+{
+  const double scale = 3.7;
+  const reference::Vector shift(1.25, -2, 0.5);
+  reference::Square rotation;
+  rotation << 2, -1, 2, 2, 2, -1, -1, 2, 2;
+  rotation /= 3;
+  for (Control_mesh control : meshes_for<TypeParam>()) {
+    Result expected = refined<TypeParam>(control);
+    for (auto& p : expected.values.points) p = (scale * rotation * p + shift).eval();
+    for (auto& n : expected.values.normals) n = (rotation * n).eval();
+    for (Triple& n : control.normals) n = rotated(n);
+    for (Triple& p : control.points) {
+      p = rotated(p);
+      for (int k = 0; k < 3; ++k) p[std::size_t(k)] = scale * p[std::size_t(k)] + double(shift[k]);
+    }
+    EXPECT_TRUE(is_within(difference_by_index(refined<TypeParam>(control), expected), 1e-13))
+      << control.name;
+  }
+}
+
+// Half a turn about the z axis and a power of two as scale: no operation rounds differently.
+TYPED_TEST(Scheme_property, CommutesBitForBitWithExactSimilarities)
+{
+  for (Control_mesh control : meshes_with_wild_normals<TypeParam>()) {
+    Result expected = refined<TypeParam>(control);
+    for (auto& p : expected.values.points) p = reference::Vector(-16 * p[0], -16 * p[1], 16 * p[2]);
+    for (auto& n : expected.values.normals) n = reference::Vector(-n[0], -n[1], n[2]);
+    for (Triple& p : control.points) p = {-16 * p[0], -16 * p[1], 16 * p[2]};
+    for (Triple& n : control.normals) n = {-n[0], -n[1], n[2]};
+    EXPECT_TRUE(is_within(difference_by_index(refined<TypeParam>(control), expected), 0))
+      << control.name;
+  }
+}
+
+TYPED_TEST(Scheme_property, IgnoresLabelsOfVerticesOrderAndStartOfFaces)
+{
+  std::mt19937 generator(11);
+  for (const Control_mesh& control : meshes_for<TypeParam>()) {
+    std::vector<int> label(control.points.size());
+    for (std::size_t i = 0; i < label.size(); ++i) label[i] = int(i);
+    std::shuffle(label.begin(), label.end(), generator);
+    Control_mesh other = control;
+    for (std::size_t i = 0; i < label.size(); ++i) {
+      other.points[std::size_t(label[i])] = control.points[i];
+      other.normals[std::size_t(label[i])] = control.normals[i];
+    }
+    for (reference::Face& f : other.faces) {
+      for (int& v : f) v = label[std::size_t(v)];
+      std::rotate(f.begin(), f.begin() + std::ptrdiff_t(generator() % f.size()), f.end());
+    }
+    // a face may only follow a neighbor of it, for add_face()
+    std::reverse(other.faces.begin(), other.faces.end());
+    const Result expected = refined<TypeParam>(control), result = refined<TypeParam>(other);
+    EXPECT_TRUE(is_within(difference(result, expected), 1e-13)) << control.name;
+    if (!TypeParam::is_primal) continue;
+    for (std::size_t i = 0; i < label.size(); ++i) // old vertices keep their index
+      ASSERT_LE(
+        double((result.values.points[std::size_t(label[i])] - expected.values.points[i]).norm()),
+        1e-12)
+        << control.name << ", vertex " << i;
+  }
+}
+
+TYPED_TEST(Scheme_property, ReversedNormalsGiveTheSamePointsBitForBit)
+{
+  for (Control_mesh control : meshes_with_wild_normals<TypeParam>()) {
+    Result expected = refined<TypeParam>(control);
+    for (auto& n : expected.values.normals) n = -n;
+    for (Triple& n : control.normals) n = {-n[0], -n[1], -n[2]};
+    EXPECT_TRUE(is_within(difference_by_index(refined<TypeParam>(control), expected), 0))
+      << control.name;
+  }
+}
+
+// --- reduction to the linear scheme ---
+
+template <class Description>
+Result linearly_refined(Control_mesh control)
+{
+  control.normals.assign(control.points.size(), Triple{0, 0, 0});
+  Surface_mesh mesh = to_surface_mesh(control);
+  refine_linearly<Description>(mesh, rounds);
+  return result_of(mesh);
+}
+
+TYPED_TEST(Scheme_property, WithoutNormalsIsLinearBitForBit)
+{
+  for (Control_mesh control : meshes_for<TypeParam>()) {
+    control.normals.assign(control.points.size(), Triple{0, 0, 0});
+    EXPECT_TRUE(is_within(
+      difference_by_index(refined<TypeParam>(control), linearly_refined<TypeParam>(control)), 0))
+      << control.name;
+  }
+}
+
+TYPED_TEST(Scheme_property, WithEqualNormalsIsLinear)
+{
+  const Triple normal{2. / 3, -2. / 3, 1. / 3};
+  for (Control_mesh control : meshes_for<TypeParam>()) {
+    Result expected = linearly_refined<TypeParam>(control);
+    for (auto& n : expected.values.normals) n = reference::Vector(normal[0], normal[1], normal[2]);
+    control.normals.assign(control.points.size(), normal);
+    const Difference d = difference_by_index(refined<TypeParam>(control), expected);
+    EXPECT_TRUE(is_within(d, 1e-13)) << control.name;
+    EXPECT_LE(d.normals, 1e-15) << control.name;
+  }
+}
+
+// --- rounds ---
+
+TYPED_TEST(Scheme_property, SingleRoundsGiveBitForBitWhatOneCallGives)
+{
+  if (!TypeParam::composes_single_rounds) GTEST_SKIP() << "rounds are counted within one call";
+  for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
+    Surface_mesh once = to_surface_mesh(control), thrice = once;
+    refine<TypeParam>(once, 3);
+    for (int i = 0; i < 3; ++i) refine<TypeParam>(thrice, 1);
+    EXPECT_TRUE(is_identical(once, thrice)) << control.name;
+  }
+}
+
+// --- rows ---
+
+// Calls f(new vertex, begin, end) with the entries of every row of round k in the number type FT.
+template <class FT, class Description, class Function>
+void for_each_row(Surface_mesh& mesh, unsigned k, const Function& f)
+{
+  const PN::internal::Surface_mesh_access<Surface_mesh> access(mesh);
+  const PN::Level_connectivity level = PN::internal::checked_level(access);
+  const auto scheme = Description::scheme();
+  using Host = typename decltype(scheme)::Host;
+  const Host host(level, k);
+  const auto mask = scheme.template mask<FT>(level, k);
+  const std::uint64_t size = Host::refined_size(level.size(), k).vertices;
+  for (PN::Level_connectivity::Index v = 0; v < size; ++v) {
+    PN::Stencil<FT> row;
+    host.stencil(mask, v, row);
+    row.close_row();
+    f(v, row.begin(0), row.end(0));
+  }
+}
+
+template <class FT, class Description>
+void expect_rows_that_sum_to_one()
+{
+  for (const Control_mesh& control : meshes_for<Description>()) {
+    Surface_mesh mesh = to_surface_mesh(control);
+    for (unsigned k = 1; k <= 2; ++k) {
+      for_each_row<FT, Description>(
+        mesh, k, [&](std::size_t v, const auto* begin, const auto* end) {
+          FT sum(0);
+          for (const auto* e = begin; e != end; ++e) sum += e->weight;
+          EXPECT_TRUE(sum == FT(1)) << control.name << ", round " << k << ", vertex " << v;
+        });
+      if (k == 1) refine_linearly<Description>(mesh, 1);
+    }
+  }
+}
+
+TYPED_TEST(Scheme_property, RowsSumToOneInOrderOfEmission)
+{
+  expect_rows_that_sum_to_one<double, TypeParam>();
+  expect_rows_that_sum_to_one<float, TypeParam>();
+}
+
+TYPED_TEST(Scheme_property, RowsSumToOneExactly)
+{
+  expect_rows_that_sum_to_one<CGAL::Exact_rational, TypeParam>();
+}
+
+TYPED_TEST(Scheme_property, RowsEqualReferenceWeights)
+{
+  for (const Control_mesh& control : meshes_for<TypeParam>()) {
+    Surface_mesh mesh = to_surface_mesh(control);
+    const reference::Face_list list = face_list(mesh);
+    const reference::Refined expected = TypeParam::refine(list, 1);
+    std::size_t number_of_rows = 0;
+    for_each_row<double, TypeParam>(
+      mesh, 1, [&](std::size_t v, const auto* begin, const auto* end) {
+        ++number_of_rows;
+        reference::Row row = list.zero();
+        for (const auto* e = begin; e != end; ++e) row[e->vertex] += e->weight;
+        EXPECT_LE(double((row - expected.points.at(v)).cwiseAbs().maxCoeff()), 1e-15)
+          << control.name << ", vertex " << v;
+      });
+    EXPECT_EQ(number_of_rows, expected.points.size()) << control.name;
+  }
+}
+
+TYPED_TEST(Scheme_property, RowsOfOneEntryCopyBitForBit)
+{
+  for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
+    Surface_mesh old = to_surface_mesh(control), mesh = old;
+    refine<TypeParam>(mesh, 1);
+    const Normal_map old_normals = normal_map(old), normals = normal_map(mesh);
+    std::set<std::size_t> copies;
+    for_each_row<double, TypeParam>(old, 1, [&](std::size_t i, const auto* begin, const auto* end) {
+      if (end - begin != 1) return;
+      copies.insert(i);
+      const Surface_mesh::Vertex_index v(static_cast<Surface_mesh::size_type>(i)),
+        source(begin->vertex);
+      EXPECT_EQ(mesh.point(v), old.point(source)) << control.name << ", vertex " << i;
+      EXPECT_EQ(normals[v], old_normals[source]) << control.name << ", vertex " << i;
+    });
+    if (!TypeParam::is_primal) continue;
+    for (auto v : old.vertices())
+      if (TypeParam::is_interpolatory || old.is_isolated(v)) {
+        EXPECT_EQ(copies.count(v.idx()), 1u) << control.name << ", " << v;
+      }
+  }
+}
+
+TYPED_TEST(Scheme_property, KeepsOldVerticesIfInterpolatory)
+{
+  if (!TypeParam::is_interpolatory) GTEST_SKIP() << "approximates";
+  for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
+    Surface_mesh old = to_surface_mesh(control), mesh = old;
+    refine<TypeParam>(mesh, 3);
+    const Normal_map old_normals = normal_map(old), normals = normal_map(mesh);
+    for (auto v : old.vertices()) {
+      EXPECT_EQ(mesh.point(v), old.point(v)) << control.name << ", " << v;
+      EXPECT_EQ(normals[v], old_normals[v]) << control.name << ", " << v;
+    }
+  }
+}
+
+// --- threads ---
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <class Function>
+void with_threads(int n, const Function& f)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, std::size_t(n));
+  tbb::task_arena(n).execute(f);
+}
+
+TYPED_TEST(Scheme_property, AnyNumberOfThreadsGivesTheSameBits)
+{
+  using test_meshes::Cells;
+  const Cells cells = TypeParam::degree == 3   ? Cells::triangles
+                      : TypeParam::degree == 4 ? Cells::quads
+                                               : Cells::mixed;
+  for (bool closed : {false, true}) {
+    Control_mesh control = test_meshes::grid(25, 20, true, closed, cells);
+    test_meshes::set_wild_normals(control, 3);
+    Surface_mesh expected = to_surface_mesh(control), expected_linear = expected;
+    refine<TypeParam>(expected, 3);
+    refine_linearly<TypeParam>(expected_linear, 3);
+    EXPECT_GT(expected.number_of_vertices(), 8192u); // several chunks
+    for (int threads = 1; threads <= 3; ++threads)
+      with_threads(threads, [&] {
+        Surface_mesh mesh = to_surface_mesh(control), linear = mesh;
+        refine<TypeParam, CGAL::Parallel_tag>(mesh, 3);
+        refine_linearly<TypeParam, CGAL::Parallel_tag>(linear, 3);
+        EXPECT_TRUE(is_identical(mesh, expected)) << threads << " threads";
+        EXPECT_TRUE(is_identical(linear, expected_linear)) << threads << " threads";
+      });
+  }
+}
+#endif
+
+} // namespace
