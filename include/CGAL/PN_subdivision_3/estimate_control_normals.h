@@ -21,8 +21,9 @@ namespace PN_subdivision_3 {
 estimates control normals: at each vertex the unit vector of the sum of the normals of its faces,
 weighted by the angles of the faces at the vertex (Yang, <em>Point-Normal Subdivision Curves and
 Surfaces</em>, Section 6). The normal of a polygon that is not planar is that of its area vector;
-the angle at a corner is the angle between its two edges. Faces without area add nothing. A vertex
-without faces, or one at which the sum vanishes, gets the zero vector, "no control normal".
+the angle at a corner is the angle between its two edges. Faces without area add nothing, nor do
+those that would have none but for the rounding of their coordinates. A vertex without faces, or one
+at which the sum vanishes, gets the zero vector, "no control normal".
 
 The factors are rounded to `double` whatever the number type; they are irrational in any case.
 

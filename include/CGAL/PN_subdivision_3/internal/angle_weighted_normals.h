@@ -64,7 +64,7 @@ public:
       for (int k = 0; k < 3; ++k) area[k] += c[k];
     }
     const double area_length = length(to_double_3(area));
-    if (!(area_length > 0) || !std::isfinite(area_length)) return;
+    if (!(area_length > least_area_) || !std::isfinite(area_length)) return;
     const std::size_t n = corners_.size();
     for (std::size_t i = 0; i < n; ++i) {
       const double angle =
@@ -86,7 +86,9 @@ public:
   }
 
 private:
-  // the corners relative to the first one, scaled to a size of about 1 by a power of two
+  // The corners relative to the first one, scaled to a size of about 1 by a power of two. What the
+  // rounding of the coordinates alone can make of a face without area counts as no area: its
+  // direction is arbitrary, and its angles are the largest there are.
   template <class Point_of>
   void collect_corners(Index f, const Point_of& point)
   {
@@ -94,20 +96,27 @@ private:
     corners_.clear();
     const Index first = level_.halfedge_of_face(f);
     Index h = first;
-    double largest = 0;
+    double largest = 0, largest_coordinate = 0;
     do {
       vertices_.push_back(level_.target(h));
       const auto& p = point(vertices_.back());
       const auto& origin = point(vertices_.front());
       corners_.push_back({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
       for (double x : to_double_3(corners_.back())) largest = (std::max)(largest, std::abs(x));
+      if constexpr (!is_exact_v<FT>)
+        for (const FT& x : p)
+          largest_coordinate = (std::max)(largest_coordinate, std::abs(double(CGAL::to_double(x))));
       h = level_.next(h);
     } while (h != first);
+    least_area_ = 0;
     if (!(largest > 0) || !std::isfinite(largest)) return;
     const int exponent = std::ilogb(largest);
     const T scale(std::ldexp(1., -exponent / 2)), rest(std::ldexp(1., -exponent + exponent / 2));
     for (auto& c : corners_)
       for (T& x : c) x = x * scale * rest;
+    if constexpr (!is_exact_v<FT>)
+      least_area_ = 16 * double(CGAL::to_double(machine_epsilon<FT>())) *
+                    std::ldexp(largest_coordinate, -exponent);
   }
 
   static double corner_angle(const Coordinates<T, 3>& before, const Coordinates<T, 3>& at,
@@ -127,6 +136,7 @@ private:
   std::vector<double> angles_;
   std::vector<Index> vertices_;
   std::vector<Coordinates<T, 3>> corners_;
+  double least_area_ = 0;
 };
 
 // calls set_normal(v, n) for every vertex, where point(v) returns Coordinates<FT, 3>

@@ -1,0 +1,291 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Estimated control normals against closed forms.
+
+#include "Mesh_cases.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace mesh_cases;
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+
+namespace {
+
+using Double = CGAL::Simple_cartesian<double>;
+using Float = CGAL::Simple_cartesian<float>;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+constexpr double pi = 3.14159265358979323846;
+
+template <class K>
+std::vector<Triple> estimate(const Soup& soup)
+{
+  CGAL::Surface_mesh<typename K::Point_3> mesh;
+  build(soup, mesh);
+  auto n = mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
+  PN::estimate_control_normals(mesh, n);
+  return values(mesh, n);
+}
+
+Triple unit(double x, double y, double z)
+{
+  const double l = std::hypot(x, y, z);
+  return {x / l, y / l, z / l};
+}
+
+void expect_near(const Triple& a, const Triple& b, double tolerance, const std::string& where = "")
+{
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], tolerance) << where;
+}
+
+Soup icosahedron()
+{
+  const double g = (1 + std::sqrt(5.)) / 2;
+  return {{{-1, g, 0},
+           {1, g, 0},
+           {-1, -g, 0},
+           {1, -g, 0},
+           {0, -1, g},
+           {0, 1, g},
+           {0, -1, -g},
+           {0, 1, -g},
+           {g, 0, -1},
+           {g, 0, 1},
+           {-g, 0, -1},
+           {-g, 0, 1}},
+          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+}
+
+Soup transformed(Soup soup, double scale, const Triple& shift)
+{
+  for (Triple& p : soup.points)
+    for (int k = 0; k < 3; ++k) p[k] = scale * p[k] + shift[k];
+  return soup;
+}
+
+// right triangles in the planes z = 0 and x = 0
+Soup fan()
+{
+  return {{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 5}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+} // namespace
+
+TEST(Estimate_control_normals, cube_corners_are_diagonal)
+{
+  const auto d = estimate<Double>(cube());
+  const auto f = estimate<Float>(cube());
+  const auto e = estimate<Epeck>(cube());
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Triple p = cube().points[i];
+    expect_near(d[i], unit(p[0], p[1], p[2]), 2e-16);
+    expect_near(f[i], unit(p[0], p[1], p[2]), 6e-8);
+    expect_near(e[i], unit(p[0], p[1], p[2]), std::ldexp(1., -47));
+  }
+}
+
+// however the square faces are cut into triangles: the weights are angles
+TEST(Estimate_control_normals, triangulated_cube_corners_are_diagonal)
+{
+  Soup soup = cube();
+  std::vector<Polygon> triangles;
+  std::size_t i = 0;
+  for (const Polygon& f : soup.faces) {
+    const std::size_t s = i++ % 2;
+    triangles.push_back({f[s], f[s + 1], f[s + 2]});
+    triangles.push_back({f[s], f[s + 2], f[(s + 3) % 4]});
+  }
+  soup.faces = triangles;
+  const auto n = estimate<Double>(soup);
+  for (std::size_t v = 0; v < 8; ++v)
+    expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
+}
+
+TEST(Estimate_control_normals, icosahedron_is_radial)
+{
+  const Soup soup = icosahedron();
+  const auto n = estimate<Double>(soup);
+  for (std::size_t v = 0; v < 12; ++v)
+    expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
+}
+
+TEST(Estimate_control_normals, fan_of_known_angles)
+{
+  const auto n = estimate<Double>(fan());
+  // vertex 0: right angles in both planes. Vertex 2: atan(2/3) and atan(5/3)
+  expect_near(n[0], unit(1, 0, 1), 2e-16);
+  expect_near(n[1], {0, 0, 1}, 0);
+  expect_near(n[2], unit(std::atan2(5, 3), 0, std::atan2(2, 3)), 4e-16);
+  expect_near(n[3], {1, 0, 0}, 0);
+}
+
+TEST(Estimate_control_normals, obtuse_angles_count_as_they_are)
+{
+  // 150 degrees in the plane z = 0 and 90 in the plane x = 0
+  const double c = std::cos(5 * pi / 6), s = std::sin(5 * pi / 6);
+  const Soup soup{{{0, 0, 0}, {s, c, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  expect_near(estimate<Double>(soup)[0], unit(3, 0, 5), 4e-16);
+}
+
+// the area vector of a quad is half the cross product of its diagonals
+TEST(Estimate_control_normals, quad_that_is_not_planar)
+{
+  const Soup soup{{{0, 0, 0}, {2, 0, 1}, {2.5, 3, -0.5}, {-0.5, 2, 1}}, {{0, 1, 2, 3}}};
+  // diagonals (2.5, 3, -0.5) and (-2.5, 2, 0)
+  const Triple expected = unit(3 * 0 + 0.5 * 2, 0.5 * 2.5 - 2.5 * 0, 2.5 * 2 + 3 * 2.5);
+  for (const Triple& n : estimate<Double>(soup)) expect_near(n, expected, 2e-16);
+  for (const Triple& n : estimate<Epeck>(soup)) expect_near(n, expected, std::ldexp(1., -47));
+}
+
+TEST(Estimate_control_normals, vertices_without_faces_get_zero)
+{
+  Soup soup = fan();
+  soup.points.push_back({1, 2, 3});
+  EXPECT_EQ(estimate<Double>(soup)[4], (Triple{0, 0, 0}));
+  EXPECT_EQ(estimate<Epeck>(soup)[4], (Triple{0, 0, 0}));
+}
+
+// two triangles back to back, folded together: opposite unit normals, equal angles
+TEST(Estimate_control_normals, sums_that_vanish_are_zero)
+{
+  const Soup soup{{{0.1, 0.2, 0.3}, {1.7, 0.4, 0.9}, {0.3, 2.1, 0.2}}, {{0, 1, 2}, {1, 0, 2}}};
+  for (const Triple& n : estimate<Double>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+  for (const Triple& n : estimate<Float>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+  for (const Triple& n : estimate<Epeck>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+}
+
+// a triangle whose corners are on a line, with directions that no binary number has: only rounding
+// gives it an area
+TEST(Estimate_control_normals, faces_without_area_add_nothing)
+{
+  for (const Triple& d : {Triple{1, 0, 0}, Triple{0.1, 0.7, -0.3}, Triple{1 / 3., 1 / 7., 1 / 11.}})
+    for (double t : {0.3, 0.5, 0.9}) {
+      // a triangle in the plane of d and z, its first edge along d, and one without area beside it
+      Soup soup{{{0, 0, 0}, d, {0, 0, 1}, {t * d[0], t * d[1], t * d[2]}}, {{0, 1, 2}, {1, 0, 3}}};
+      soup = transformed(soup, 1, {0.1, 0.2, 0.3});
+      const auto n = estimate<Double>(soup);
+      const Triple expected = unit(d[1], -d[0], 0);
+      for (std::size_t v = 0; v < 3; ++v) expect_near(n[v], expected, 4e-15);
+      EXPECT_EQ(n[3], (Triple{0, 0, 0})) << t;
+    }
+}
+
+// but needles with an area of their own do
+TEST(Estimate_control_normals, needles_have_normals)
+{
+  for (double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}}, {{0, 1, 2}}};
+    for (const Triple& n : estimate<Double>(soup)) EXPECT_EQ(n, (Triple{0, 0, 1})) << width;
+    for (const Triple& n : estimate<Epeck>(soup)) expect_near(n, {0, 0, 1}, std::ldexp(1., -47));
+  }
+}
+
+TEST(Estimate_control_normals, repeated_corners_are_harmless)
+{
+  // a quad with two equal neighboring corners is a triangle
+  const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}};
+  const auto n = estimate<Double>(soup);
+  expect_near(n[0], {0, 0, 1}, 0);
+  expect_near(n[3], {0, 0, 1}, 0);
+  for (double x : n[1]) EXPECT_FALSE(std::isnan(x));
+}
+
+// scaling by powers of two changes no bit
+TEST(Estimate_control_normals, do_not_depend_on_the_scale)
+{
+  for (const Soup& soup : {icosahedron(), mixed_with_border(), triangles_with_border()}) {
+    const auto expected = estimate<Double>(soup);
+    for (int exponent : {-1000, -700, -332, -60, 60, 332, 500, 1000})
+      EXPECT_EQ(estimate<Double>(transformed(soup, std::ldexp(1., exponent), {0, 0, 0})), expected)
+        << exponent;
+    for (double scale : {1e-300, 1e-200, 1e-100, 1e-10, 1e10, 1e100, 1e150, 1e300}) {
+      const auto n = estimate<Double>(transformed(soup, scale, {0, 0, 0}));
+      for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 1e-15);
+    }
+  }
+}
+
+TEST(Estimate_control_normals, do_not_depend_on_the_scale_in_other_kernels)
+{
+  const Soup soup = triangles_with_border();
+  const auto expected = estimate<Double>(soup);
+  for (double scale : {1e-30, 1e-20, 1., 1e20, 1e35}) {
+    const auto n = estimate<Float>(transformed(soup, scale, {0, 0, 0}));
+    for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 4e-7);
+  }
+  for (double scale : {1e-200, 1e-100, 1e150}) {
+    const auto n = estimate<Epeck>(transformed(soup, scale, {0, 0, 0}));
+    for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 1e-14);
+  }
+}
+
+// far from the origin the differences of points are exact, if the shift rounds nothing
+TEST(Estimate_control_normals, do_not_depend_on_the_place)
+{
+  const double shift = std::ldexp(1., 40);
+  EXPECT_EQ(estimate<Double>(transformed(cube(), 1, {shift, -shift, shift})),
+            estimate<Double>(cube()));
+}
+
+// the unit length is that of the kernel
+TEST(Estimate_control_normals, are_unit_vectors)
+{
+  CGAL::Surface_mesh<Epeck::Point_3> mesh;
+  build(mixed_with_border(), mesh);
+  auto n = mesh.add_property_map<CGAL::SM_Vertex_index, Epeck::Vector_3>("n").first;
+  PN::estimate_control_normals(mesh, n);
+  for (auto v : mesh.vertices())
+    EXPECT_LE(CGAL::abs(n[v].squared_length() - 1), Epeck::FT(std::ldexp(1., -47)));
+  for (const Triple& m : estimate<Double>(mixed_with_border()))
+    EXPECT_NEAR(m[0] * m[0] + m[1] * m[1] + m[2] * m[2], 1, 4 * 2.3e-16);
+}
+
+TEST(Estimate_control_normals, polyhedron)
+{
+  for (const Soup& soup : {icosahedron(), mixed_with_border()}) {
+    CGAL::Polyhedron_3<Double> mesh;
+    build(soup, mesh);
+    const auto n = get(CGAL::dynamic_vertex_property_t<Double::Vector_3>(), mesh);
+    const auto& constant = mesh;
+    PN::estimate_control_normals(constant, n);
+    EXPECT_EQ(values(mesh, n), estimate<Double>(soup));
+  }
+}
+
+TEST(Estimate_control_normals, points_of_a_map_of_the_user)
+{
+  CGAL::Surface_mesh<Double::Point_3> mesh;
+  const auto p = mesh.add_property_map<CGAL::SM_Vertex_index, Double::Point_3>("p").first;
+  const auto n = mesh.add_property_map<CGAL::SM_Vertex_index, Double::Vector_3>("n").first;
+  build(icosahedron(), mesh, p);
+  for (auto v : mesh.vertices()) mesh.point(v) = Double::Point_3(0, 0, 0);
+  PN::estimate_control_normals(mesh, n, params::vertex_point_map(p));
+  EXPECT_EQ(values(mesh, n), estimate<Double>(icosahedron()));
+}
+
+// what the subdivision takes when it gets no normals
+TEST(Estimate_control_normals, are_those_of_a_subdivision_without_normals)
+{
+  CGAL::Surface_mesh<Double::Point_3> without, with;
+  build(mixed_with_border(), without);
+  build(mixed_with_border(), with);
+  const auto n = with.add_property_map<CGAL::SM_Vertex_index, Double::Vector_3>("n").first;
+  PN::estimate_control_normals(with, n);
+  PN::CatmullClark_subdivision(with, params::number_of_iterations(2).vertex_normal_map(n));
+  PN::CatmullClark_subdivision(without, params::number_of_iterations(2));
+  EXPECT_EQ(points(with), points(without));
+}
