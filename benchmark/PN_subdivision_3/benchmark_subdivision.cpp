@@ -3,11 +3,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Times whole jobs, mesh in and mesh out, beside CGAL's linear functions in the same process, and
-// prints the ratios of the medians. The runs of all jobs are interleaved, so that a change of the
-// machine's speed meets all alike. Copying the control mesh is outside of the timed part.
+// Times whole jobs, mesh in and mesh out, beside the linear functions of CGAL (Butterfly: of
+// OpenMesh) in the same process, and prints the ratios of the medians. The runs of all jobs are
+// interleaved, so that a change of the machine's speed meets all alike. Copying the control mesh is
+// not timed. The linear functions get a mesh without normals.
 //
 //   benchmark_subdivision [--benchmark_filter=...] [--benchmark_repetitions=N]
+
+#ifdef PN_BENCHMARK_WITH_OPENMESH
+#  include <OpenMesh/Core/IO/MeshIO.hh> // OpenMesh wants it first
+#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#  include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
+
+#  include <CGAL/boost/graph/copy_face_graph.h>
+#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#endif
 
 #include "Control_meshes.h"
 #include "Ratio_reporter.h"
@@ -18,6 +28,7 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,84 +41,144 @@ namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
+using Control_meshes::quads;
+using Control_meshes::triangles;
 
-using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Vector_3>;
-using Job = std::function<void(Mesh&, Normal_map, unsigned)>;
-
-void time_job(benchmark::State& state, const Mesh& control, unsigned rounds, const Job& job)
+struct Result
 {
-  std::size_t faces = 0;
-  for (auto _ : state) {
-    Mesh mesh = control;
-    const Normal_map normals = Control_meshes::add_normals(mesh);
-    const auto begin = std::chrono::steady_clock::now();
-    job(mesh, normals, rounds);
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    state.SetIterationTime(time.count());
-    faces = mesh.number_of_faces();
-  }
-  state.counters["faces"] = static_cast<double>(faces);
-  state.counters["ns/face"] =
-    benchmark::Counter(static_cast<double>(faces) * 1e-9,
-                       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  double seconds;
+  std::size_t faces;
+};
+
+// copies the control mesh, which is not timed, and subdivides it
+using Job = std::function<Result(const Mesh& control, unsigned rounds)>;
+
+template <class Function>
+double seconds_of(const Function& f)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
+
+// a linear function: on a mesh without normals
+template <class Subdivide>
+Job linear_job(const Subdivide& subdivide)
+{
+  return [subdivide](const Mesh& control, unsigned rounds) -> Result {
+    Mesh mesh = control;
+    const double seconds = seconds_of([&] { subdivide(mesh, rounds); });
+    return {seconds, mesh.number_of_faces()};
+  };
+}
+
+// point-normal subdivision with given normals
+template <class Concurrency_tag, class Scheme>
+Job pn_job(const Scheme& scheme)
+{
+  return [scheme](const Mesh& control, unsigned rounds) -> Result {
+    Mesh mesh = control;
+    const auto normals = Control_meshes::add_normals(mesh);
+    const double seconds = seconds_of([&] {
+      PN::subdivide<Concurrency_tag>(
+        mesh, scheme, params::number_of_iterations(rounds).vertex_normal_map(normals));
+    });
+    return {seconds, mesh.number_of_faces()};
+  };
+}
+
+#ifdef PN_BENCHMARK_WITH_OPENMESH
+using Openmesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+
+Result openmesh_butterfly(const Mesh& control, unsigned rounds)
+{
+  Openmesh mesh;
+  CGAL::copy_face_graph(control, mesh);
+  OpenMesh::Subdivider::Uniform::ModifiedButterflyT<Openmesh, double> butterfly;
+  const double seconds = seconds_of([&] {
+    butterfly.attach(mesh);
+    butterfly(rounds);
+    butterfly.detach();
+  });
+  return {seconds, mesh.n_faces()};
+}
+#endif
 
 std::vector<std::string> names;
 
 void add(const std::string& name, const Mesh& control, unsigned rounds, const Job& job)
 {
   names.push_back(name);
-  benchmark::RegisterBenchmark(
-    name.c_str(),
-    [control, rounds, job](benchmark::State& state) { time_job(state, control, rounds, job); })
+  const auto run = [control, rounds, job](benchmark::State& state) {
+    Result result{};
+    for (auto _ : state) {
+      result = job(control, rounds);
+      state.SetIterationTime(result.seconds);
+    }
+    state.counters["faces"] = static_cast<double>(result.faces);
+  };
+  benchmark::RegisterBenchmark(name.c_str(), run)
     ->UseManualTime()
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 }
 
-// The linear function of CGAL first: the ratios of a group are to its first job. It gets a mesh
-// without normals.
-template <class Linear, class Scheme>
-void add_group(const std::string& group, const Mesh& control, unsigned rounds, Linear cgal,
+// The peer comes first: the ratios of a group are to its first job.
+template <class Scheme>
+void add_group(const std::string& group, const Mesh& control, unsigned rounds, const Job& peer,
                const Scheme& scheme)
 {
-  add(group + "/CGAL-linear", control, rounds, [cgal](Mesh& m, Normal_map n, unsigned k) {
-    m.remove_property_map(n);
-    cgal(m, k);
-  });
-  add(group + "/PN", control, rounds, [scheme](Mesh& m, Normal_map n, unsigned k) {
-    PN::subdivide(m, scheme, params::number_of_iterations(k).vertex_normal_map(n));
-  });
-  add(group + "/linear", control, rounds, [scheme](Mesh& m, Normal_map n, unsigned k) {
-    m.remove_property_map(n);
-    PN::subdivide(m, PN::linear(scheme), params::number_of_iterations(k));
-  });
+  add(group + "/peer-linear", control, rounds, peer);
+  add(group + "/PN", control, rounds, pn_job<CGAL::Sequential_tag>(scheme));
+  add(group + "/linear", control, rounds, linear_job([scheme](Mesh& mesh, unsigned k) {
+        PN::subdivide(mesh, PN::linear(scheme), params::number_of_iterations(k));
+      }));
 #ifdef CGAL_LINKED_WITH_TBB
-  add(group + "/PN-2-threads", control, rounds, [scheme](Mesh& m, Normal_map n, unsigned k) {
+  add(group + "/PN-2-threads", control, rounds, [scheme](const Mesh& mesh, unsigned k) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
-    PN::subdivide<CGAL::Parallel_tag>(m, scheme,
-                                      params::number_of_iterations(k).vertex_normal_map(n));
+    return pn_job<CGAL::Parallel_tag>(scheme)(mesh, k);
   });
 #endif
 }
 
-void add_all()
+namespace SM3 = CGAL::Subdivision_method_3;
+
+const Job cgal_catmull_clark = linear_job([](Mesh& mesh, unsigned k) {
+  SM3::CatmullClark_subdivision(mesh, params::number_of_iterations(k));
+});
+
+void add_quad_schemes()
 {
-  const auto catmull_clark = [](Mesh& m, unsigned k) {
-    CGAL::Subdivision_method_3::CatmullClark_subdivision(m, params::number_of_iterations(k));
-  };
-  const auto loop = [](Mesh& m, unsigned k) {
-    CGAL::Subdivision_method_3::Loop_subdivision(m, params::number_of_iterations(k));
-  };
-  add_group("CatmullClark/100k", Control_meshes::quads(24, 18), 4, catmull_clark,
-            PN::CatmullClark_scheme());
-  add_group("CatmullClark/1M", Control_meshes::quads(72, 56), 4, catmull_clark,
-            PN::CatmullClark_scheme());
-  add_group("CatmullClark/1M-one-round", Control_meshes::quads(500, 500), 1, catmull_clark,
-            PN::CatmullClark_scheme());
-  add_group("Loop/100k", Control_meshes::triangles(16, 14), 4, loop, PN::Loop_scheme());
-  add_group("Loop/1M", Control_meshes::triangles(50, 40), 4, loop, PN::Loop_scheme());
-  add_group("Loop/1M-one-round", Control_meshes::triangles(360, 350), 1, loop, PN::Loop_scheme());
+  const PN::CatmullClark_scheme catmull_clark;
+  add_group("CatmullClark/100k", quads(24, 18), 4, cgal_catmull_clark, catmull_clark);
+  add_group("CatmullClark/1M", quads(72, 56), 4, cgal_catmull_clark, catmull_clark);
+  add_group("CatmullClark/1M-one-round", quads(500, 500), 1, cgal_catmull_clark, catmull_clark);
+  // CGAL has no interpolatory scheme: beside its Catmull-Clark
+  add_group("Kobbelt/100k", quads(24, 18), 4, cgal_catmull_clark, PN::Kobbelt_scheme());
+
+  const Job cgal_doo_sabin = linear_job([](Mesh& mesh, unsigned k) {
+    SM3::DooSabin_subdivision(mesh, params::number_of_iterations(k));
+  });
+  add_group("DooSabin/100k", quads(24, 18), 4, cgal_doo_sabin, PN::DooSabin_scheme());
+  add_group("DooSabin/1M", quads(72, 56), 4, cgal_doo_sabin, PN::DooSabin_scheme());
+}
+
+void add_triangle_schemes()
+{
+  const Job cgal_loop = linear_job(
+    [](Mesh& mesh, unsigned k) { SM3::Loop_subdivision(mesh, params::number_of_iterations(k)); });
+  add_group("Loop/100k", triangles(16, 14), 4, cgal_loop, PN::Loop_scheme());
+  add_group("Loop/1M", triangles(50, 40), 4, cgal_loop, PN::Loop_scheme());
+  add_group("Loop/1M-one-round", triangles(360, 350), 1, cgal_loop, PN::Loop_scheme());
+
+  const Job cgal_sqrt3 = linear_job(
+    [](Mesh& mesh, unsigned k) { SM3::Sqrt3_subdivision(mesh, params::number_of_iterations(k)); });
+  add_group("Sqrt3/100k", triangles(16, 14), 5, cgal_sqrt3, PN::Sqrt3_scheme());
+  add_group("Sqrt3/1M", triangles(50, 40), 5, cgal_sqrt3, PN::Sqrt3_scheme());
+#ifdef PN_BENCHMARK_WITH_OPENMESH
+  add_group("Butterfly/100k", triangles(16, 14), 4, openmesh_butterfly, PN::Butterfly_scheme());
+  add_group("Butterfly/1M", triangles(50, 40), 4, openmesh_butterfly, PN::Butterfly_scheme());
+#endif
 }
 
 } // namespace
@@ -123,7 +194,8 @@ int main(int argc, char** argv)
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return EXIT_FAILURE;
-  add_all();
+  add_quad_schemes();
+  add_triangle_schemes();
   Ratio_reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   reporter.print_ratios(names);
