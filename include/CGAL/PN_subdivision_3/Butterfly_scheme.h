@@ -46,7 +46,7 @@ public:
 
   explicit Butterfly_mask(const Level_connectivity& level)
     : level_(level)
-    , irregular_(internal::irregular_vertices(level, 6))
+    , irregular_valence_(internal::irregular_valences(level, 6))
   {}
 
   template <class Stencil>
@@ -62,7 +62,8 @@ public:
     const Index o = Level_connectivity::opposite(h);
     if (level_.is_border(h)) return border_edge(h, s);
     if (level_.is_border(o)) return border_edge(o, s);
-    const Index to_source = irregular_valence(o), to_target = irregular_valence(h);
+    const Index to_source = irregular_valence_[level_.target(o)];
+    const Index to_target = irregular_valence_[level_.target(h)];
     if (to_source == 0 && to_target == 0)
       regular_edge(h, o, s);
     else if (to_target == 0)
@@ -77,13 +78,6 @@ public:
   }
 
 private:
-  // the valence of the target of h if it is irregular, 0 otherwise
-  Index irregular_valence(Index h) const
-  {
-    const Index v = level_.target(h);
-    return irregular_[v] ? level_.valence(v) : 0;
-  }
-
   template <class Stencil>
   void border_edge(Index border, Stencil& s) const
   {
@@ -141,16 +135,17 @@ private:
     return {level_.target(h), missing};
   }
 
-  static FT irregular_weight(Index j, Index n)
+  FT irregular_weight(Index j, Index n) const
   {
     if (n == 3) return j == 0 ? FT(5) / FT(12) : FT(-1) / FT(12);
     if (n == 4) return j == 0 ? FT(3) / FT(8) : (j == 2 ? FT(-1) / FT(8) : FT(0));
-    const FT c1 = cosine_weight<FT>(j, n), c2 = cosine_weight<FT>(2 * std::int64_t(j), n);
+    const FT c1 = cosines_(j, n), c2 = cosines_(2 * std::int64_t(j), n);
     return (FT(1) / FT(4) + c1 + c2 / FT(2)) / FT(int(n));
   }
 
   const Level_connectivity& level_;
-  std::vector<char> irregular_;
+  std::vector<Index> irregular_valence_; // 0: regular
+  Cosine_table<FT> cosines_;
   FT half_ = FT(1) / FT(2), eighth_ = FT(1) / FT(8);
   FT nine_16ths_ = FT(9) / FT(16), minus_16th_ = FT(-1) / FT(16);
 };

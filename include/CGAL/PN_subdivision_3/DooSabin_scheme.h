@@ -48,12 +48,13 @@ public:
     const Index n = level_.degree(h);
     Index k = 1;
     for (Index g = level_.next(h); g != h; g = level_.next(g), ++k)
-      s.add(level_.target(g), (FT(3) + FT(2) * cosine_weight<FT>(k, n)) / FT(int(4 * n)));
+      s.add(level_.target(g), (FT(3) + FT(2) * cosines_(k, n)) / FT(int(4 * n)));
     s.add_rest(level_.target(h));
   }
 
 private:
   const Level_connectivity& level_;
+  Cosine_table<FT> cosines_;
   FT one_16th_ = FT(1) / FT(16), three_16ths_ = FT(3) / FT(16), nine_16ths_ = FT(9) / FT(16);
 };
 

@@ -52,7 +52,7 @@ public:
 
   Kobbelt_mask(const Level_connectivity& level, const FT& tension)
     : level_(level)
-    , irregular_(internal::irregular_vertices(level, 4))
+    , irregular_valence_(internal::irregular_valences(level, 4))
     , alpha_(-tension)
     , beta_(FT(1) / FT(2) + tension)
     , gamma_(tension / beta_)
@@ -97,7 +97,7 @@ private:
   bool is_border_edge(Index h) const { return level_.is_border_edge(Level_connectivity::edge(h)); }
   int is_spoke(Index h) const
   {
-    return irregular_[level_.target(h)] || irregular_[level_.source(h)] ? 1 : 0;
+    return irregular_valence_[level_.target(h)] != 0 || irregular_valence_[level_.source(h)] != 0;
   }
 
   // the edges of the four-point rule across h and the edge opposite to it in its face
@@ -142,7 +142,7 @@ private:
     else if (level_.is_border_vertex(v)) {
       row.add(v, FT(2) * factor);
       row.add(level_.source(h), -factor);
-    } else if (!irregular_[v])
+    } else if (irregular_valence_[v] == 0)
       row.add(level_.target(level_.next(level_.next_around_target(h))), factor);
     else
       add_virtual_point(h, factor, row);
@@ -156,7 +156,7 @@ private:
 
   void add_virtual_point(Index h, const FT& factor, Row& row) const
   {
-    const Index n = level_.valence(level_.target(h));
+    const Index n = irregular_valence_[level_.target(h)];
     const FT mean = FT(4) / FT(int(n));
     Index g = h;
     for (Index j = 0; j < n; ++j, g = level_.next_around_target(g)) {
@@ -169,7 +169,7 @@ private:
   }
 
   const Level_connectivity& level_;
-  std::vector<char> irregular_;
+  std::vector<Index> irregular_valence_; // 0: regular
   FT alpha_, beta_, gamma_;
 };
 

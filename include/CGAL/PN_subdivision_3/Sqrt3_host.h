@@ -9,6 +9,7 @@
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/check_triangles.h>
 
+#include <boost/config.hpp>
 #include <boost/container/vector.hpp>
 
 #include <stdexcept>
@@ -71,23 +72,10 @@ public:
   Sqrt3_host(const Level_connectivity& level, unsigned round)
     : level_(level)
     , first_center_(level.number_of_vertices())
+    , corner_(level.number_of_halfedges(), boost::container::default_init)
   {
-    if (!refines_border(round) || !level.has_border()) return;
-    border_faces_before_.resize(level.number_of_faces(), boost::container::default_init);
-    face_of_center_.reserve(level.number_of_faces() + level.size().border_halfedges());
-    Index border_faces = 0;
-    for (Index f = 0; f < level.number_of_faces(); ++f) {
-      border_faces_before_[f] = border_faces;
-      face_of_center_.push_back(f);
-      const Index h = border_halfedge(f);
-      if (h == Level_connectivity::null) continue;
-      if (level.is_border(opposite(level.next(h))) || level.is_border(opposite(level.prev(h))))
-        throw std::invalid_argument("PN_subdivision_3: face number " + std::to_string(f) +
-                                    " has two border edges: an even round of sqrt(3) cannot cut "
-                                    "it; begin with an odd round");
-      face_of_center_.push_back(f);
-      ++border_faces;
-    }
+    number_corners();
+    if (refines_border(round) && level.has_border()) number_border_faces();
   }
 
   template <class Mask, class Stencil>
@@ -118,6 +106,35 @@ public:
 private:
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
+  // Half-edge i of face f is corner 4 f + i. Looking it up in one place keeps the jumps through the
+  // memory of a large level few.
+  void number_corners()
+  {
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      Index h = level_.halfedge_of_face(f);
+      for (Index i = 0; i < 3; ++i, h = level_.next(h)) corner_[h] = 4 * f + i;
+    }
+  }
+
+  void number_border_faces()
+  {
+    border_faces_before_.resize(level_.number_of_faces(), boost::container::default_init);
+    face_of_center_.reserve(level_.number_of_faces() + level_.size().border_halfedges());
+    Index border_faces = 0;
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      border_faces_before_[f] = border_faces;
+      face_of_center_.push_back(f);
+      const Index h = border_halfedge(f);
+      if (h == Level_connectivity::null) continue;
+      if (level_.is_border(opposite(level_.next(h))) || level_.is_border(opposite(level_.prev(h))))
+        throw std::invalid_argument("PN_subdivision_3: face number " + std::to_string(f) +
+                                    " has two border edges: an even round of sqrt(3) cannot cut "
+                                    "it; begin with an odd round");
+      face_of_center_.push_back(f);
+      ++border_faces;
+    }
+  }
+
   // the half-edge of a triangle whose opposite is on a border that is refined, null if there is
   // none
   Index border_halfedge(Index f) const
@@ -144,15 +161,9 @@ private:
   {
     return 2 * (level_.number_of_edges() + 3 * level_.number_of_faces() + border_faces_before_[f]);
   }
-  Index position(Index h) const
-  {
-    const Index first = level_.halfedge_of_face(level_.face(h));
-    return h == first ? 0 : (h == level_.next(first) ? 1 : 2);
-  }
   Index triangle(Index h) const
   {
-    const Index f = level_.face(h);
-    const Index i = position(h);
+    const Index f = corner_[h] / 4, i = corner_[h] % 4;
     return i == 0 ? f : level_.number_of_faces() + 2 * f + i - 1;
   }
 
@@ -164,14 +175,17 @@ private:
   {
     Index vertex, to_source, to_target;
   };
-  Fan fan(Index h) const
+  // In line: returning three 32 bit numbers costs more than computing them.
+  BOOST_FORCEINLINE Fan fan(Index h) const
   {
-    const Index f = level_.face(h);
-    const Index border = refined_border_halfedge(f);
-    if (border == Level_connectivity::null) {
-      const Index i = position(h);
-      return {center(f), inner(f, (i + 2) % 3), inner(f, i)};
-    }
+    const Index f = corner_[h] / 4, i = corner_[h] % 4;
+    if (border_faces_before_.empty() || border_halfedge(f) == Level_connectivity::null)
+      return {center(f), inner(f, i == 0 ? 2 : i - 1), inner(f, i)};
+    return fan_of_refined_border(h, f);
+  }
+  Fan fan_of_refined_border(Index h, Index f) const
+  {
+    const Index border = border_halfedge(f);
     if (h == level_.next(border)) return {center(f) + 1, last_part(f), inner(f, 1)};
     return {center(f), inner(f, 0), opposite(border)};
   }
@@ -263,6 +277,7 @@ private:
 
   const Level_connectivity& level_;
   const Index first_center_;
+  boost::container::vector<Index> corner_;
   boost::container::vector<Index> border_faces_before_, face_of_center_;
 };
 

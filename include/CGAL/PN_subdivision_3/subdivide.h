@@ -66,8 +66,9 @@ afterwards.
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
 with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's
 on one of its halves; all property maps remain valid, and all other new elements have default
-values. A `Surface_mesh` that holds removed elements keeps all its indices; the removed elements stay
-removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()` afterwards if you need it.
+values. A `Surface_mesh` that holds removed elements keeps all its indices; the removed elements
+stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
+afterwards if you need it.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
 were. Beyond it is a property map of the user's whose `put()` throws also while old values are put

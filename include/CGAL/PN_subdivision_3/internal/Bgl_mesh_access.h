@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -112,12 +113,13 @@ struct Slots<Mesh, std::void_t<decltype(std::declval<Mesh&>().resize(0, 0, 0))>>
     , edges(num_edges(mesh))
     , faces(num_faces(mesh))
   {}
-  void restore(Mesh& mesh) const
+  std::uint64_t number() const { return vertices + edges + faces; }
+  void restore(Mesh& mesh) const { resize(mesh, vertices, edges, faces); }
+  static void resize(Mesh& mesh, std::uint64_t v, std::uint64_t e, std::uint64_t f)
   {
-    mesh.resize(static_cast<unsigned>(vertices), static_cast<unsigned>(edges),
-                static_cast<unsigned>(faces));
+    mesh.resize(static_cast<unsigned>(v), static_cast<unsigned>(e), static_cast<unsigned>(f));
   }
-  std::size_t vertices, edges, faces;
+  std::uint64_t vertices, edges, faces;
 };
 
 // While elements are added to a mesh that recycles removed ones, it must not: the order of vertices
@@ -223,12 +225,18 @@ public:
     else
       remove_beyond(old_size_);
   }
-  // removes the elements that the result does not use
+  // Removes the elements that the result does not use, and all that were removed before. Where the
+  // memory for the latter is lacking they stay: the result is right, and nothing may fail any more.
   void trim(const Level_size& size)
   {
+    if constexpr (Slots<std::remove_const_t<Graph>>::exist)
+      if (old_slots_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
+        return old_slots_.resize(graph_, size.vertices, size.edges, size.faces);
     remove_beyond(size);
-    if constexpr (Has_collect_garbage<Graph>::value)
-      if (graph_.has_garbage()) graph_.collect_garbage();
+    if constexpr (Has_collect_garbage<Graph>::value) try {
+        if (graph_.has_garbage()) graph_.collect_garbage();
+      } catch (const std::bad_alloc&) {
+      }
   }
 
   // the child of a host

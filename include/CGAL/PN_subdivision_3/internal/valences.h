@@ -15,14 +15,16 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Which vertices are interior and of another valence than the regular one.
-inline std::vector<char> irregular_vertices(const Level_connectivity& level,
-                                            Level_connectivity::Index regular)
+// The valences of the interior vertices that have another one than the regular one, 0 for all others.
+inline std::vector<Level_connectivity::Index> irregular_valences(const Level_connectivity& level,
+                                                                 Level_connectivity::Index regular)
 {
-  std::vector<char> irregular(level.number_of_vertices());
-  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-    irregular[v] =
-      !level.is_isolated(v) && !level.is_border_vertex(v) && level.valence(v) != regular;
+  std::vector<Level_connectivity::Index> irregular(level.number_of_vertices(), 0);
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
+    if (level.is_isolated(v) || level.is_border_vertex(v)) continue;
+    const Level_connectivity::Index n = level.valence(v);
+    if (n != regular) irregular[v] = n;
+  }
   return irregular;
 }
 
