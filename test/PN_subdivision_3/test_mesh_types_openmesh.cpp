@@ -111,6 +111,21 @@ TEST(OpenMesh_types, nothing_is_left_of_a_cancelled_subdivision)
   EXPECT_TRUE(is_linked(mesh));
 }
 
+TEST(OpenMesh_types, doo_sabin_leaves_a_compact_mesh)
+{
+  Poly_mesh mesh;
+  Mesh expected;
+  build(mixed_with_border(), mesh);
+  build(mixed_with_border(), expected);
+  PN::DooSabin_subdivision(mesh, params::number_of_iterations(2));
+  PN::DooSabin_subdivision(expected, params::number_of_iterations(2));
+  EXPECT_EQ(faces_of(mesh), faces_of(expected));
+  EXPECT_EQ(mesh.n_vertices(), expected.number_of_vertices());
+  EXPECT_EQ(mesh.n_edges(), expected.number_of_edges());
+  EXPECT_FALSE(mesh.has_vertex_status());
+  EXPECT_TRUE(is_linked(mesh));
+}
+
 // Without status attributes, and with the float points of OpenMesh's default traits.
 TEST(OpenMesh_types, with_float_points)
 {

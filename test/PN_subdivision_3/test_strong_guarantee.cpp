@@ -14,12 +14,12 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 // \name Allocations of this program that can be told to fail
@@ -373,17 +373,20 @@ long fail_in_maps(const Soup& soup, bool loop)
   });
 }
 
+// lets the k-th allocation of its lifetime fail, and all that follow
+struct Allocation_limit
+{
+  explicit Allocation_limit(long k) { allocations_left = k - 1; }
+  ~Allocation_limit() { allocations_left = std::numeric_limits<long>::max(); }
+};
+
 template <class Maker, class Tag>
 long fail_in_allocations(const Soup& soup, bool loop, unsigned rounds)
 {
   return fail_everywhere<Maker>(soup, [&](auto& mesh, auto n, long k) {
     const auto np = params::number_of_iterations(rounds).vertex_normal_map(n);
     return failure_of([&] {
-      struct Limit
-      {
-        explicit Limit(long k) { allocations_left = k - 1; }
-        ~Limit() { allocations_left = std::numeric_limits<long>::max(); }
-      } limit(k);
+      const Allocation_limit limit(k);
       subdivide_as_asked<Tag>(loop, mesh, np);
     });
   });
@@ -408,6 +411,35 @@ TYPED_TEST(Strong_guarantee, allocations)
       (fail_in_allocations<TypeParam, CGAL::Sequential_tag>(triangles_with_border(), true, rounds)),
       10);
   }
+}
+
+// Doo-Sabin makes a mesh compact at last. If the memory for it is lacking, that is left to the
+// user.
+TYPED_TEST(Strong_guarantee, doo_sabin)
+{
+  const auto compact = [](auto& mesh) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, Surface_mesh>)
+      mesh.collect_garbage();
+  };
+  const long in_allocations =
+    fail_everywhere<TypeParam>(mixed_with_border(), [&](auto& mesh, auto n, long k) {
+      const auto np = params::number_of_iterations(2).vertex_normal_map(n);
+      const std::string failure = failure_of([&] {
+        const Allocation_limit limit(k);
+        PN::DooSabin_subdivision(mesh, np);
+      });
+      if (failure.empty()) compact(mesh);
+      return failure;
+    });
+  EXPECT_GE(in_allocations, 10);
+  const long in_maps =
+    fail_everywhere<TypeParam>(mixed_with_border(), [&](auto& mesh, auto n, long k) {
+      std::atomic<long> left{k};
+      const Failing_map<decltype(n)> normal_map{n, &left};
+      return failure_of(
+        [&] { PN::DooSabin_subdivision(mesh, params::vertex_normal_map(normal_map)); });
+    });
+  EXPECT_GE(in_maps, 13 + 20); // 13 are read, 20 written
 }
 
 TYPED_TEST(Strong_guarantee, visitor)
