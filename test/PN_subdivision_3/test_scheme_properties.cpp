@@ -9,6 +9,7 @@
 #include "Scheme_runs.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -239,6 +240,29 @@ TYPED_TEST(Scheme_property, RowsEqualReferenceWeights)
           << control.name << ", vertex " << v;
       });
     EXPECT_EQ(number_of_rows, expected.points.size()) << control.name;
+  }
+}
+
+TYPED_TEST(Scheme_property, SubdivisionMatrixHoldsTheReferenceWeights)
+{
+  for (const Control_mesh& control : meshes_for<TypeParam>()) {
+    const Surface_mesh mesh = to_surface_mesh(control);
+    const reference::Face_list list = face_list(mesh);
+    for (unsigned round : {1u, 2u}) {
+      if (round == 2 && TypeParam::composes_single_rounds) continue;
+      if (round == 2 && !test_meshes::is_closed(control)) continue;
+      const auto matrix = PN::subdivision_matrix(mesh, TypeParam::scheme(), round);
+      const reference::Matrix weights =
+        TypeParam::refine(list, round).weights(list.number_of_vertices());
+      ASSERT_EQ(matrix.rows(), weights.rows()) << control.name;
+      ASSERT_EQ(matrix.cols(), weights.cols()) << control.name;
+      const Eigen::MatrixXd dense = matrix;
+      EXPECT_LE(double((dense.cast<reference::Real>() - weights).cwiseAbs().maxCoeff()), 1e-15)
+        << control.name;
+      EXPECT_LE((dense.rowwise().sum().array() - 1).abs().maxCoeff(),
+                4 * std::numeric_limits<double>::epsilon())
+        << control.name;
+    }
   }
 }
 
