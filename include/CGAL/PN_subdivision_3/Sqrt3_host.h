@@ -98,8 +98,12 @@ public:
     for_chunks(level_.number_of_vertices(), [&](Index begin, Index end) {
       for (Index v = begin; v < end; ++v) connect_vertex(v, child);
     });
+    // by edges: both sides of an edge are read from the same place
+    for_chunks(level_.number_of_edges(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) connect_edge(2 * e, child);
+    });
     for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, child);
+      for (Index f = begin; f < end; ++f) connect_center(f, child);
     });
   }
 
@@ -199,18 +203,29 @@ private:
   }
 
   template <class Child>
-  void connect_face(Index f, Child& child) const
+  void connect_edge(Index h, Child& child) const
   {
-    const Index border = refined_border_halfedge(f);
-    Index h = level_.halfedge_of_face(f);
-    for (int i = 0; i < 3; ++i, h = level_.next(h))
-      if (h == border)
-        connect_refined_border(h, child);
-      else if (level_.is_border(opposite(h)))
-        connect_kept_border(h, child);
-      else
-        connect_flipped(h, child);
-    if (border == Level_connectivity::null)
+    if (level_.is_border(h)) return connect_border(opposite(h), child);
+    if (level_.is_border(opposite(h))) return connect_border(h, child);
+    const Fan x = fan(h), y = fan(opposite(h));
+    connect_flipped(h, x, y, child);
+    connect_flipped(opposite(h), y, x, child);
+  }
+
+  template <class Child>
+  void connect_border(Index h, Child& child) const
+  {
+    if (border_faces_before_.empty())
+      connect_kept_border(h, child);
+    else
+      connect_refined_border(h, child);
+  }
+
+  // of two new vertices in a face, the triangle on the border sets the half-edges
+  template <class Child>
+  void connect_center(Index f, Child& child) const
+  {
+    if (refined_border_halfedge(f) == Level_connectivity::null)
       child.set_halfedge_of_vertex(center(f), opposite(inner(f, 0)));
   }
 
@@ -229,11 +244,10 @@ private:
     child.set_halfedge_of_face(t, h1);
   }
 
-  // half-edge h now joins the new vertices x on its side and y on the other
+  // half-edge h now joins the new vertices of x on its side and of y on the other
   template <class Child>
-  void connect_flipped(Index h, Child& child) const
+  void connect_flipped(Index h, const Fan& x, const Fan& y, Child& child) const
   {
-    const Fan x = fan(h), y = fan(opposite(h));
     connect_triangle(triangle(h), h, y.vertex, y.to_source, level_.target(h), opposite(x.to_target),
                      x.vertex, child);
   }

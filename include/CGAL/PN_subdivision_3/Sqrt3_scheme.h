@@ -41,6 +41,7 @@ public:
     : level_(level)
     , refines_border_(Sqrt3_host::refines_border(round))
     , neighbor_weight_(&neighbor_weight)
+    , vertex_weight_(&vertex_weight)
   {}
 
   template <class Stencil>
@@ -49,14 +50,15 @@ public:
     if (level_.is_isolated(v)) return s.add(v, FT(1));
     const Index h = level_.halfedge_of_vertex(v);
     if (level_.is_border(h)) return border_vertex(h, s);
-    const FT weight = neighbor_weight_(level_.valence(v));
+    const Index n = level_.valence(v);
+    const FT weight = neighbor_weight_(n);
     Index g = h;
     do {
       g = level_.next(g);
       s.add(level_.target(g), weight);
       g = Level_connectivity::opposite(g);
     } while (g != h);
-    s.add_rest(v);
+    s.add(v, vertex_weight_(n));
   }
 
   template <class Stencil>
@@ -65,7 +67,7 @@ public:
     const Index h = level_.halfedge_of_face(f), n = level_.next(h);
     s.add(level_.target(h), third_);
     s.add(level_.target(n), third_);
-    s.add_rest(level_.target(level_.next(n)));
+    s.add(level_.target(level_.next(n)), last_third_);
   }
 
   /// new vertex `i` of the border edge with the face half-edge `h`, 0 at its source, 1 at its
@@ -99,10 +101,19 @@ private:
     return (FT(4) - FT(2) * cosine_weight<FT>(1, n)) / (FT(9) * FT(int(n)));
   }
 
+  // what n neighbors leave, added one by one as in the row
+  static FT vertex_weight(Index n)
+  {
+    const FT weight = neighbor_weight(n);
+    FT sum(0);
+    for (Index i = 0; i < n; ++i) sum += weight;
+    return FT(1) - sum;
+  }
+
   const Level_connectivity& level_;
   bool refines_border_;
-  Weight_per_valence<FT> neighbor_weight_;
-  FT third_ = FT(1) / FT(3);
+  Weight_per_valence<FT> neighbor_weight_, vertex_weight_;
+  FT third_ = FT(1) / FT(3), last_third_ = FT(1) - (third_ + third_);
 };
 
 /*!
