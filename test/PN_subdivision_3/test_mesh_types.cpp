@@ -11,6 +11,7 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -285,8 +286,8 @@ TEST(Removed_elements, result_is_that_of_the_compact_mesh)
     EXPECT_TRUE(is_linked(mesh));
     EXPECT_TRUE(mesh.is_valid(false));
     EXPECT_EQ(points(mesh), points(compact)) << c.name;
-    EXPECT_EQ(values(mesh, mesh.property_map<Mesh::Vertex_index, Vector>("n").first),
-              values(compact, compact.property_map<Mesh::Vertex_index, Vector>("n").first));
+    EXPECT_EQ(values(mesh, mesh.add_property_map<Mesh::Vertex_index, Vector>("n").first),
+              values(compact, compact.add_property_map<Mesh::Vertex_index, Vector>("n").first));
     EXPECT_EQ(faces_of(mesh), faces_of(compact)) << c.name;
     EXPECT_EQ(mesh.number_of_edges(), compact.number_of_edges());
     // removed elements stay removed, until the user collects them

@@ -229,7 +229,17 @@ template <class Maker>
 class Strong_guarantee : public ::testing::Test
 {};
 using Makers = ::testing::Types<Compact_surface_mesh, Surface_mesh_with_garbage, Plain_polyhedron>;
-TYPED_TEST_SUITE(Strong_guarantee, Makers);
+struct Maker_names
+{
+  template <class Maker>
+  static std::string GetName(int)
+  {
+    if (std::is_same_v<Maker, Compact_surface_mesh>) return "Surface_mesh";
+    if (std::is_same_v<Maker, Surface_mesh_with_garbage>) return "Surface_mesh_with_garbage";
+    return "Polyhedron_3";
+  }
+};
+TYPED_TEST_SUITE(Strong_guarantee, Makers, Maker_names);
 
 // \name Failing property maps
 
