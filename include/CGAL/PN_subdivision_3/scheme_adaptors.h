@@ -62,7 +62,7 @@ struct Linear_scheme
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// returns the linear twin of `scheme`: normals are neither read nor written.
-template <class Scheme>
+template <class Scheme, class = typename Scheme::Host>
 Linear_scheme<Scheme> linear(const Scheme& scheme)
 {
   return {scheme};

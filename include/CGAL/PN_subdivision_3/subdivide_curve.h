@@ -1,0 +1,136 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SUBDIVIDE_CURVE_H
+#define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_CURVE_H
+
+#include <CGAL/Dimension.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/internal/Curve_subdivision.h>
+#include <CGAL/property_map.h>
+
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The named parameters of the curve functions.
+template <class Range, class NamedParameters>
+struct Curve_parameters
+{
+  using Item =
+    typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
+  using Point_map = std::decay_t<typename internal_np::Lookup_named_param_def<
+    internal_np::point_t, NamedParameters, CGAL::First_of_pair_property_map<Item>>::type>;
+  using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
+    internal_np::normal_t, NamedParameters, CGAL::Second_of_pair_property_map<Item>>::type>;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+  using Vector = typename boost::property_traits<Normal_map>::value_type;
+  using Geom_traits =
+    typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                 typename CGAL::Kernel_traits<Point>::Kernel>::type;
+  using FT = typename Geom_traits::FT;
+
+  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
+
+  static unsigned number_of_iterations(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
+  }
+  static Point_map point_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::point_map),
+                                        Point_map());
+  }
+  static Normal_map normal_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::normal_map),
+                                        Normal_map());
+  }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+
+refines a control polygon with control normals, in the plane or in space, by the point-normal form
+of a univariate mask.
+
+Points and normals sampled from a circle stay on it up to rounding, as do samples of a circular
+cylinder; points on a line with equal normals stay on it. A zero vector means "no control normal
+here"; vectors of other lengths are normalized once.
+
+\tparam Range a model of `ConstRange` whose items hold a point and a normal; without property maps a
+  range of `std::pair<Point, Vector>`
+\tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes
+of one \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param polygon the control polygon; an empty one gives an empty curve
+\param mask the mask
+\param end whether the polygon is closed, and if not, what happens at its ends. `Curve_end::reflect`
+is the usual choice for primal masks, `Curve_end::none` for dual ones. \param np an optional
+sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the number of rounds; with 0 the result is the control polygon, with
+                          normalized normals}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{`1`}
+  \cgalParamNEnd
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the items of `polygon` to points}
+    \cgalParamType{a model of `ReadablePropertyMap` with value type `Point_2` or `Point_3`}
+    \cgalParamDefault{`CGAL::First_of_pair_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{normal_map}
+    \cgalParamDescription{a property map from the items of `polygon` to control normals}
+    \cgalParamType{a model of `ReadablePropertyMap` with value type `Vector_2` or `Vector_3`}
+    \cgalParamDefault{`CGAL::Second_of_pair_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class; its `FT` is the number type of
+all computations} \cgalParamType{a model of `Kernel`} \cgalParamDefault{a \cgal Kernel deduced from
+the point type} \cgalParamNEnd \cgalNamedParamsEnd
+
+\returns the points and normals of the curve. From n points one round makes 2n points if the polygon
+is closed; 2n - 1 (primal masks) or 2n - 2 (dual masks) with `Curve_end::reflect`; with
+`Curve_end::none` as many as have a whole stencil, 2n - m for B-splines of degree m and 2n - 4k + 3
+for 2k-point masks. Primal masks on a closed polygon begin with the new point of the first vertex,
+dual ones with the first new point on the first edge.
+
+\throws std::invalid_argument if a point or normal is not finite (the message gives its position),
+if an open polygon is too short for `Curve_end::none`, if the coefficients of a mask do not sum to 1
+for each parity, or if the masks of points and normals are not both primal or both dual with the
+same center \throws std::length_error if there would be more than 2<sup>32</sup> - 2 points
+
+\cost linear in the size of the curve, in time and memory
+*/
+template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
+auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
+                     const NamedParameters& np = parameters::default_values())
+{
+  using Parameters = internal::Curve_parameters<Range, NamedParameters>;
+  internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(mask,
+                                                                                          end);
+  const auto point_map = Parameters::point_map(np);
+  const auto normal_map = Parameters::normal_map(np);
+  for (const auto& item : polygon) curve.add(get(point_map, item), get(normal_map, item));
+  return curve.template result<typename Parameters::Point, typename Parameters::Vector>(
+    Parameters::number_of_iterations(np));
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SUBDIVIDE_CURVE_H

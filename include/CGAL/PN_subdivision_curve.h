@@ -1,0 +1,17 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_CURVE_H
+#define CGAL_PN_SUBDIVISION_CURVE_H
+
+/*!
+\file PN_subdivision_curve.h
+Point-normal subdivision of curves in the plane and in space.
+*/
+
+#include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/subdivide_curve.h>
+
+#endif // CGAL_PN_SUBDIVISION_CURVE_H
