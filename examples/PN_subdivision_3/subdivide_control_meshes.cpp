@@ -83,7 +83,8 @@ Normal_map control_normals(Mesh& mesh)
   return normals;
 }
 
-void subdivide(const std::filesystem::path& file, const std::filesystem::path& folder, unsigned rounds)
+void subdivide(const std::filesystem::path& file, const std::filesystem::path& folder,
+               unsigned rounds)
 {
   Mesh mesh;
   std::string comments;
@@ -119,7 +120,8 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
   const std::filesystem::path output = folder / file.filename().replace_extension(".ply");
   std::ofstream out(output, std::ios::binary);
   CGAL::IO::set_binary_mode(out);
-  if (!CGAL::IO::write_PLY(out, mesh)) throw std::runtime_error(output.string() + " is not writable");
+  if (!CGAL::IO::write_PLY(out, mesh))
+    throw std::runtime_error(output.string() + " is not writable");
 }
 
 int main(int argc, char** argv)
@@ -140,8 +142,7 @@ int main(int argc, char** argv)
   std::cout << "control mesh              scheme            control     faces  vertices        time"
                "  deviation/R in 2^-52\n";
   int result = EXIT_SUCCESS;
-  for (const std::filesystem::path& file : files)
-    try {
+  for (const std::filesystem::path& file : files) try {
       subdivide(file, output, rounds);
     } catch (const std::exception& e) {
       std::cerr << file.string() << ": " << e.what() << '\n';

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Any model of MutableFaceGraph, here a Polyhedron_3 with EPICK. Its control normals are in a map
+// of their own, outside the polyhedron.
+//
+//   polyhedron [MESH [OUTPUT]]
+
+#include <CGAL/PN_subdivision_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <string>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vector = Kernel::Vector_3;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Vertex = boost::graph_traits<Polyhedron>::vertex_descriptor;
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+
+int main(int argc, char** argv)
+{
+  const std::string filename = argc > 1 ? argv[1] : "data/creature.obj";
+  const std::string output = argc > 2 ? argv[2] : "polyhedron.off";
+  Polyhedron polyhedron;
+  if (!CGAL::IO::read_polygon_mesh(filename, polyhedron) || polyhedron.empty()) {
+    std::cerr << "Invalid input: " << filename << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::cout << "Input: " << num_vertices(polyhedron) << " vertices, " << num_faces(polyhedron)
+            << " faces" << std::endl;
+
+  std::map<Vertex, Vector> vectors;
+  const auto normals = boost::make_assoc_property_map(vectors);
+  PN::estimate_control_normals(polyhedron, normals);
+
+  CGAL::Real_timer timer;
+  timer.start();
+  PN::CatmullClark_subdivision(polyhedron,
+                               params::number_of_iterations(3).vertex_normal_map(normals));
+  timer.stop();
+  std::cout << "Output: " << num_vertices(polyhedron) << " vertices, " << num_faces(polyhedron)
+            << " faces in " << timer.time() << " s" << std::endl;
+
+  // now the map holds the normals of all vertices of the refined polyhedron
+  for (Vertex v : vertices(polyhedron))
+    if (vectors.count(v) == 0) return EXIT_FAILURE;
+  return CGAL::IO::write_polygon_mesh(output, polyhedron, params::stream_precision(17))
+           ? EXIT_SUCCESS
+           : EXIT_FAILURE;
+}
