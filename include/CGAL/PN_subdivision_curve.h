@@ -11,6 +11,8 @@
 Point-normal subdivision of curves in the plane and in space.
 */
 
+#include <CGAL/PN_subdivision_3/curve_analysis.h>
+#include <CGAL/PN_subdivision_3/curve_control_normals.h>
 #include <CGAL/PN_subdivision_3/curve_masks.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 
