@@ -34,8 +34,9 @@ def parse_arguments() -> argparse.Namespace:
                              "degrees from the front, which looks along +y (write --view=-35,20)")
     parser.add_argument("--up", choices="xyz", default="z", help="the upward axis (default: z)")
     parser.add_argument("--same-view", action="store_true",
-                        help="the first mesh's view and scale for all")
-    parser.add_argument("--shading", choices=("auto", "smooth", "flat"), default="auto")
+                        help="one view and scale, which fits all")
+    parser.add_argument("--shading", choices=("auto", "smooth", "averaged", "flat"),
+                        default="auto", help="averaged: by the faces alone, whatever the normals")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the faces")
     parser.add_argument("--normals", action="store_true", help="draw the vertex normals")
     parser.add_argument("--control", type=Path, action="append", default=[], metavar="MESH",

@@ -55,7 +55,7 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
 
 def _with_normals(mesh: vtkPolyData, shading: str) -> vtkPolyData:
     """With the normals that the shading asks for; averages of the faces' where they are missing."""
-    given = normals_of(mesh)
+    given = None if shading == "averaged" else normals_of(mesh)
     result = vtkPolyData()
     result.ShallowCopy(mesh)
     if shading == "flat" or (shading == "auto" and given is None):

@@ -43,8 +43,9 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
         renderer = new_tile(i, columns, rows)
         control = controls[i] if controls else None
         if view is None or not options.same_view:
-            seen = [points_of(m) for m in (mesh, control) if m]
-            view = fitted_view(np.concatenate(seen), angles, options.up)
+            seen = [*meshes, *controls] if options.same_view else [mesh, control]
+            points = np.concatenate([points_of(m) for m in seen if m])
+            view = fitted_view(points, angles, options.up)
             view.half_size *= ROOM_FOR_BAR if options.scalars else 1.0
         add_mesh(renderer, mesh, options, limit)
         if control:

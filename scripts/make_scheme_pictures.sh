@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Draws doc/PN_subdivision_3/fig/SCHEME.png for each scheme: a closed mesh in the first row, the same
+# mesh cut open in the second; the linear scheme on the left, the point-normal one with estimated
+# control normals on the right. Surfaces are shaded by their faces, not by the refined normals.
+#
+#   scripts/make_scheme_pictures.sh [PN_SUBDIVIDE [FOLDER]]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+command=${1:-build/release/src/pn_subdivide/pn_subdivide}
+folder=${2:-doc/PN_subdivision_3/fig}
+if [[ ! -x $command ]]; then
+  echo "$command is missing: scripts/build.sh pn_subdivide builds it" >&2
+  exit 1
+fi
+mkdir -p "$folder"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Four cubes about a corner; cut open, the arms have no ends and one of them lacks a side too.
+python3 - "$work" <<'PY'
+import sys
+from itertools import product
+
+cubes = {(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)}
+missing = {((1, 0, 0), 0, 1), ((0, 1, 0), 1, 1), ((0, 0, 1), 2, 1), ((0, 0, 1), 0, 1)}
+
+
+def outer_faces(left_out):
+    """Quads (counter-clockwise from outside) of the sides of cubes that have no cube beyond."""
+    for cube, axis, end in product(sorted(cubes), range(3), (0, 1)):
+        beyond = tuple(x + (2 * end - 1) * (i == axis) for i, x in enumerate(cube))
+        if beyond in cubes or (cube, axis, end) in left_out:
+            continue
+        ring = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        corners = []
+        for a, b in ring if end else reversed(ring):
+            step = [0, 0, 0]
+            step[axis], step[(axis + 1) % 3], step[(axis + 2) % 3] = end, a, b
+            corners.append(tuple(x + s for x, s in zip(cube, step)))
+        yield corners
+
+
+def write(name, faces):
+    points = sorted({p for face in faces for p in face})
+    with open(f"{sys.argv[1]}/{name}.off", "w") as file:
+        print(f"OFF\n{len(points)} {len(faces)} 0", file=file)
+        for p in points:
+            print(*p, file=file)
+        for face in faces:
+            print(len(face), *map(points.index, face), file=file)
+
+
+for name, left_out in (("closed", set()), ("bordered", missing)):
+    quads = list(outer_faces(left_out))
+    write(name + "_quads", quads)
+    write(name + "_triangles", [half for a, b, c, d in quads for half in ([a, b, c], [a, c, d])])
+PY
+
+draw() { # scheme, kind of faces, rounds, name
+  local meshes=() controls=() captions=()
+  for mesh in closed bordered; do
+    local control=$work/${mesh}_$2.off
+    "$command" surface "$control" "$work/$1_$mesh.ply" --scheme "$1" --levels "$3" --linear --quiet
+    "$command" surface "$control" "$work/PN_$1_$mesh.ply" --scheme "$1" --levels "$3" \
+               --normals estimate --quiet
+    meshes+=("$work/$1_$mesh.ply" "$work/PN_$1_$mesh.ply")
+    controls+=(--control "$control" --control "$control")
+    captions+=(--caption "$4" --caption "PN-$4")
+  done
+  scripts/render.py --output "$folder/$1.png" --columns 2 --tile 320 --shading averaged --same-view \
+                    --view=35,25 "${controls[@]}" "${captions[@]}" "${meshes[@]}"
+}
+
+draw catmull-clark quads 4 Catmull-Clark
+draw doo-sabin quads 4 Doo-Sabin
+draw kobbelt quads 4 Kobbelt
+draw loop triangles 4 Loop
+draw butterfly triangles 4 Butterfly
+draw sqrt3 triangles 6 "sqrt(3)"
