@@ -153,7 +153,8 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Modified Butterfly subdivision: `Butterfly_mask` on `PTQ_host`. Accepts triangles only, and no
-interior vertex of valence 2. \cgalModels{PNSubdivisionScheme_3}
+interior vertex of valence 2.
+\cgalModels{PNSubdivisionScheme_3}
 */
 struct Butterfly_scheme
 {

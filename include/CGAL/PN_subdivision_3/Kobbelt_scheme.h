@@ -176,7 +176,8 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Kobbelt's interpolatory scheme: `Kobbelt_mask` on `PQQ_host`. Accepts quadrilaterals only, and no
-interior vertex of valence 2. \cgalModels{PNSubdivisionScheme_3}
+interior vertex of valence 2.
+\cgalModels{PNSubdivisionScheme_3}
 */
 class Kobbelt_scheme
 {

@@ -65,7 +65,7 @@ The hosts' own requirements stay, such as triangle meshes for `PTQ()`.
 \tparam Mask the mask's class template
 \tparam PolygonMesh a model of `MutableFaceGraph`
 \tparam PointNormalMap a model of `ReadablePropertyMap` with the vertex descriptor as key type and
-`std::pair<Kernel::Point_3, Kernel::Vector_3>` as value type
+  `std::pair<Kernel::Point_3, Kernel::Vector_3>` as value type
 
 \cgalModels{PQQMask_3,PTQMask_3,DQQMask_3,Sqrt3Mask_3}, whichever `Mask` models
 \sa `CGAL::PN_subdivision_3::make_PN_mask_3()`

@@ -119,7 +119,8 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 \f$ \sqrt{3} \f$ subdivision: `Sqrt3_mask` on `Sqrt3_host`. Accepts triangles only. The border is
-refined in the even rounds of a call only. \cgalModels{PNSubdivisionScheme_3}
+refined in the even rounds of a call only.
+\cgalModels{PNSubdivisionScheme_3}
 */
 struct Sqrt3_scheme
 {

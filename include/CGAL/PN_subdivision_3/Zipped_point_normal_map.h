@@ -22,7 +22,7 @@ carry normals along. Made by `make_point_normal_map()`.
 
 \tparam VertexPointMap a model of `ReadWritePropertyMap` with value type `Kernel::Point_3`
 \tparam VertexNormalMap a model of `ReadWritePropertyMap` with the same key type and with value
-type `Kernel::Vector_3`
+  type `Kernel::Vector_3`
 
 Both must accept vertices that are added to the mesh after the map was made.
 

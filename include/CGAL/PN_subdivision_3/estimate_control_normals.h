@@ -35,10 +35,11 @@ The factors are rounded to `double` whatever the number type; they are irrationa
 \param mesh an oriented 2-manifold with border
 \param normals the map to write; if it throws, some normals may have been written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
-and `geom_traits` as in `subdivide()`
+  and `geom_traits` as in `subdivide()`
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border or a point is
-not finite; nothing has been written then \cost linear in the size of the mesh
+  not finite; nothing has been written then
+\cost linear in the size of the mesh
 */
 template <class PolygonMesh, class VertexNormalMap,
           class NamedParameters = parameters::Default_named_parameters>

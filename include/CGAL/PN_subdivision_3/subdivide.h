@@ -76,15 +76,16 @@ back, and what such a map stores for vertices that exist no longer.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads. The
-maps of `Surface_mesh` are then written by several threads, other maps by one. \tparam PolygonMesh a
-model of `MutableFaceGraph` \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()`
-twin \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  maps of `Surface_mesh` are then written by several threads, other maps by one.
+\tparam PolygonMesh a model of `MutableFaceGraph`
+\tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border; it may be empty, have several components and have
   vertices without edges, which remain where they are
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+  below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
@@ -95,36 +96,39 @@ below
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
     \cgalParamType{a class model of `ReadWritePropertyMap` with
-                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
-                   `geom_traits::Point_3` as value type}
+                          `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
+                          `geom_traits::Point_3` as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_normal_map}
     \cgalParamDescription{a property map with the control normals, which become the refined normals}
     \cgalParamType{a class model of `ReadWritePropertyMap` with
-                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
-                   `geom_traits::Vector_3` as value type}
+                          `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
+                          `geom_traits::Vector_3` as value type}
     \cgalParamDefault{estimated normals, which are dropped afterwards}
     \cgalParamExtra{A linear scheme ignores it.}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class; its `FT` is the number type of
-all computations} \cgalParamType{a class model of `Kernel`} \cgalParamDefault{a \cgal Kernel deduced
-from the point type, using `CGAL::Kernel_traits`} \cgalParamNEnd \cgalParamNBegin{visitor}
+                          all computations}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
     \cgalParamDescription{an object whose `round_done(unsigned k, std::size_t number_of_faces)` is
                           called after the k-th round is computed; an exception of it cancels the
-                          subdivision}
+                          subdivision. It must not look at the mesh, which is being written.}
     \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}
     \cgalParamDefault{no visitor}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
-joins several fans of faces, an edge without a face, broken connectivity), if a face is none that
-the scheme can refine, or if a point or normal is not finite. The message names the element. These
-checks do not depend on `NDEBUG`. \throws std::length_error if a round needs more elements than the
-index type of the mesh can number \throws std::domain_error if an interval number type leaves a
-comparison undecided
+  joins several fans of faces, an edge without a face, broken connectivity), if a face is none that
+  the scheme can refine, or if a point or normal is not finite. The message names the element. These
+  checks do not depend on `NDEBUG`.
+\throws std::length_error if a round needs more elements than the index type of the mesh can number
+\throws std::domain_error if an interval number type leaves a comparison undecided
 
 \cost linear in the size of the output, in time and memory
 */

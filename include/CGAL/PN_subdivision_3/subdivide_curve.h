@@ -73,13 +73,15 @@ here"; vectors of other lengths are normalized once.
 \tparam Range a model of `ConstRange` whose items hold a point and a normal; without property maps a
   range of `std::pair<Point, Vector>`
 \tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes
-of one \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  of one
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param polygon the control polygon; an empty one gives an empty curve
 \param mask the mask
 \param end whether the polygon is closed, and if not, what happens at its ends. `Curve_end::reflect`
-is the usual choice for primal masks, `Curve_end::none` for dual ones. \param np an optional
-sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  is the usual choice for primal masks, `Curve_end::none` for dual ones.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
@@ -100,19 +102,23 @@ sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed be
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class; its `FT` is the number type of
-all computations} \cgalParamType{a model of `Kernel`} \cgalParamDefault{a \cgal Kernel deduced from
-the point type} \cgalParamNEnd \cgalNamedParamsEnd
+                          all computations}
+    \cgalParamType{a model of `Kernel`}
+    \cgalParamDefault{a \cgal Kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \returns the points and normals of the curve. From n points one round makes 2n points if the polygon
-is closed; 2n - 1 (primal masks) or 2n - 2 (dual masks) with `Curve_end::reflect`; with
-`Curve_end::none` as many as have a whole stencil, 2n - m for B-splines of degree m and 2n - 4k + 3
-for 2k-point masks. Primal masks on a closed polygon begin with the new point of the first vertex,
-dual ones with the first new point on the first edge.
+  is closed; 2n - 1 (primal masks) or 2n - 2 (dual masks) with `Curve_end::reflect`; with
+  `Curve_end::none` as many as have a whole stencil, 2n - m for B-splines of degree m and 2n - 4k + 3
+  for 2k-point masks. Primal masks on a closed polygon begin with the new point of the first vertex,
+  dual ones with the first new point on the first edge.
 
 \throws std::invalid_argument if a point or normal is not finite (the message gives its position),
-if an open polygon is too short for `Curve_end::none`, if the coefficients of a mask do not sum to 1
-for each parity, or if the masks of points and normals are not both primal or both dual with the
-same center \throws std::length_error if there would be more than 2<sup>32</sup> - 2 points
+  if an open polygon is too short for `Curve_end::none`, if the coefficients of a mask do not sum to 1
+  for each parity, or if the masks of points and normals are not both primal or both dual with the
+  same center
+\throws std::length_error if there would be more than 2<sup>32</sup> - 2 points
 
 \cost linear in the size of the curve, in time and memory
 */

@@ -30,13 +30,14 @@ added in the order in which the mask emits them, and within 4 machine epsilons o
 Not part of the header `CGAL/PN_subdivision_3.h`, since it needs \ref thirdpartyEigen "Eigen".
 
 \tparam FT the number type of the weights; if it is none of Eigen's own, `Eigen::NumTraits<FT>` has
-to be specialized \tparam PolygonMesh a model of `FaceListGraph` \tparam Scheme a model of
-`PNSubdivisionScheme_3`
+  to be specialized
+\tparam PolygonMesh a model of `FaceListGraph`
+\tparam Scheme a model of `PNSubdivisionScheme_3`
 
 \param mesh an oriented 2-manifold with border; it is not modified
 \param scheme the scheme; of one with different normals, the mask of the points counts
 \param round the number of the round in a call, counted from 1, for schemes whose weights depend on
-it
+  it
 
 \throws std::invalid_argument as `subdivide()` does
 \cost linear in the size of the refined mesh

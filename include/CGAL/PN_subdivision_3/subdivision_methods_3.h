@@ -111,7 +111,7 @@ guarantees and exceptions; use it for other tensions. Old vertices keep their po
 for bit. The order of the new vertices is that of `PQQ_host`.
 
 \throws std::invalid_argument also if a face is not a quadrilateral or an interior vertex has
-valence 2
+  valence 2
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>

@@ -93,10 +93,18 @@ public:
   template <class Point, class Vector>
   std::vector<std::pair<Point, Vector>> result(unsigned iterations)
   {
-    std::vector<std::pair<Point, Vector>> curve;
-    const auto append = [&curve](const Value* values, std::size_t n) {
-      for (std::size_t i = 0; i < n; ++i)
-        curve.emplace_back(make<Point>(point_of(values[i])), make<Vector>(normal_of(values[i])));
+    return result<std::pair<Point, Vector>>(iterations, [](const Value& value) {
+      return std::pair<Point, Vector>(make<Point>(point_of(value)), make<Vector>(normal_of(value)));
+    });
+  }
+
+  // the curve as items that make_item(value) returns; the last round writes nothing else
+  template <class Item, class Make_item>
+  std::vector<Item> result(unsigned iterations, const Make_item& make_item)
+  {
+    std::vector<Item> curve;
+    const auto append = [&](const Value* values, std::size_t n) {
+      for (std::size_t i = 0; i < n; ++i) curve.push_back(make_item(values[i]));
     };
     if (iterations == 0 || values_.empty()) {
       curve.reserve(values_.size());

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -82,21 +83,29 @@ public:
   {
     level_ = checked_level(access_);
     check_scheme(scheme_, level_, access_);
-    check_refined_sizes(iterations);
+    if (level_.size().faces == 0) iterations = 1; // all rounds are alike
+    const Level_size size = checked_refined_size(iterations);
     read_values();
-    for (unsigned k = 1; k < iterations; ++k) {
-      refine(k);
-      visitor.round_done(k, static_cast<std::size_t>(level_.size().faces));
+    try {
+      // the mesh grows while the levels before the last one are made
+      run_together<Concurrency_tag>([&] { access_.grow(size); },
+                                    [&] { refine_up_to_last(iterations, visitor); });
+      write(iterations, visitor);
+    } catch (...) {
+      if (old_values_put_) put_old_values();
+      access_.shrink();
+      throw;
     }
-    write(iterations, visitor);
+    connect();
+    if constexpr (!Scheme::Host::keeps_vertices) access_.trim(size);
   }
 
 private:
   // \name Reading
-  void check_refined_sizes(unsigned iterations) const
+  // the size of the last level
+  Level_size checked_refined_size(unsigned iterations) const
   {
     Level_size size = level_.size();
-    if (size.faces == 0) return;
     for (unsigned k = 1; k <= iterations; ++k) {
       size = Scheme::Host::refined_size(size, k);
       const std::uint64_t limit = Access::index_limit();
@@ -109,6 +118,7 @@ private:
                               " that the index type of the mesh can number: ask for at most " +
                               std::to_string(k - 1) + " rounds");
     }
+    return size;
   }
 
   void read_values()
@@ -150,6 +160,15 @@ private:
   }
 
   // \name Refining
+  template <class Visitor>
+  void refine_up_to_last(unsigned iterations, Visitor& visitor)
+  {
+    for (unsigned k = 1; k < iterations; ++k) {
+      refine(k);
+      visitor.round_done(k, static_cast<std::size_t>(level_.size().faces));
+    }
+  }
+
   void refine(unsigned k)
   {
     const One_round round(scheme_, level_, k);
@@ -176,24 +195,14 @@ private:
   template <class Visitor>
   void write(unsigned k, Visitor& visitor)
   {
-    const One_round round(scheme_, level_, k);
-    const Level_size size = round.refined_size();
+    last_round_.emplace(scheme_, level_, k);
+    const Level_size& size = last_round_->refined_size();
     const Index new_vertices = static_cast<Index>(size.vertices);
     const Index old_vertices = (std::min)(new_vertices, static_cast<Index>(old_points_.size()));
-    bool old_values_put = false;
-    try {
-      access_.grow(size);
-      put_range(round, old_vertices, new_vertices);
-      old_values_put = true;
-      put_range(round, 0, old_vertices);
-      visitor.round_done(k, static_cast<std::size_t>(size.faces));
-    } catch (...) {
-      if (old_values_put) put_old_values();
-      access_.shrink();
-      throw;
-    }
-    connect(round);
-    if constexpr (!Scheme::Host::keeps_vertices) access_.trim(size);
+    put_range(*last_round_, old_vertices, new_vertices);
+    old_values_put_ = true;
+    put_range(*last_round_, 0, old_vertices);
+    visitor.round_done(k, static_cast<std::size_t>(size.faces));
   }
 
   void put_range(const One_round& round, Index begin, Index end)
@@ -242,12 +251,12 @@ private:
   }
 
   // Nothing may fail here. Threads may; then one alone repeats what they have begun.
-  void connect(const One_round& round)
+  void connect()
   {
     try {
-      round.host().connect(access_, for_chunks_);
+      last_round_->host().connect(access_, for_chunks_);
     } catch (...) {
-      round.host().connect(access_, For_chunks<Sequential_tag>());
+      last_round_->host().connect(access_, For_chunks<Sequential_tag>());
     }
     access_.finish_connectivity();
   }
@@ -265,6 +274,8 @@ private:
   For_chunks<Concurrency_tag> for_chunks_;
   Level_connectivity level_;
   Values values_;
+  std::optional<One_round> last_round_;
+  bool old_values_put_ = false;
   std::vector<Point> old_points_;
   std::vector<typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
                                           Value_type<Point_map>>::type>

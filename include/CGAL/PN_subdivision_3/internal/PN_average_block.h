@@ -193,7 +193,8 @@ private:
     {
       const char* const bytes = reinterpret_cast<const char*>(&v);
       for (int i = 0; i < dimension; ++i)
-        lanes[i] = lanes[i] + Lanes<FT>::both(factor) * Lanes<FT>::load(bytes + i * sizeof(Lanes<FT>));
+        lanes[i] =
+          lanes[i] + Lanes<FT>::both(factor) * Lanes<FT>::load(bytes + i * sizeof(Lanes<FT>));
     }
     Value value() const
     {

@@ -12,6 +12,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/blocked_range.h>
 #  include <tbb/parallel_for.h>
+#  include <tbb/parallel_invoke.h>
 #endif
 
 #include <type_traits>
@@ -54,6 +55,20 @@ struct For_chunks
 
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
+
+// Calls f() and g(), which do not touch the same data, in any order or at the same time.
+template <class Concurrency_tag, class F, class G>
+void run_together(const F& f, const G& g)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel_v<Concurrency_tag>) {
+    tbb::parallel_invoke(f, g);
+    return;
+  }
+#endif
+  g();
+  f();
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3
