@@ -13,6 +13,7 @@
 #  include <tbb/blocked_range.h>
 #  include <tbb/parallel_for.h>
 #  include <tbb/parallel_invoke.h>
+#  include <tbb/task_group.h>
 #endif
 
 #include <type_traits>
@@ -39,10 +40,13 @@ struct For_chunks
     if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
       constexpr Index grain = 2048; // a multiple of the block of the averages
       const Index chunks = n / grain + (n % grain != 0);
-      tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), [&](const auto& range) {
+      // isolated: a cancelled task group around it would leave elements undefined
+      tbb::task_group_context context(tbb::task_group_context::isolated);
+      const auto do_chunks = [&](const auto& range) {
         const Index end = range.end() == chunks ? n : range.end() * grain;
         f(range.begin() * grain, end);
-      });
+      };
+      tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
       return;
     }
 #else
@@ -62,7 +66,8 @@ void run_together(const F& f, const G& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel_v<Concurrency_tag>) {
-    tbb::parallel_invoke(f, g);
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::parallel_invoke(f, g, context);
     return;
   }
 #endif
