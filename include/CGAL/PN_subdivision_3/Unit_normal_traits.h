@@ -56,9 +56,8 @@ FT machine_epsilon()
     return FT(std::numeric_limits<double>::epsilon());
 }
 
-// 1/sqrt(x) as a double converted to FT; its relative error is below 2^-48.
 template <class FT>
-FT approximate_inverse_sqrt(const FT& x)
+std::pair<double, double> close_interval(const FT& x)
 {
   std::pair<double, double> i = CGAL::to_interval(x);
   // to_double() of a lazy number may be far less precise than a double; its exact value is not
@@ -67,6 +66,17 @@ FT approximate_inverse_sqrt(const FT& x)
       x.exact();
       i = CGAL::to_interval(x);
     }
+  return i;
+}
+
+// 1/sqrt(x) from a double; its relative error is below 2^-48. \pre x > 0
+template <class FT>
+FT approximate_inverse_sqrt(const FT& x)
+{
+  const std::pair<double, double> i = close_interval(x);
+  if constexpr (is_exact_v<FT>)
+    if (i.first < (std::numeric_limits<double>::min)()) // x is below the range of double
+      return FT(std::ldexp(1.0, 500)) * approximate_inverse_sqrt(FT(x * FT(std::ldexp(1.0, 1000))));
   return FT(1.0 / std::sqrt(i.first / 2 + i.second / 2));
 }
 
