@@ -7,9 +7,12 @@
 #define CGAL_PN_SUBDIVISION_3_PN_AVERAGE_H
 
 #include <CGAL/PN_subdivision_3/Unit_normal_traits.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -221,7 +224,7 @@ private:
     FT sum(0), weight(0);
     bool faded = false;
     for (const Entry* e = begin; e != end; ++e) {
-      if (e->weight == FT(0)) continue;
+      if (CGAL::certainly(e->weight == FT(0))) continue;
       const auto h =
         internal::pn_height<FT, dimension>(old[e->vertex], result.point, result.normal);
       if (h.denominator < internal::fade_begin<FT>()) {

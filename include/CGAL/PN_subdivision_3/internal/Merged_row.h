@@ -7,10 +7,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MERGED_ROW_H
 
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/container/small_vector.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace CGAL {
@@ -40,13 +42,16 @@ public:
   {
     auto largest = entries_.begin();
     for (auto e = entries_.begin(); e != entries_.end(); ++e)
-      if (CGAL::abs(e->second) > CGAL::abs(largest->second)) largest = e;
+      if (magnitude(e->second) > magnitude(largest->second)) largest = e;
     for (auto e = entries_.begin(); e != entries_.end(); ++e)
-      if (e != largest && e->second != FT(0)) s.add(e->first, e->second);
+      if (e != largest && !CGAL::certainly(e->second == FT(0))) s.add(e->first, e->second);
     s.add_rest(largest->first);
   }
 
 private:
+  // approximate, since intervals may have no order
+  static double magnitude(const FT& x) { return std::abs(double(CGAL::to_double(x))); }
+
   boost::container::small_vector<std::pair<Index, FT>, 64> entries_;
 };
 
