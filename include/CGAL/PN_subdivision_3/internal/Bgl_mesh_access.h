@@ -11,6 +11,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <new>
@@ -53,7 +55,7 @@ constexpr std::uint64_t index_limit()
 {
   if constexpr (Has_idx<Descriptor>::value) {
     using Index = std::decay_t<decltype(std::declval<const Descriptor&>().idx())>;
-    constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
+    constexpr auto largest = static_cast<std::uint64_t>((std::numeric_limits<Index>::max)());
     return largest < Level_connectivity::null ? largest : Level_connectivity::null;
   } else
     return Level_connectivity::null;
@@ -184,7 +186,7 @@ public:
   }
   std::string face_name(Index f) const { return element_name("face", faces_[f], f); }
 
-  // copies the connectivity; an element that does not belong to the mesh becomes null
+  // copies the connectivity; an element that does not belong to the mesh becomes an invalid index
   void read(Level_connectivity& level) const
   {
     std::unordered_map<Vertex, Index> vertex_index;
@@ -198,7 +200,10 @@ public:
       level.set_target(h, find(vertex_index, target(d, graph_)));
       level.set_next(h, find(halfedge_index, next(d, graph_)));
       const Face f = face(d, graph_);
-      level.set_face(h, f == Traits::null_face() ? Level_connectivity::null : find(face_index, f));
+      if (f == Traits::null_face())
+        level.set_border(h);
+      else // null would be the border
+        level.set_face(h, (std::min)(find(face_index, f), static_cast<Index>(faces_.size())));
     }
     for (Index v = 0; v < vertices_.size(); ++v)
       level.set_halfedge_of_vertex(v, find(halfedge_index, halfedge(vertices_[v], graph_)));
