@@ -10,6 +10,8 @@
 
 #include <boost/container/vector.hpp>
 
+#include <cstdint>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 

@@ -12,6 +12,7 @@
 #include <boost/config.hpp>
 #include <boost/container/vector.hpp>
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CONTROL_GEOMETRY_H
 
 #include <CGAL/PN_subdivision_3/PN_average.h>
+#include <CGAL/PN_subdivision_3/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/utils.h>

@@ -7,21 +7,25 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESH_SUBDIVISION_H
 
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/Control_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/Round.h>
 #include <CGAL/PN_subdivision_3/internal/Surface_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/angle_weighted_normals.h>
 #include <CGAL/PN_subdivision_3/internal/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/for_chunks.h>
+#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
 
 #include <boost/container/vector.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -53,8 +53,8 @@ private:
 };
 
 // The PN average in hardware floating point, in three passes over a block: sums, normalization,
-// heights. Operation for operation it is PN_average; a row that fades or whose normal may vanish is
-// left to PN_average itself.
+// heights. It is PN_average but for the order in which heights are added; a row that fades or whose
+// normal may vanish is left to PN_average itself.
 template <class FT_, int dimension>
 class Staged_PN_average_block
 {
@@ -234,11 +234,11 @@ private:
       least = lesser(denominator, least);
     }
     FT last(0);
-    least_denominator = std::min(least[0], least[1]);
+    least_denominator = (std::min)(least[0], least[1]);
     if (length % 2 != 0) {
       const Entry& odd = e[length - 1];
       const auto h = pn_height<FT, dimension>(old[odd.vertex], result.point, result.normal);
-      least_denominator = std::min(least_denominator, h.denominator);
+      least_denominator = (std::min)(least_denominator, h.denominator);
       last = odd.weight * (h.numerator / h.denominator);
     }
     return sum[0] + sum[1] + last;

@@ -14,8 +14,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -10,6 +10,7 @@
 #include <CGAL/PN_subdivision_3/internal/Mesh_subdivision.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
 #include <functional>
 #include <type_traits>
 

@@ -9,6 +9,7 @@
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
