@@ -11,6 +11,8 @@
 #include <CGAL/PN_subdivision_3/internal/named_parameters.h>
 #include <CGAL/tags.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
@@ -65,8 +67,8 @@ afterwards.
 
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
 with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's
-on one of its halves; all property maps remain valid, and all other new elements have default
-values. A `Surface_mesh` that holds removed elements keeps all its indices; the removed elements
+on one of its halves (Doo-Sabin keeps no vertices and edges, \f$ \sqrt{3} \f$ flips the edges: see
+their hosts); all property maps remain valid, and all other new elements have default values. A `Surface_mesh` that holds removed elements keeps all its indices; the removed elements
 stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
 afterwards if you need it.
 
@@ -130,7 +132,9 @@ back, and what such a map stores for vertices that exist no longer.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
-\cost linear in the size of the output, in time and memory
+\cost linear in the size of the output, in time and memory, while the degrees of the faces and the
+valences are bounded: a face of degree m or a vertex of valence m takes time m<sup>2</sup>,
+m<sup>3</sup> at a vertex of Kobbelt's scheme
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
