@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The command line. What it means is in surface_command.h.
+// The command line. What it means is in surface_command.h and curve_command.h.
 
 #include "Error.h"
+#include "curve_command.h"
 #include "surface_command.h"
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace pn_subdivide;
 
@@ -28,8 +30,17 @@ const char* const footer =
   "0.\nExit code: 0 success, 1 failure, 2 wrong command line (3 is reserved for --tolerance). A "
   "failure\nprints one line on standard error and leaves OUTPUT as it was.";
 
+const char* const curve_footer =
+  "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
+  "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. In "
+  "the\nplane missing normals are estimated. Messages count lines from 1.\nExit code: 0 success, 1 "
+  "failure, 2 wrong command line (3 is reserved for --tolerance). A failure\nprints one line on "
+  "standard error and leaves OUTPUT as it was.";
+
 // Options that are spoken for. They are refused by name, so that nobody takes them for typos.
-const char* const later_options[] = {"--cap", "--curvature", "--verify", "--tolerance"};
+const std::vector<const char*> later_surface_options = {"--cap", "--curvature", "--verify",
+                                                        "--tolerance"};
+const std::vector<const char*> later_curve_options = {"--verify", "--tolerance"};
 
 // A number or a fraction such as 1/16.
 double parse_tension(const std::string& text)
@@ -74,20 +85,51 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
                     "Orient the faces and duplicate non-manifold edges and vertices");
   surface->add_flag("--ascii", options.ascii, "PLY and VTP as text");
   surface->add_flag("--quiet", options.quiet, "No progress on standard error");
-  for (const char* later : later_options) surface->add_option(later)->group("");
+  for (const char* later : later_surface_options) surface->add_option(later)->group("");
   return surface;
 }
 
-void refuse_later_options(const CLI::App& surface)
+CLI::App* add_curve_command(CLI::App& app, Curve_options& options)
+{
+  CLI::App* curve = app.add_subcommand("curve", "Subdivide a polygon in the plane or in space");
+  curve->footer(curve_footer);
+  curve->add_option("INPUT", options.input, "Control polygon")->required();
+  curve->add_option("OUTPUT", options.output, "Refined curve")->required();
+  curve
+    ->add_option("--scheme", options.scheme,
+                 "bspline:DEGREE (2 to 9), chaikin (bspline:2), 4-point, 6-point, 8-point, "
+                 "10-point, ..., 20-point")
+    ->required();
+  curve->add_option("--normal-scheme", options.normal_scheme,
+                    "Another scheme for the normals; both primal (odd degrees, N-point) or both "
+                    "dual (even degrees)");
+  curve->add_option("--levels", options.levels, "Rounds of subdivision; 0 copies the control data")
+    ->capture_default_str();
+  curve->add_flag("--linear", options.linear, "The linear scheme, without normals");
+  curve->add_flag("--closed", options.closed,
+                  "The polygon is closed; its first vertex is not repeated");
+  curve->add_option("--end", options.end,
+                    "Ends of an open polygon: reflect (default for primal schemes: up to the end "
+                    "points) or none (default for dual ones: as far as whole stencils reach)");
+  curve->add_option("--comb", options.comb,
+                    "Draw curve, control polygon, control normals and curvature comb into this "
+                    "SVG file");
+  curve->add_flag("--quiet", options.quiet, "No progress on standard error");
+  for (const char* later : later_curve_options) curve->add_option(later)->group("");
+  return curve;
+}
+
+void refuse_later_options(const CLI::App& command, const std::vector<const char*>& later_options)
 {
   for (const char* later : later_options)
-    if (surface.count(later) > 0) throw Usage_error(std::string(later) + " is not available yet");
+    if (command.count(later) > 0) throw Usage_error(std::string(later) + " is not available yet");
 }
 
 int run(int argc, char** argv)
 {
   CLI::App app(
-    "Point-normal subdivision of meshes: spheres, cylinders and circles stay what they are",
+    "Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what they "
+    "are",
     "pn_subdivide");
   app.set_version_flag("--version", PN_SUBDIVIDE_VERSION);
   app.require_subcommand(1);
@@ -95,16 +137,20 @@ int run(int argc, char** argv)
 
   Surface_options options;
   const CLI::App* surface = add_surface_command(app, options);
-  const CLI::App* curve = app.add_subcommand("curve", "")->group("")->allow_extras();
+  Curve_options curve_options;
+  const CLI::App* curve = add_curve_command(app, curve_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(e);
     throw Usage_error(std::string(e.what()) + " (see pn_subdivide --help)");
   }
-  if (curve->parsed()) throw Usage_error("the subcommand 'curve' is not available yet");
-  refuse_later_options(*surface);
-  run_surface_command(options);
+  refuse_later_options(*surface, later_surface_options);
+  refuse_later_options(*curve, later_curve_options);
+  if (curve->parsed())
+    run_curve_command(curve_options);
+  else
+    run_surface_command(options);
   return exit_ok;
 }
 

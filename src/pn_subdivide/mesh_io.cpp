@@ -7,15 +7,12 @@
 
 #include "Error.h"
 #include "Output_file.h"
+#include "file_content.h"
 #include "formats.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 
 namespace pn_subdivide {
 namespace {
@@ -49,23 +46,6 @@ Function find_format(const Format<Function> (&formats)[n], const std::string& fi
   throw Usage_error(file + ": the file name must end in one of" + known + " to be " + action);
 }
 
-std::string content_of(const std::string& file)
-{
-  if (std::filesystem::is_directory(file)) throw Error("this is a directory, not a mesh file");
-
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
-                                                           std::fclose);
-  if (!in) throw Error(std::string("cannot be opened: ") + std::strerror(errno));
-
-  std::string content;
-  std::string block(1 << 20, '\0');
-  while (const std::size_t n = std::fread(&block[0], 1, block.size(), in.get()))
-    content.append(block, 0, n);
-  if (std::ferror(in.get())) throw Error(std::string("cannot be read: ") + std::strerror(errno));
-  if (content.empty()) throw Error("the file is empty");
-  return content;
-}
-
 } // namespace
 
 void require_readable_format(const std::string& file)
@@ -90,7 +70,7 @@ Mesh_data read_mesh(const std::string& file)
 {
   const Reader reader = find_format(readers, file, "read");
   try {
-    return reader(content_of(file));
+    return reader(file_content(file));
   } catch (const std::exception& e) {
     throw Error(file + ": " + e.what());
   }

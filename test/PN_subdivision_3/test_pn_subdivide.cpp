@@ -370,7 +370,8 @@ TEST_F(Pn_subdivide, What_later_versions_bring_is_refused_by_name)
                      " is not available yet");
   for (const char* scheme : {"modified-catmull-clark", "modified-loop"})
     expect_failure(input, std::string("--scheme ") + scheme, 2, "is not available yet");
-  expect_one_line(run("curve a.txt b.txt --scheme chaikin --closed"), 2, "is not available yet");
+  expect_one_line(run("curve a.txt b.txt --scheme chaikin --verify circle:0,0,1"), 2,
+                  "--verify is not available yet");
 }
 
 TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)

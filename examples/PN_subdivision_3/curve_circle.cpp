@@ -1,0 +1,61 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Points of a circle at uneven distances, with the circle's normals: every scheme gives the circle.
+// The six-point scheme keeps the points and their spacing, the cubic B-spline evens them out.
+//
+//   curve_circle [OUTPUT.svg]
+
+#include "Curve_svg.h"
+
+#include <CGAL/PN_subdivision_curve.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <string>
+
+namespace PN = CGAL::PN_subdivision_3;
+using curve_svg::Curve;
+
+namespace {
+
+Curve uneven_circle()
+{
+  Curve polygon;
+  for (const double degrees : {0, 24, 64, 85, 140, 168, 222, 246, 300, 326}) {
+    const double t = degrees * std::acos(-1) / 180;
+    const curve_svg::Vector normal(std::cos(t), std::sin(t));
+    polygon.emplace_back(CGAL::ORIGIN + normal, normal);
+  }
+  return polygon;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const std::string output = argc > 1 ? argv[1] : "curve_circle.svg";
+  const Curve polygon = uneven_circle();
+  const PN::Curve_end closed = PN::Curve_end::closed;
+  const auto rounds = CGAL::parameters::number_of_iterations(6);
+  const Curve interpolating =
+    PN::subdivide_curve(polygon, PN::Dubuc_Deslauriers_mask(6), closed, rounds);
+  const Curve approximating = PN::subdivide_curve(polygon, PN::B_spline_mask(3), closed, rounds);
+
+  bool kept = true;
+  for (const Curve* curve : {&interpolating, &approximating}) {
+    const long double deviation = PN::deviation_from_circle(*curve, curve_svg::Point(0, 0), 1);
+    std::cout << curve->size() << " points, off the circle by " << deviation << std::endl;
+    kept = kept && deviation <= 8 * std::numeric_limits<double>::epsilon();
+  }
+
+  const bool written =
+    curve_svg::write(output, "An uneven polygon on a circle, refined",
+                     {curve_svg::panel("PN 6-point", polygon, interpolating, closed),
+                      curve_svg::panel("PN cubic B-spline", polygon, approximating, closed)});
+  return kept && written ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,19 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_FILE_CONTENT_H
+#define PN_SUBDIVIDE_FILE_CONTENT_H
+
+#include <string>
+
+namespace pn_subdivide {
+
+// All bytes of a file. Throws Error if there are none or they cannot be read; the message does not
+// name the file.
+std::string file_content(const std::string& file);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_FILE_CONTENT_H
