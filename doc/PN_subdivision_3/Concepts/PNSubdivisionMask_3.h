@@ -7,23 +7,48 @@
 \ingroup PkgPNSubdivision3Concepts
 \cgalConcept
 
-The weights of a subdivision scheme. A mask knows the connectivity of a level and nothing of points,
-normals or threads. Each function writes the row of one new vertex: old vertices and their weights,
-whose sum is 1. Rows are flattened: a new edge vertex for example is given by old vertices, not by
-new face vertices. A mask provides those of the functions that its host calls; they may be called by
-several threads at once.
+The weights of a subdivision scheme on one level. A mask knows the connectivity of the level and
+nothing of points, normals or threads.
+
+Each function writes the row of one new vertex: old vertices with their weights, by calls of
+`Stencil::add()` and `Stencil::add_rest()`.
+
+- A mask provides those of the functions that its host calls: for `PQQ_host` the functions `vertex()`,
+  `edge()` and `face()`; for `PTQ_host` `vertex()` and `edge()`; for `DQQ_host` `corner()`; for
+  `Sqrt3_host` `vertex()`, `face()` and `border_edge()`. A host of your own may call others.
+- The weights of a row sum to 1. Where they are rounded, write the last one with `add_rest()`.
+- Rows are flattened: all their vertices are old ones. A new edge vertex for example is given by
+  old vertices, not by new face vertices.
+- A vertex may occur several times in a row; its weights add up. A row with a single entry is a copy
+  of that vertex, with its normal.
+- `vertex()` is called for border vertices and for vertices without edges too, `edge()` for border
+  edges too. A border vertex can be told by its half-edge, see `Level_connectivity`.
+- The functions are called by several threads at a time, in no particular order, and possibly more
+  than once for a vertex; the row must be the same each time.
+- The weights are computed in `FT`, a field: make numbers of `int` only, `FT(3) / FT(8)`, so that
+  they are exact in exact number types. `cosine_weight()` gives cosines in any number type.
+
+The level outlives the mask, which may keep a reference to it.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::PN_subdivision_3::CatmullClark_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Loop_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::DooSabin_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::Sqrt3_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::Butterfly_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_mask}
 \cgalHasModelsEnd
+
+\sa `PNSubdivisionHost_3`
+\sa `PNSubdivisionScheme_3`
+\sa `CGAL::PN_subdivision_3::Stencil`
 */
 class PNSubdivisionMask_3
 {
 public:
   using Index = CGAL::PN_subdivision_3::Level_connectivity::Index;
 
-  /// writes the row of the new vertex of the old vertex `v`.
+  /// writes the row of the old vertex `v` after the round.
   template <class Stencil>
   void vertex(Index v, Stencil& stencil) const;
 
@@ -34,4 +59,13 @@ public:
   /// writes the row of the new vertex of the old face `f`.
   template <class Stencil>
   void face(Index f, Stencil& stencil) const;
+
+  /// writes the row of the new vertex of a corner: that of the face of `h` at the target of `h`.
+  template <class Stencil>
+  void corner(Index h, Stencil& stencil) const;
+
+  /// writes the row of the new vertex `i`, 0 or 1, of the border edge of `h`, a half-edge with a face;
+  /// 0 is the one at the source of `h`.
+  template <class Stencil>
+  void border_edge(Index h, Index i, Stencil& stencil) const;
 };

@@ -8,12 +8,23 @@
 \cgalConcept
 
 A subdivision scheme: a host, which says how the connectivity is refined, and a mask, which gives
-the weights of the new vertices.
+the weights of the new vertices. Parameters such as a tension are members of the scheme.
+
+\cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::PN_subdivision_3::CatmullClark_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Loop_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::DooSabin_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Sqrt3_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Butterfly_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Linear_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_normals}
 \cgalHasModelsEnd
+
+\sa `CGAL::PN_subdivision_3::subdivide()`
+\sa `CGAL::PN_subdivision_3::subdivision_matrix()`
 */
 class PNSubdivisionScheme_3
 {
@@ -22,8 +33,15 @@ public:
   using Host = unspecified_type;
 
   /// returns a model of `PNSubdivisionMask_3` for `level`, in the number type `FT`.
-  /// Rounds are counted from 0 in one call of a subdivision function.
+  /// Rounds are counted from 1 in one call of a subdivision function.
   template <class FT>
   unspecified_type mask(const CGAL::PN_subdivision_3::Level_connectivity& level,
                         unsigned round) const;
+
+  /// optional: throws `std::invalid_argument` if the scheme has no rule for the control mesh. It is
+  /// called once, after the check of the host. `names.vertex_name(v)`, `names.halfedge_name(h)` and
+  /// `names.face_name(f)` return strings for the message.
+  template <class Element_names>
+  void check(const CGAL::PN_subdivision_3::Level_connectivity& level,
+             const Element_names& names) const;
 };
