@@ -347,6 +347,16 @@ TEST(Bad_input, broken_links)
   expect_refused(mesh, {"half-edge 5 ", "broken"});
 }
 
+TEST(Bad_input, a_removed_face_that_half_edges_name)
+{
+  Mesh mesh = mesh_of(cube());
+  mesh.remove_face(Face(2));
+  expect_words(message_of<std::invalid_argument>([&] { PN::CatmullClark_subdivision(mesh); }),
+               {"half-edge", "no valid face"});
+  EXPECT_EQ(mesh.number_of_faces(), 5u);
+  EXPECT_EQ(mesh.number_of_vertices(), 8u);
+}
+
 TEST(Bad_input, links_that_contradict_each_other)
 {
   const Mesh good = mesh_of(cube());

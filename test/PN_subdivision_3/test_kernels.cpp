@@ -160,6 +160,30 @@ TEST(Kernels, exact_normals_keep_their_direction)
 }
 
 // The linear twin in rational numbers, by hand.
+// opposite but for 2^-600: the square of the sum's length is below the range of double. The arc from
+// a to b is half a circle, whose normals point inwards.
+TEST(Kernels, exact_sums_of_any_length_have_a_direction)
+{
+  using K = CGAL::Exact_predicates_exact_constructions_kernel;
+  const K::FT tiny = K::FT(std::ldexp(1., -300)) * K::FT(std::ldexp(1., -300));
+  CGAL::Surface_mesh<K::Point_3> mesh;
+  auto n = mesh.add_property_map<CGAL::SM_Vertex_index, K::Vector_3>("n", {0, 0, 1}).first;
+  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0});
+  mesh.add_face(a, b, mesh.add_vertex({0, 1, 0}));
+  n[a] = {1, 0, 0};
+  n[b] = {-1, tiny, 0};
+  PN::Loop_subdivision(mesh, params::vertex_normal_map(n));
+  int found = 0;
+  for (auto v : mesh.vertices())
+    if (CGAL::squared_distance(mesh.point(v), K::Point_3(0.5, -0.5, 0)) < K::FT(1e-20)) {
+      ++found;
+      EXPECT_NEAR(CGAL::to_double(n[v].y()), 1, 1e-13);
+      EXPECT_NEAR(CGAL::to_double(n[v].x()), 0, 1e-13);
+      EXPECT_EQ(n[v].z(), 0);
+    }
+  EXPECT_EQ(found, 1);
+}
+
 TEST(Kernels, linear_twin_is_exact)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -282,6 +306,24 @@ TEST(Interval_kernel, serves_for_several_calls)
       const double exact[] = {0.48, 0.6, 0.64};
       EXPECT_LT(i.inf(), exact[k] + 1e-15);
       EXPECT_GT(i.sup(), exact[k] - 1e-15);
+      EXPECT_LT(i.sup() - i.inf(), 1e-13);
+    }
+}
+
+// its weights at an irregular vertex are intervals that no comparison orders
+TEST(Interval_kernel, serves_for_the_scheme_of_kobbelt)
+{
+  CGAL::Surface_mesh<Interval_kernel::Point_3> intervals;
+  CGAL::Surface_mesh<CGAL::Simple_cartesian<long double>::Point_3> exact;
+  build(cube(), intervals);
+  build(cube(), exact);
+  PN::subdivide(intervals, PN::linear(PN::Kobbelt_scheme()));
+  PN::subdivide(exact, PN::linear(PN::Kobbelt_scheme()));
+  for (auto v : exact.vertices())
+    for (int k = 0; k < 3; ++k) {
+      const Interval i = intervals.point(v)[k];
+      EXPECT_LE(i.inf(), exact.point(v)[k] + 1e-15L);
+      EXPECT_GE(i.sup(), exact.point(v)[k] - 1e-15L);
       EXPECT_LT(i.sup() - i.inf(), 1e-13);
     }
 }
