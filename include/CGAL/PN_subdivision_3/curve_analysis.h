@@ -71,7 +71,7 @@ std::vector<Result> at_vertices(const std::vector<Point>& p, bool closed, const 
 \ingroup PkgPNSubdivision3Curves
 
 returns the discrete curvature at each point of a curve: one over the radius of the circle through
-the point and its two neighbors, 0 if they are on a line. In the plane it is positive where the curve
+the point and its two neighbors, 0 up to rounding if they are on a line. In the plane it is positive where the curve
 turns left; in space it is not negative. The ends of an open curve take the value of the point next
 to them. Where a neighbor is the same point, or both neighbors are, the result is 0.
 

@@ -102,7 +102,7 @@ private:
     for (const auto& entry : row) sum += entry.second;
     const FT tolerance =
       FT(4) * machine_epsilon<FT>() * FT(static_cast<int>((std::max)(row.size(), std::size_t(1))));
-    if (row.empty() || sum - FT(1) > tolerance || FT(1) - sum > tolerance)
+    if (row.empty() || !(sum - FT(1) <= tolerance) || !(FT(1) - sum <= tolerance)) // NaN is none
       throw std::invalid_argument("PN_subdivision_3: the mask's coefficients of " +
                                   std::string(parity == 0 ? "even" : "odd") +
                                   " index do not sum to 1");
