@@ -1,0 +1,234 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Rounds of curve masks against their closed forms: which points there are, the linear twins, the
+// PN rule in its matrix form, another mask for the normals, masks of the user's own.
+
+#include "Curve_cases.h"
+#include "reference/PN_rule.h"
+
+#include <random>
+
+using namespace curve_cases;
+
+namespace {
+
+const Curve_end all_ends[] = {Curve_end::closed, Curve_end::reflect, Curve_end::none};
+
+// random points, unit normals and here and there none; coordinates below 1
+Curve_3<Double> random_polygon(std::size_t n, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> x(-1, 1);
+  Curve_3<Double> polygon;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Double::Vector_3 v(1.5 + x(random), x(random), x(random));
+    const Double::Vector_3 normal =
+      i % 7 == 5 ? Double::Vector_3(0, 0, 0) : v / std::sqrt(v.squared_length());
+    polygon.emplace_back(Double::Point_3(x(random), x(random), x(random)), normal);
+  }
+  return polygon;
+}
+
+reference::Values values(const Curve_3<Double>& curve)
+{
+  reference::Values v;
+  for (const auto& [p, n] : curve) {
+    v.points.push_back({Real(p.x()), Real(p.y()), Real(p.z())});
+    v.normals.push_back({Real(n.x()), Real(n.y()), Real(n.z())});
+  }
+  return v;
+}
+
+// the largest difference in points and normals, infinite if their numbers differ
+Real distance(const Curve_3<Double>& curve, const reference::Values& expected)
+{
+  const reference::Values v = values(curve);
+  if (v.points.size() != expected.points.size()) return std::numeric_limits<Real>::infinity();
+  Real d = 0;
+  for (std::size_t i = 0; i < v.points.size(); ++i)
+    for (const Real x :
+         {(v.points[i] - expected.points[i]).norm(), (v.normals[i] - expected.normals[i]).norm()})
+      if (!(x <= d)) d = x;
+  return d;
+}
+
+TEST(Curves, NumberOfPoints)
+{
+  for (std::size_t n : {20u, 21u, 40u})
+    for (const auto& s : schemes()) {
+      const std::size_t m = static_cast<std::size_t>(s.parameter);
+      const auto polygon = random_polygon(n, 1);
+      EXPECT_EQ(refined(polygon, s, Curve_end::closed).size(), 2 * n) << name_of(s);
+      EXPECT_EQ(refined(polygon, s, Curve_end::reflect).size(), 2 * n - (s.primal() ? 1 : 2))
+        << name_of(s);
+      EXPECT_EQ(refined(polygon, s, Curve_end::none).size(),
+                s.interpolating ? 2 * n - 4 * m + 3 : 2 * n - m)
+        << name_of(s);
+    }
+}
+
+TEST(Curves, LinearTwinsAreKnotInsertionAndInterpolation)
+{
+  for (std::size_t n : {3u, 4u, 7u, 20u})
+    for (const auto& s : schemes())
+      for (Curve_end end : all_ends) {
+        if (end == Curve_end::none && n < 20) continue;
+        const auto polygon = random_polygon(n, 2);
+        const auto matrix = reference::curve_matrix(s, static_cast<long>(n), reference_end(end));
+        EXPECT_LE(distance(linearly_refined(polygon, s, end),
+                           reference::linear_round(matrix, values(polygon))),
+                  40 * ulp)
+          << n << name_of(s, end);
+      }
+}
+
+TEST(Curves, PointNormalRoundsAreTheMatrixForm)
+{
+  for (std::size_t n : {5u, 20u})
+    for (const auto& s : schemes())
+      for (Curve_end end : all_ends) {
+        if (end == Curve_end::none && n < 20) continue;
+        const auto polygon = random_polygon(n, 3);
+        const auto matrix = reference::curve_matrix(s, static_cast<long>(n), reference_end(end));
+        EXPECT_LE(distance(refined(polygon, s, end), reference::pn_round(matrix, values(polygon))),
+                  1e-12L)
+          << n << name_of(s, end);
+      }
+}
+
+TEST(Curves, NormalsByAnotherMask)
+{
+  const auto polygon = random_polygon(12, 4);
+  for (Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+    const auto curve = PN::subdivide_curve(
+      polygon, PN::with_normal_mask(PN::B_spline_mask(3), PN::Dubuc_Deslauriers_mask(4)), end);
+    const auto a = reference::curve_matrix({false, 3}, 12, reference_end(end));
+    const auto b = reference::curve_matrix({true, 2}, 12, reference_end(end));
+    reference::Values expected;
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+      const auto value = reference::pn_rule(a.row(i), b.row(i), values(polygon));
+      expected.points.push_back(value.point);
+      expected.normals.push_back(value.normal);
+    }
+    EXPECT_LE(distance(curve, expected), 1e-13L);
+  }
+  // rows of both masks must exist: the 4-point mask's reach from old point 1 to 10, the cubic's are
+  // more
+  EXPECT_EQ(PN::subdivide_curve(
+              polygon, PN::with_normal_mask(PN::B_spline_mask(3), PN::Dubuc_Deslauriers_mask(4)),
+              Curve_end::none)
+              .size(),
+            19u);
+}
+
+TEST(Curves, ManyRoundsAreRoundsOneByOne)
+{
+  for (const auto& s : schemes())
+    for (Curve_end end : all_ends) {
+      const auto polygon = random_polygon(23, 5);
+      auto curve = polygon;
+      for (int k = 0; k < 4; ++k) curve = refined(curve, s, end);
+      EXPECT_EQ(refined(polygon, s, end, 4), curve) << name_of(s, end);
+    }
+}
+
+TEST(Curves, NoRoundsKeepThePolygon)
+{
+  const auto polygon = random_polygon(6, 6);
+  EXPECT_EQ(refined(polygon, {false, 3}, Curve_end::closed, 0), polygon);
+}
+
+TEST(Curves, ReflectedRows)
+{
+  // the points are the unit vectors in turn: a point's coordinates are its weights
+  const Curve_3<Double> polygon = {{{1, 0, 0}, {0, 0, 1}}, {{0, 1, 0}, {0, 0, 1}},
+                                   {{0, 0, 1}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 1}},
+                                   {{0, 0, 0}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 1}}};
+  const auto four = linearly_refined(polygon, {true, 2}, Curve_end::reflect);
+  EXPECT_EQ(four[1].first, Double::Point_3(7. / 16, 10. / 16, -1. / 16));
+  const auto cubic = linearly_refined(polygon, {false, 3}, Curve_end::reflect);
+  EXPECT_EQ(cubic[0].first, polygon[0].first);
+  EXPECT_EQ(cubic[1].first, Double::Point_3(0.5, 0.5, 0));
+  EXPECT_EQ(cubic[2].first, Double::Point_3(1. / 8, 6. / 8, 1. / 8));
+}
+
+TEST(Curves, PrimalMasksKeepTheEndsOfOpenPolygons)
+{
+  const auto polygon = random_polygon(9, 7);
+  for (const auto& s : schemes()) {
+    if (!s.primal()) continue;
+    const auto curve = refined(polygon, s, Curve_end::reflect, 5);
+    EXPECT_LE(CGAL::squared_distance(curve.front().first, polygon.front().first), 1e-28)
+      << name_of(s);
+    EXPECT_LE(CGAL::squared_distance(curve.back().first, polygon.back().first), 1e-28)
+      << name_of(s);
+  }
+}
+
+TEST(Curves, InterpolatoryMasksCopyOldPointsBitForBit)
+{
+  const auto polygon = random_polygon(11, 8);
+  for (int half = 2; half <= 5; ++half) {
+    const auto curve = refined(polygon, {true, half}, Curve_end::closed, 3);
+    for (std::size_t i = 0; i < polygon.size(); ++i) EXPECT_EQ(curve[8 * i], polygon[i]);
+  }
+}
+
+TEST(Curves, MasksGivenByTheirCoefficients)
+{
+  const auto polygon = random_polygon(10, 9);
+  const PN::Univariate_mask<double> chaikin(-1, {0.25, 0.75, 0.75, 0.25});
+  const PN::Univariate_mask<double> four(-3, {-1. / 16, 0, 9. / 16, 1, 9. / 16, 0, -1. / 16});
+  for (Curve_end end : all_ends) {
+    EXPECT_EQ(PN::subdivide_curve(polygon, chaikin, end), refined(polygon, {false, 2}, end));
+    EXPECT_EQ(PN::subdivide_curve(polygon, four, end), refined(polygon, {true, 2}, end));
+  }
+  // the shifted mask makes the same points of a closed polygon
+  const PN::Univariate_mask<double> later(1, {0.25, 0.75, 0.75, 0.25});
+  const auto a = PN::subdivide_curve(polygon, chaikin, Curve_end::closed);
+  const auto b = PN::subdivide_curve(polygon, later, Curve_end::closed);
+  ASSERT_EQ(a.size(), b.size());
+  bool found = false;
+  for (std::size_t shift = 0; shift < a.size(); ++shift) {
+    bool same = true;
+    for (std::size_t i = 0; i < a.size(); ++i) same = same && a[(i + shift) % a.size()] == b[i];
+    found = found || same;
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Curves, ReversedNormalsKeepThePoints)
+{
+  const auto polygon = random_polygon(10, 10);
+  auto reversed = polygon;
+  for (auto& [p, n] : reversed) n = -n;
+  const auto a = refined(polygon, {true, 2}, Curve_end::closed, 3);
+  const auto b = refined(reversed, {true, 2}, Curve_end::closed, 3);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].first, b[i].first);
+    EXPECT_EQ(a[i].second, -b[i].second);
+  }
+}
+
+TEST(Curves, PropertyMaps)
+{
+  const auto polygon = random_polygon(8, 11);
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < polygon.size(); ++i) indices.push_back(i);
+  std::vector<Double::Point_3> points;
+  std::vector<Double::Vector_3> normals;
+  for (const auto& [p, n] : polygon) {
+    points.push_back(p);
+    normals.push_back(n);
+  }
+  const auto curve = PN::subdivide_curve(indices, PN::B_spline_mask(3), Curve_end::closed,
+                                         params::point_map(CGAL::make_property_map(points))
+                                           .normal_map(CGAL::make_property_map(normals)));
+  EXPECT_EQ(curve, refined(polygon, {false, 3}, Curve_end::closed));
+}
+
+} // namespace

@@ -1,0 +1,255 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Estimated, rotated and dropped control normals; curvature, combs, differences, deviations.
+
+#include "Curve_cases.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+using namespace curve_cases;
+
+namespace {
+
+using Point = Double::Point_2;
+using Vector = Double::Vector_2;
+using Points = std::vector<Point>;
+
+// --- estimated normals ---
+
+template <class K>
+Real normal_error(Curve_end end, bool reversed)
+{
+  const bool closed = end == Curve_end::closed;
+  auto angles = uneven_angles(9, 5, Real(closed ? 2 : 1.6) * Real(CGAL_PI), closed, 1);
+  if (reversed) std::reverse(angles.begin(), angles.end());
+  std::vector<typename K::Point_2> points;
+  for (Real a : angles)
+    points.emplace_back(double(3 + 2 * std::cos(a)), double(2 * std::sin(a) - 1));
+  const auto polygon = PN::estimate_control_normals(points, end);
+  Real error = polygon.size() == points.size() ? 0 : 1;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (polygon[i].first != points[i]) error = 1;
+    const Real sign = reversed ? -1 : 1;
+    error = std::max(
+      {error, std::abs(Real(CGAL::to_double(polygon[i].second.x())) - sign * std::cos(angles[i])),
+       std::abs(Real(CGAL::to_double(polygon[i].second.y())) - sign * std::sin(angles[i]))});
+  }
+  return error;
+}
+
+TEST(CurveNormals, CirclesHaveTheirOwnOutwardsIfCounterclockwise)
+{
+  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+  for (Curve_end end : {Curve_end::closed, Curve_end::reflect, Curve_end::none})
+    for (bool reversed : {false, true}) {
+      EXPECT_LE(normal_error<Double>(end, reversed), 1e-14L);
+      EXPECT_LE(normal_error<Long_double>(end, reversed), 1e-14L);
+      EXPECT_LE(normal_error<Epeck>(end, reversed), 1e-13L);
+    }
+}
+
+TEST(CurveNormals, RightAngle)
+{
+  const auto even = PN::estimate_control_normals(Points{{0, 0}, {1, 0}, {1, 1}}, Curve_end::none);
+  EXPECT_NEAR(even[1].second.x(), std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(even[1].second.y(), -std::sqrt(0.5), 1e-15);
+  // the circle's center is in the middle of the hypotenuse: (0, 0) to (4, 3), radius 5/2
+  const auto uneven = PN::estimate_control_normals(Points{{0, 0}, {4, 0}, {4, 3}}, Curve_end::none);
+  const Vector expected[] = {{-0.8, -0.6}, {0.8, -0.6}, {0.8, 0.6}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(uneven[i].second.x(), expected[i].x(), 1e-15);
+    EXPECT_NEAR(uneven[i].second.y(), expected[i].y(), 1e-15);
+  }
+}
+
+TEST(CurveNormals, FewPoints)
+{
+  EXPECT_TRUE(PN::estimate_control_normals(Points(), Curve_end::closed).empty());
+  const Vector none(0, 0);
+  for (Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+    for (std::size_t n : {1u, 4u}) {
+      const auto same = PN::estimate_control_normals(Points(n, {2, 3}), end);
+      ASSERT_EQ(same.size(), n);
+      for (const auto& item : same) EXPECT_EQ(item, std::make_pair(Point(2, 3), none));
+    }
+  }
+  for (const auto& item : PN::estimate_control_normals(Points{{0, 0}, {2, 0}}, Curve_end::reflect))
+    EXPECT_EQ(item.second, Vector(0, -1));
+  // to and fro: no side is the right one
+  for (const auto& item : PN::estimate_control_normals(Points{{0, 0}, {2, 0}}, Curve_end::closed))
+    EXPECT_EQ(item.second, none);
+}
+
+TEST(CurveNormals, RepeatedPointsShareTheNormalOfOne)
+{
+  const Points once = {{0, 0}, {3, 0}, {4, 2}, {1, 5}};
+  const Points twice = {{0, 0}, {3, 0}, {3, 0}, {3, 0}, {4, 2}, {1, 5}, {1, 5}, {0, 0}};
+  const std::size_t position[] = {0, 1, 1, 1, 2, 3, 3, 0};
+  const auto a = PN::estimate_control_normals(once, Curve_end::closed);
+  const auto b = PN::estimate_control_normals(twice, Curve_end::closed);
+  ASSERT_EQ(b.size(), twice.size());
+  for (std::size_t i = 0; i < b.size(); ++i) EXPECT_EQ(b[i], a[position[i]]) << i;
+}
+
+TEST(CurveNormals, TinyAndHugePolygons)
+{
+  for (double scale : {1e-200, 1e200}) {
+    Points points;
+    for (Real a : uneven_angles(7, 3, 2 * Real(CGAL_PI), true, 2))
+      points.emplace_back(scale * double(std::cos(a)), scale * double(std::sin(a)));
+    for (const auto& [p, n] : PN::estimate_control_normals(points, Curve_end::closed)) {
+      EXPECT_NEAR(n.x(), p.x() / scale, 1e-13);
+      EXPECT_NEAR(n.y(), p.y() / scale, 1e-13);
+    }
+  }
+}
+
+// --- rotating and dropping ---
+
+TEST(CurveNormals, RotateAndDrop)
+{
+  const auto polygon = circle_2<>(uneven_angles(7, 2, Real(6), true, 1), 1);
+  auto rotated = polygon;
+  PN::rotate_control_normals(rotated, CGAL_PI / 2, PN::every_kth_vertex(rotated, 2, 1));
+  for (std::size_t i = 0; i < 7; ++i) {
+    const Vector n = polygon[i].second;
+    const Vector expected = i % 2 == 1 ? Vector(-n.y(), n.x()) : n; // counterclockwise
+    EXPECT_NEAR(rotated[i].second.x(), expected.x(), 1e-15);
+    EXPECT_NEAR(rotated[i].second.y(), expected.y(), 1e-15);
+    EXPECT_EQ(rotated[i].first, polygon[i].first);
+  }
+  PN::rotate_control_normals(rotated, -0.5);
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_NEAR(polygon[i].second * rotated[i].second,
+                std::cos((i % 2 == 1 ? CGAL_PI / 2 : 0) - 0.5), 1e-15);
+
+  auto dropped = polygon;
+  PN::drop_control_normals(dropped, {0, 5});
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_EQ(dropped[i].second, i == 0 || i == 5 ? Vector(0, 0) : polygon[i].second);
+  auto space = helix<>(uneven_angles(4, 2, Real(6), true, 1), 1, 1);
+  PN::drop_control_normals(space, PN::every_kth_vertex(space, 3));
+  EXPECT_EQ(space[0].second, Double::Vector_3(0, 0, 0));
+  EXPECT_NE(space[1].second, Double::Vector_3(0, 0, 0));
+  EXPECT_EQ(space[3].second, Double::Vector_3(0, 0, 0));
+}
+
+TEST(CurveNormals, VerticesThatAreNotThere)
+{
+  const auto polygon = circle_2<>(uneven_angles(5, 2, Real(6), true, 1), 1);
+  auto changed = polygon;
+  EXPECT_THROW(PN::drop_control_normals(changed, {1, 5}), std::invalid_argument);
+  EXPECT_THROW(PN::rotate_control_normals(changed, 1, {1, 5}), std::invalid_argument);
+  EXPECT_EQ(changed, polygon);
+  EXPECT_THROW(PN::every_kth_vertex(polygon, 0), std::invalid_argument);
+  EXPECT_EQ(PN::every_kth_vertex(polygon, 2), (std::vector<std::size_t>{0, 2, 4}));
+  EXPECT_EQ(PN::every_kth_vertex(polygon, 2, 1), (std::vector<std::size_t>{1, 3}));
+}
+
+// --- curvature ---
+
+TEST(CurveAnalysis, CurvatureOfCirclesWithItsSign)
+{
+  for (Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+    auto angles = uneven_angles(9, 5, Real(5), end == Curve_end::closed, 1);
+    const auto circle = circle_2<>(angles, Real(0.25));
+    for (double k : PN::discrete_curvature(circle, end)) EXPECT_NEAR(k, 4, 1e-13);
+    std::reverse(angles.begin(), angles.end());
+    for (double k : PN::discrete_curvature(circle_2<>(angles, Real(0.25)), end))
+      EXPECT_NEAR(k, -4, 1e-13);
+    for (double k : PN::discrete_curvature(helix<>(angles, Real(0.25), 0), end))
+      EXPECT_NEAR(k, 4, 1e-13);
+  }
+}
+
+TEST(CurveAnalysis, CurvatureOfAParabolaAndAHelixToSecondOrder)
+{
+  // y = x^2/2 has curvature (1 + x^2)^(-3/2); the helix r/(r^2 + p^2)
+  for (double h : {1e-2, 1e-3}) {
+    Points parabola;
+    std::vector<Real> angles;
+    for (int i = -50; i <= 50; ++i) {
+      parabola.emplace_back(1 + h * i, (1 + h * i) * (1 + h * i) / 2);
+      angles.push_back(h * i);
+    }
+    EXPECT_NEAR(PN::discrete_curvature(parabola, Curve_end::none)[50], std::pow(2, -1.5), h * h);
+    EXPECT_NEAR(PN::discrete_curvature(helix<>(angles, 2, 1), Curve_end::none)[50], 0.4, h * h);
+  }
+}
+
+TEST(CurveAnalysis, CurvatureWhereThereIsNone)
+{
+  const Points line = {{0, 0}, {1, 2}, {4, 8}, {5, 10}};
+  for (double k : PN::discrete_curvature(line, Curve_end::none)) EXPECT_NEAR(k, 0, 1e-17);
+  const Points repeated = {{0, 0}, {1, 0}, {1, 0}, {0, 0}};
+  for (double k : PN::discrete_curvature(repeated, Curve_end::closed)) EXPECT_EQ(k, 0);
+  for (std::size_t n : {0u, 1u, 2u})
+    EXPECT_EQ(PN::discrete_curvature(Points(n, {1, 1}), Curve_end::closed),
+              std::vector<double>(n, 0));
+}
+
+TEST(CurveAnalysis, CombsOfCirclesAreCircles)
+{
+  for (Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+    const auto angles = uneven_angles(9, 5, Real(5), end == Curve_end::closed, 1);
+    // teeth of 0.3 times 1/2 outwards from the radius 2
+    const auto comb = PN::curvature_comb(circle_2<>(angles, 2), end, 0.3);
+    ASSERT_EQ(comb.size(), 9u);
+    for (std::size_t i = 0; i < 9; ++i) {
+      EXPECT_NEAR(comb[i].x(), double(2.15L * std::cos(angles[i])), 1e-13);
+      EXPECT_NEAR(comb[i].y(), double(2.15L * std::sin(angles[i])), 1e-13);
+    }
+    for (const auto& p : PN::curvature_comb(helix<>(angles, 2, 0), end, 0.3)) {
+      EXPECT_LE(cylinder_error(p, Real(2.15)), 1e-13L);
+      EXPECT_NEAR(double(height(p)), 0, 1e-13);
+    }
+  }
+  // the middle tooth of a right angle: curvature 2/5, away from the center at (2, 3/2)
+  const auto comb = PN::curvature_comb(Points{{0, 0}, {4, 0}, {4, 3}}, Curve_end::none, 10);
+  EXPECT_NEAR(comb[1].x(), 4 + 4 * 0.8, 1e-14);
+  EXPECT_NEAR(comb[1].y(), -4 * 0.6, 1e-14);
+}
+
+// --- differences and deviations ---
+
+TEST(CurveAnalysis, DifferencesOfPolynomials)
+{
+  // (t, t^3) at t = i/8: third differences (0, 6), second ones (0, 6 t) at the middle
+  Points points;
+  for (int i = 0; i < 10; ++i) points.emplace_back(i / 8., i * i * i / 512.);
+  const auto second = PN::divided_differences(points, Curve_end::none, 2, 3);
+  ASSERT_EQ(second.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(second[i], Vector(0, 6 * (double(i) + 1) / 8));
+  const auto third = PN::divided_differences(points, Curve_end::none, 3, 3);
+  ASSERT_EQ(third.size(), 7u);
+  for (const Vector& v : third) EXPECT_EQ(v, Vector(0, 6));
+  const auto closed = PN::divided_differences(points, Curve_end::closed, 1, 0);
+  ASSERT_EQ(closed.size(), 10u);
+  EXPECT_EQ(closed[9], points[0] - points[9]);
+  EXPECT_EQ(PN::divided_differences(points, Curve_end::none, 0, 3)[4], points[4] - CGAL::ORIGIN);
+  EXPECT_TRUE(PN::divided_differences(points, Curve_end::none, 10, 3).empty());
+}
+
+TEST(CurveAnalysis, DeviationFromCircles)
+{
+  const Points points = {{3, 1}, {1, 3.5}, {-0.75, 1}}; // 2, 2.5 and 1.75 from (1, 1)
+  EXPECT_EQ(PN::deviation_from_circle(points, Point(1, 1), 2), 0.25L);
+  EXPECT_EQ(PN::deviation_from_circle(Points{{3, 1}}, Point(1, 1), 2), 0);
+  // 5 from the circle: 3 too far out and 4 out of the plane
+  using Point_3 = Double::Point_3;
+  const std::vector<Point_3> space = {{5, 2, 4}, {2, 2, 0}};
+  EXPECT_NEAR(
+    double(PN::deviation_from_circle(space, Point_3(0, 2, 0), Double::Vector_3(0, 0, 7), 2)), 2.5,
+    1e-15);
+  // a deviation below the precision of double is seen
+  const std::vector<Long_double::Point_2> fine = {{1 + std::ldexp(1.L, -60), 0}};
+  EXPECT_EQ(PN::deviation_from_circle(fine, Long_double::Point_2(0, 0), 1), std::ldexp(1.L, -60));
+}
+
+} // namespace
