@@ -30,7 +30,7 @@ std::size_t columns_of(Text_reader& in)
 {
   const std::size_t columns = in.words_left();
   if (columns != 2 && columns != 3 && columns != 4 && columns != 6)
-    in.fail("there are " + count(columns) + ": " + columns_message);
+    in.fail(count(columns) + ", but " + columns_message);
   return columns;
 }
 
@@ -64,8 +64,8 @@ Curve_data parse_curve(const std::string& text)
   if (dimension == 3) curve.points = Curve_3();
   do {
     if (columns_of(in) != columns)
-      in.fail("there are " + count(in.words_left()) + " here and " + std::to_string(columns) +
-              " in line " + std::to_string(first_line) + ": all lines need the same form");
+      in.fail(count(in.words_left()) + ", but " + std::to_string(columns) + " in line " +
+              std::to_string(first_line) + ": all lines need the same form");
     Row row{};
     for (std::size_t i = 0; i < columns; ++i) row[i] = finite_number(in, i >= dimension);
     std::visit([&row](auto& points) { append(points, row); }, curve.points);

@@ -28,12 +28,9 @@ public:
   explicit View(const std::vector<Point_3>& points)
   {
     const Point_3 center = CGAL::centroid(points.begin(), points.end());
-    double size = 0; // so that squares neither overflow nor vanish
-    for (const Point_3& p : points)
-      for (int i = 0; i < 3; ++i) size = (std::max)(size, std::abs(p[i] - center[i]));
     std::array<double, 6> covariance{};
     for (const Point_3& p : points) {
-      const Vector_3 d = size > 0 ? (p - center) / size : CGAL::NULL_VECTOR;
+      const Vector_3 d = p - center;
       int k = 0;
       for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) covariance[static_cast<std::size_t>(k++)] += d[i] * d[j];
@@ -93,6 +90,33 @@ curve_svg::Panel panel(const Curve_3& polygon, const Curve_3& curve, PN::Curve_e
   return panel;
 }
 
+// The exponent of the largest coordinate.
+template <class Curve>
+int exponent(const Curve& curve)
+{
+  double largest = 0;
+  for (const auto& point_and_normal : curve)
+    for (int i = 0; i < point_and_normal.first.dimension(); ++i)
+      largest = (std::max)(largest, std::abs(point_and_normal.first[i]));
+  return largest > 0 ? std::ilogb(largest) : 0;
+}
+
+Curve_kernel::Point_2 shifted(const Curve_kernel::Point_2& p, int e)
+{
+  return {std::ldexp(p.x(), e), std::ldexp(p.y(), e)};
+}
+Point_3 shifted(const Point_3& p, int e)
+{
+  return {std::ldexp(p.x(), e), std::ldexp(p.y(), e), std::ldexp(p.z(), e)};
+}
+
+template <class Curve>
+Curve shifted(Curve curve, int e)
+{
+  for (auto& point_and_normal : curve) point_and_normal.first = shifted(point_and_normal.first, e);
+  return curve;
+}
+
 } // namespace
 
 std::string curve_picture(const std::string& caption, const Curve_data& polygon,
@@ -101,7 +125,11 @@ std::string curve_picture(const std::string& caption, const Curve_data& polygon,
   return std::visit(
     [&](const auto& refined) {
       using Curve = std::decay_t<decltype(refined)>;
-      curve_svg::Panel p = panel(std::get<Curve>(polygon.points), refined, end);
+      // a size about 1, so that no square overflows or vanishes
+      const int e = -exponent(refined);
+      const Curve control = shifted(std::get<Curve>(polygon.points), e),
+                  drawn = shifted(refined, e);
+      curve_svg::Panel p = panel(control, drawn, end);
       p.caption = caption;
       return curve_svg::drawing(caption, {p});
     },

@@ -6,7 +6,7 @@
 // The command as its users meet it: run as a program, judged by its files, its messages and its
 // exit code. Meshes are written and read here with the functions that test_pn_subdivide_io checks.
 
-#include "Temporary_folder.h"
+#include "Command_test.h"
 
 #include "mesh_io.h"
 
@@ -15,19 +15,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#ifdef __unix__
-#  include <sys/wait.h>
-#endif
 
 using namespace pn_subdivide;
 
 namespace {
-
-struct Outcome
-{
-  int code;
-  std::string out, err;
-};
 
 const char* const cube =
   "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
@@ -39,23 +30,9 @@ const char* const book =
 const char* const twisted = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 2 3\n";
 const char* const bow_tie = "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n";
 
-class Pn_subdivide : public testing::Test
+class Pn_subdivide : public Command_test
 {
 protected:
-  Outcome run(const std::string& arguments, const std::string& before = "") const
-  {
-    const std::string out = work.file("out"), err = work.file("err");
-    const int status = std::system(
-      (before + "'" PN_SUBDIVIDE_COMMAND "' " + arguments + " >'" + out + "' 2>'" + err + "'")
-        .c_str());
-#ifdef __unix__
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-#else
-    const int code = status;
-#endif
-    return {code, Temporary_folder::content(out), Temporary_folder::content(err)};
-  }
-
   Outcome surface(const std::string& input, const std::string& output,
                   const std::string& options) const
   {
@@ -71,15 +48,6 @@ protected:
     return read_mesh(output);
   }
 
-  static void expect_one_line(const Outcome& outcome, int code, const std::string& part)
-  {
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind("pn_subdivide: ", 0), 0u) << outcome.err;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err << "lacks: " << part;
-    EXPECT_EQ(outcome.out, "");
-  }
-
   // An existing output must stay as it is, a missing one missing, and no other file may appear.
   void expect_failure(const std::string& input, const std::string& options, int code,
                       const std::string& part, const std::string& extension = "ply") const
@@ -93,9 +61,6 @@ protected:
     EXPECT_EQ(Temporary_folder::content(old_file), "untouched");
     EXPECT_EQ(folder.number_of_files(), files);
   }
-
-  Temporary_folder folder; // of the user
-  Temporary_folder work;   // of these tests
 };
 
 void expect_near(const Point_3& p, double x, double y, double z, double bound)

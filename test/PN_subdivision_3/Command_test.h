@@ -1,0 +1,57 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVISION_3_TEST_COMMAND_TEST_H
+#define PN_SUBDIVISION_3_TEST_COMMAND_TEST_H
+
+#include "Temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#ifdef __unix__
+#  include <sys/wait.h>
+#endif
+
+// The command run as a program.
+class Command_test : public testing::Test
+{
+protected:
+  struct Outcome
+  {
+    int code;
+    std::string out, err;
+  };
+
+  Outcome run(const std::string& arguments, const std::string& before = "") const
+  {
+    const std::string out = work.file("out"), err = work.file("err");
+    const int status = std::system(
+      (before + "'" PN_SUBDIVIDE_COMMAND "' " + arguments + " >'" + out + "' 2>'" + err + "'")
+        .c_str());
+#ifdef __unix__
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+#else
+    const int code = status;
+#endif
+    return {code, Temporary_folder::content(out), Temporary_folder::content(err)};
+  }
+
+  static void expect_one_line(const Outcome& outcome, int code, const std::string& part)
+  {
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("pn_subdivide: ", 0), 0u) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err << "lacks: " << part;
+    EXPECT_EQ(outcome.out, "");
+  }
+
+  Temporary_folder folder; // of the user
+  Temporary_folder work;   // of these tests
+};
+
+#endif // PN_SUBDIVISION_3_TEST_COMMAND_TEST_H

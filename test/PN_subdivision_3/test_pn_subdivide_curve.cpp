@@ -1,0 +1,366 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// `pn_subdivide curve` as its users meet it: run as a program, judged by its files, its messages
+// and its exit code.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+std::vector<std::string> lines(const std::string& text)
+{
+  std::istringstream in(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(in, line);) all.push_back(line);
+  return all;
+}
+
+Rows numbers(const std::string& text)
+{
+  Rows rows;
+  for (const std::string& line : lines(text)) {
+    std::istringstream in(line);
+    rows.emplace_back();
+    for (double x = 0; in >> x;) rows.back().push_back(x);
+    EXPECT_TRUE(in.eof()) << line;
+  }
+  return rows;
+}
+
+void expect_rows(const Rows& rows, const Rows& expected, double bound)
+{
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), expected[i].size()) << "line " << i + 1;
+    for (std::size_t j = 0; j < rows[i].size(); ++j)
+      EXPECT_NEAR(rows[i][j], expected[i][j], bound) << "line " << i + 1;
+  }
+}
+
+// Samples of the circle with radius 3 around (1, -2), with or without its normals.
+std::string circle(const std::vector<double>& angles, bool with_normals)
+{
+  std::ostringstream out;
+  out << std::setprecision(17);
+  for (const double t : angles) {
+    const double c = std::cos(t), s = std::sin(t);
+    out << 1 + 3 * c << ' ' << -2 + 3 * s;
+    if (with_normals) out << ' ' << c << ' ' << s;
+    out << '\n';
+  }
+  return out.str();
+}
+
+const std::vector<double> uneven = {0, 0.4, 1.2, 1.5, 2.4, 2.9, 3.8, 4.2, 5.1, 5.7};
+
+long double deviation_from_circle(const Rows& rows)
+{
+  long double largest = 0;
+  for (const auto& row : rows)
+    largest = std::max(largest, std::abs(std::hypot(row[0] - 1.L, row[1] + 2.L) - 3));
+  return largest;
+}
+
+const char* const square = "1 0\n1 1\n0 1\n0 0\n";
+const char* const zigzag = "0 0\n4 8\n8 0\n12 8\n16 0\n20 8\n";
+// unit normals that are exact in binary, so that they are taken as they are
+const char* const with_normals = "0 0 0 1\n1 0.10000000000000001 0 1\n2 0.5 -1 0\n3 1 0 1\n"
+                                 "4 2 0 1\n5 2.25 0 -1\n";
+
+class Pn_subdivide_curve : public Command_test
+{
+protected:
+  std::string refined(const std::string& polygon, const std::string& options) const
+  {
+    SCOPED_TRACE(options);
+    const std::string output = folder.file("curve.txt");
+    const Outcome outcome =
+      run("curve '" + folder.write("polygon.txt", polygon) + "' '" + output + "' " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    return Temporary_folder::content(output);
+  }
+
+  // An existing output must stay as it is, a missing one missing, and no other file may appear.
+  void expect_failure(const std::string& polygon, const std::string& options, int code,
+                      const std::string& part) const
+  {
+    SCOPED_TRACE(options + "\n" + polygon);
+    const std::string input = folder.write("polygon.txt", polygon);
+    const std::string old_file = folder.write("old.txt", "untouched");
+    const std::string new_file = folder.file("new.txt");
+    const std::size_t files = folder.number_of_files();
+    for (const std::string& output : {old_file, new_file})
+      expect_one_line(run("curve '" + input + "' '" + output + "' " + options), code, part);
+    EXPECT_EQ(Temporary_folder::content(old_file), "untouched");
+    EXPECT_EQ(folder.number_of_files(), files);
+  }
+
+  void expect_bad_file(const std::string& polygon, const std::string& part) const
+  {
+    expect_failure(polygon, "--scheme 4-point", 1, part);
+    expect_failure(polygon, "--scheme chaikin --closed --levels 0", 1, "polygon.txt");
+  }
+};
+
+} // namespace
+
+// --- results ---
+
+TEST_F(Pn_subdivide_curve, Linear_Chaikin_of_a_square_as_computed_by_hand)
+{
+  for (const char* scheme : {"chaikin", "bspline:2"})
+    EXPECT_EQ(refined(square, std::string("--linear --closed --scheme ") + scheme),
+              "1 0.25\n1 0.75\n0.75 1\n0.25 1\n0 0.75\n0 0.25\n0.25 0\n0.75 0\n");
+}
+
+TEST_F(Pn_subdivide_curve, Linear_cubic_B_spline_of_an_open_polygon_as_computed_by_hand)
+{
+  EXPECT_EQ(refined("0 0\n8 16\n16 0\n", "--linear --scheme bspline:3"),
+            "0 0\n4 8\n8 12\n12 8\n16 0\n");
+  EXPECT_EQ(refined("0 0 1\n8 16 1\n16 0 1\n", "--linear --scheme bspline:3 --end none"),
+            "4 8 1\n8 12 1\n12 8 1\n");
+}
+
+TEST_F(Pn_subdivide_curve, Linear_four_point_scheme_as_computed_by_hand)
+{
+  // the point of an edge is (-1, 9, 9, -1)/16; at an end (7, 10, -1)/16
+  EXPECT_EQ(refined("0 0\n4 16\n8 0\n12 16\n", "--linear --scheme 4-point"),
+            "0 0\n2 10\n4 16\n6 8\n8 0\n10 6\n12 16\n");
+}
+
+TEST_F(Pn_subdivide_curve, Equal_normals_give_the_linear_curve)
+{
+  const std::string upright = "0 0 0 1\n4 16 0 1\n8 0 0 1\n12 16 0 1\n";
+  expect_rows(numbers(refined(upright, "--scheme 4-point")),
+              {{0, 0, 0, 1},
+               {2, 10, 0, 1},
+               {4, 16, 0, 1},
+               {6, 8, 0, 1},
+               {8, 0, 0, 1},
+               {10, 6, 0, 1},
+               {12, 16, 0, 1}},
+              4e-15);
+}
+
+TEST_F(Pn_subdivide_curve, Uneven_samples_of_a_circle_give_the_circle)
+{
+  for (const char* scheme :
+       {"chaikin", "bspline:3", "bspline:5", "bspline:6", "4-point", "6-point"})
+    for (const char* end : {" --closed", "", " --end none"}) {
+      const Rows curve =
+        numbers(refined(circle(uneven, true), std::string("--levels 5 --scheme ") + scheme + end));
+      EXPECT_GT(curve.size(), 32u);
+      EXPECT_LT(deviation_from_circle(curve), 3e-14L) << scheme << end;
+    }
+}
+
+TEST_F(Pn_subdivide_curve, Normals_estimated_from_a_circle_give_the_circle)
+{
+  for (const char* end : {" --closed", ""}) {
+    const Rows curve =
+      numbers(refined(circle(uneven, false), std::string("--levels 4 --scheme bspline:3") + end));
+    EXPECT_LT(deviation_from_circle(curve), 3e-14L) << end;
+    for (const auto& row : curve) {
+      ASSERT_EQ(row.size(), 4u);
+      EXPECT_NEAR((row[0] - 1) * row[2] + (row[1] + 2) * row[3], 3, 1e-13); // outwards
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_curve, Samples_of_a_cylinder_along_a_helix_stay_on_it)
+{
+  std::ostringstream helix;
+  helix << std::setprecision(17);
+  for (int i = 0; i < 16; ++i)
+    helix << std::cos(0.7 * i) << ' ' << std::sin(0.7 * i) << ' ' << 0.3 * i << ' '
+          << std::cos(0.7 * i) << ' ' << std::sin(0.7 * i) << " 0\n";
+  for (const char* scheme : {"chaikin", "6-point"}) {
+    const Rows curve = numbers(refined(helix.str(), std::string("--levels 5 --scheme ") + scheme));
+    EXPECT_GT(curve.size(), 400u);
+    for (const auto& row : curve) {
+      ASSERT_EQ(row.size(), 6u);
+      EXPECT_NEAR(std::hypot(row[0], row[1]), 1, 1e-14);
+      EXPECT_EQ(row[5], 0);
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_curve, Interpolating_schemes_keep_control_points_to_the_last_bit)
+{
+  const std::vector<std::string> old_lines = lines(with_normals);
+  for (const char* scheme : {"4-point", "8-point", "20-point"}) {
+    const std::vector<std::string> curve =
+      lines(refined(with_normals, std::string("--levels 3 --scheme ") + scheme));
+    ASSERT_EQ(curve.size(), 8 * 5 + 1u);
+    for (std::size_t i = 0; i < old_lines.size(); ++i) EXPECT_EQ(curve[8 * i], old_lines[i]);
+  }
+}
+
+TEST_F(Pn_subdivide_curve, Numbers_of_points_by_end_rules)
+{
+  const auto points = [this](const std::string& options) {
+    return lines(refined(zigzag, "--linear " + options)).size();
+  };
+  EXPECT_EQ(points("--closed --scheme bspline:3"), 12u);
+  EXPECT_EQ(points("--closed --scheme chaikin"), 12u);
+  EXPECT_EQ(points("--scheme bspline:3"), 11u);
+  EXPECT_EQ(points("--scheme 6-point"), 11u);
+  EXPECT_EQ(points("--scheme chaikin"), 10u);
+  EXPECT_EQ(points("--scheme bspline:4"), 8u);
+  EXPECT_EQ(points("--scheme chaikin --end none"), 10u);
+  EXPECT_EQ(points("--scheme chaikin --end reflect"), 10u);
+  EXPECT_EQ(points("--scheme bspline:4 --end reflect"), 10u);
+  EXPECT_EQ(points("--scheme bspline:3 --end none"), 9u);
+  EXPECT_EQ(points("--scheme 4-point --end none"), 7u);
+  EXPECT_EQ(points("--scheme bspline:3 --levels 3"), 41u);
+}
+
+TEST_F(Pn_subdivide_curve, Rounds_in_one_call_equal_calls_with_one_round)
+{
+  for (const char* options :
+       {"--scheme bspline:3", "--scheme chaikin", "--scheme 4-point --closed"}) {
+    const std::string twice = refined(refined(with_normals, options), options);
+    EXPECT_EQ(refined(with_normals, std::string(options) + " --levels 2"), twice);
+  }
+}
+
+TEST_F(Pn_subdivide_curve, Normals_by_another_scheme)
+{
+  const std::string options = "--scheme bspline:3 --closed";
+  const std::string plain = refined(with_normals, options);
+  EXPECT_EQ(refined(with_normals, options + " --normal-scheme bspline:3"), plain);
+
+  const Rows other = numbers(refined(with_normals, options + " --normal-scheme 4-point"));
+  const Rows control = numbers(with_normals);
+  ASSERT_EQ(other.size(), 12u);
+  double points_moved = 0;
+  for (std::size_t i = 0; i < control.size(); ++i) {
+    EXPECT_EQ(other[2 * i][2], control[i][2]); // interpolated
+    EXPECT_EQ(other[2 * i][3], control[i][3]);
+    points_moved += std::abs(other[2 * i][1] - control[i][1]);
+  }
+  EXPECT_GT(points_moved, 0.01); // approximated
+}
+
+TEST_F(Pn_subdivide_curve, Zero_normals_mean_none)
+{
+  EXPECT_EQ(refined("1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 0 0\n", "--closed --scheme chaikin"),
+            "1 0.25 0 0\n1 0.75 0 0\n0.75 1 0 0\n0.25 1 0 0\n0 0.75 0 0\n0 0.25 0 0\n0.25 0 0 0\n"
+            "0.75 0 0 0\n");
+}
+
+TEST_F(Pn_subdivide_curve, No_round_copies_and_normalizes)
+{
+  EXPECT_EQ(refined("0.10000000000000001 2 0 5\n3 4 -8 0\n", "--levels 0 --scheme 4-point"),
+            "0.10000000000000001 2 0 1\n3 4 -1 0\n");
+  EXPECT_EQ(refined(square, "--levels 0 --linear --scheme 4-point"), square);
+}
+
+TEST_F(Pn_subdivide_curve, Comments_blank_lines_tabs_and_line_ends_of_other_systems)
+{
+  EXPECT_EQ(refined("# a square\r\n\r\n 1\t0 # first\r\n+1 1.0\r\n\n  \n0 1e0\r\n-0.0 0\n# end",
+                    "--closed --linear --scheme chaikin"),
+            refined(square, "--closed --linear --scheme chaikin"));
+}
+
+TEST_F(Pn_subdivide_curve, Linear_takes_no_notice_of_normals)
+{
+  const std::string bare = refined("1 0 2\n1 1 3\n0 1 4\n0 0 5\n", "--linear --scheme bspline:3");
+  EXPECT_EQ(
+    refined("1 0 2 1 0 0\n1 1 3 0 1 0\n0 1 4 0 0 1\n0 0 5 0 0 7\n", "--linear --scheme bspline:3"),
+    bare);
+}
+
+TEST_F(Pn_subdivide_curve, Few_and_repeated_points)
+{
+  EXPECT_EQ(refined("1 2 0 1\n", "--scheme bspline:3 --levels 3"), "1 2 0 1\n");
+  EXPECT_EQ(refined("1 2\n3 4\n", "--scheme 4-point --linear --levels 2"),
+            "1 2\n1.5 2.5\n2 3\n2.5 3.5\n3 4\n");
+  for (const auto& row : numbers(refined("1 2\n1 2\n1 2\n1 2\n", "--scheme 4-point --levels 4"))) {
+    EXPECT_EQ(row[0], 1);
+    EXPECT_EQ(row[1], 2);
+    EXPECT_TRUE(std::isfinite(row[2]) && std::isfinite(row[3]));
+  }
+}
+
+TEST_F(Pn_subdivide_curve, Input_and_output_may_be_the_same_file)
+{
+  const std::string file = folder.write("same.txt", square);
+  const Outcome outcome =
+    run("curve '" + file + "' '" + file + "' --scheme chaikin --closed --linear");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(lines(Temporary_folder::content(file)).size(), 8u);
+}
+
+// --- errors ---
+
+TEST_F(Pn_subdivide_curve, Bad_files)
+{
+  expect_bad_file("", "empty");
+  expect_bad_file("# nothing\n\n", "no vertices");
+  expect_bad_file("1\n2\n", "line 1: 1 number, but");
+  expect_bad_file("# five\n1 2 3 4 5\n", "line 2: 5 numbers, but a vertex");
+  expect_bad_file("1 2 3 4 5 6 7\n", "line 1: 7 numbers, but");
+  expect_bad_file("0 0\n1 1\n\n2 2 0 1\n", "line 4: 4 numbers, but 2 in line 1");
+  expect_bad_file("0 0 0 1\n1 1\n", "line 2: 2 numbers, but 4 in line 1");
+  expect_bad_file("0 0 0 1\n1 1 1\n", "line 2: 3 numbers, but 4 in line 1");
+  expect_bad_file("0 0\n1 one\n", "line 2: 'one'");
+  expect_bad_file("0 0\n1 1,5\n", "line 2: '1,5'");
+  expect_bad_file("0 0\nnan 1\n", "line 2: the position is not finite");
+  expect_bad_file("0 0 0 1\n1 1e999 0 1\n", "line 2: the position is not finite");
+  expect_bad_file("0 0 0 1\n1 1 inf 1\n", "line 2: the normal is not finite");
+  expect_bad_file("0 0 0\n1 1 1\n2 2 3\n", "curve in space without normals");
+}
+
+TEST_F(Pn_subdivide_curve, Files_that_cannot_be_read_or_written)
+{
+  const std::string input = folder.write("square.txt", square), output = folder.file("out.txt");
+  const std::string options = " --scheme chaikin";
+  expect_one_line(run("curve missing.txt '" + output + "'" + options), 1, "missing.txt: cannot be");
+  expect_one_line(run("curve '" + folder.file("") + "' '" + output + "'" + options), 1,
+                  "directory");
+  expect_one_line(run("curve '" + input + "' '" + folder.file("no/out.txt") + "'" + options), 1,
+                  "there is no folder");
+  EXPECT_EQ(folder.number_of_files(), 1u);
+}
+
+TEST_F(Pn_subdivide_curve, Bad_command_lines)
+{
+  for (const char* scheme :
+       {"bspline:1", "bspline:10", "bspline:", "bspline:2x", "bspline", "0-point", "3-point",
+        "22-point", "-4-point", "4point", "cubic", "catmull-clark"})
+    expect_failure(square, std::string("--scheme ") + scheme, 2, scheme);
+  expect_failure(square, "", 2, "--scheme");
+  expect_failure(square, "--scheme 4-point --end mirror", 2, "--end 'mirror'");
+  expect_failure(square, "--scheme 4-point --closed --end none", 2, "--closed");
+  expect_failure(square, "--scheme 4-point --linear --normal-scheme 6-point", 2, "--linear");
+  expect_failure(square, "--scheme 4-point --normal-scheme chaikin", 2, "dual");
+  expect_failure(square, "--scheme chaikin --normal-scheme bspline:3", 2, "dual");
+  expect_failure(square, "--scheme chaikin --levels -1", 2, "--levels");
+  expect_failure(square, "--scheme chaikin --levels two", 2, "--levels");
+  expect_failure(square, "--scheme chaikin --verify circle:0,0,1", 2, "--verify is not available");
+  expect_failure(square, "--scheme chaikin --tolerance 1", 2, "--tolerance is not available");
+  expect_failure(square, "--scheme chaikin --threads 2", 2, "--threads");
+}
+
+TEST_F(Pn_subdivide_curve, Too_short_for_its_scheme_or_too_long_to_be_numbered)
+{
+  expect_failure(square, "--scheme 6-point --end none", 1, "4 points is too short");
+  expect_failure(square, "--scheme bspline:8", 1, "4 points is too short");
+  expect_failure(square, "--scheme chaikin --closed --levels 31", 1, "ask for fewer rounds");
+  expect_failure(square, "--scheme 4-point --levels 4000000000", 1, "ask for fewer rounds");
+}
