@@ -218,6 +218,19 @@ TEST(Bad_input, normals_that_are_not_finite)
     }
 }
 
+TEST(Bad_input, points_that_overflow_are_refused_in_the_end)
+{
+  Soup large = cube();
+  for (Triple& p : large.points)
+    for (double& x : p) x *= 1.7e308;
+  Mesh mesh = mesh_of(large);
+  auto n = add_normals(mesh);
+  const State before(mesh);
+  const auto refuse = [&] { PN::CatmullClark_subdivision(mesh, params::vertex_normal_map(n)); };
+  expect_words(message_of<std::overflow_error>(refuse), {"new vertex", "out of the range"});
+  EXPECT_TRUE(State(mesh) == before);
+}
+
 TEST(Bad_input, float_values_that_are_not_finite)
 {
   using Float = CGAL::Simple_cartesian<float>;

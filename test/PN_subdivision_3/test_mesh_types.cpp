@@ -302,6 +302,37 @@ TEST(Removed_elements, result_is_that_of_the_compact_mesh)
   }
 }
 
+// Maps of the mesh follow when it is made compact; others would not, hence it is not.
+TEST(Removed_elements, doo_sabin_keeps_points_and_normals_together)
+{
+  for (const bool own_map : {false, true}) {
+    Mesh mesh = with_garbage(cube());
+    Mesh compact = compacted(mesh);
+    std::map<Mesh::Vertex_index, Vector> outside;
+    auto n = mesh.add_property_map<Mesh::Vertex_index, Vector>("n").first;
+    auto compact_n = compact.add_property_map<Mesh::Vertex_index, Vector>("n").first;
+    put_normals(normals(cube()), mesh, n);
+    put_normals(normals(cube()), compact, compact_n);
+    for (auto v : mesh.vertices()) outside[v] = n[v];
+    const boost::associative_property_map<std::map<Mesh::Vertex_index, Vector>> outside_n(outside);
+    if (own_map)
+      PN::DooSabin_subdivision(mesh, params::vertex_normal_map(n));
+    else
+      PN::DooSabin_subdivision(mesh, params::vertex_normal_map(outside_n));
+    PN::DooSabin_subdivision(compact, params::vertex_normal_map(compact_n));
+
+    EXPECT_EQ(mesh.has_garbage(), !own_map);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    std::map<Mesh::Point, Vector> expected;
+    for (auto v : compact.vertices()) expected[compact.point(v)] = compact_n[v];
+    ASSERT_EQ(mesh.number_of_vertices(), expected.size());
+    for (auto v : mesh.vertices()) {
+      ASSERT_EQ(expected.count(mesh.point(v)), 1u);
+      EXPECT_EQ(own_map ? n[v] : outside[v], expected[mesh.point(v)]);
+    }
+  }
+}
+
 // \name Property maps that the user holds while the mesh is subdivided
 
 TEST(Properties_of_the_user, stay_valid_and_keep_their_values)

@@ -68,6 +68,18 @@ TYPED_TEST(Normal_scheme, EqualsReference)
     }
 }
 
+TYPED_TEST(Normal_scheme, KeepsOldNormalsBitForBitIfTheirSchemeInterpolates)
+{
+  if (!TypeParam::Normals::is_interpolatory) GTEST_SKIP() << "the normals are not interpolated";
+  for (const Control_mesh& control : meshes<TypeParam>()) {
+    Surface_mesh mesh = to_surface_mesh(control);
+    Surface_mesh old = mesh;
+    refine_by_both<TypeParam>(mesh, 2);
+    for (auto v : old.vertices())
+      EXPECT_EQ(normal_map(mesh)[v], normal_map(old)[v]) << control.name << ", vertex " << v;
+  }
+}
+
 TYPED_TEST(Normal_scheme, IsLinearForEqualNormals)
 {
   for (Control_mesh control : meshes<TypeParam>()) {

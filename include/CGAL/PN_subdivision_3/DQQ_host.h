@@ -91,6 +91,14 @@ public:
 private:
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
+  // the half-edge before h in its face; the corners of a face are numbered one after the other
+  Index preceding(Index h) const
+  {
+    const Index corner = corner_[h];
+    if (corner != 0 && level_.next(halfedge_[corner - 1]) == h) return halfedge_[corner - 1];
+    return level_.prev(h);
+  }
+
   void number_corners()
   {
     Index corner = 0;
@@ -173,7 +181,7 @@ private:
   template <class Child>
   void connect_border(Index h, Child& child) const
   {
-    const Index before = level_.prev(h);
+    const Index before = preceding(h);
     child.set_next(outer(h), first_outside(before));
     child.set_border(outer(h));
     child.set_target(outer(h), corner_[before]);
@@ -189,7 +197,7 @@ private:
       child.set_next(crossing(o), outer(o));
       child.set_face(outer(h), quad(e));
       child.set_face(crossing(o), quad(e));
-      child.set_target(outer(h), corner_[level_.prev(h)]);
+      child.set_target(outer(h), corner_[preceding(h)]);
       child.set_target(crossing(o), corner_[o]);
       connect_outside(h, child);
     }
@@ -199,7 +207,7 @@ private:
   template <class Child>
   void connect_outside(Index h, Child& child) const
   {
-    const Index beyond = level_.prev(opposite(h));
+    const Index beyond = preceding(opposite(h));
     const Index v = level_.target(h);
     child.set_next(around_vertex(h), first_outside(beyond));
     child.set_target(around_vertex(h), corner_[beyond]);

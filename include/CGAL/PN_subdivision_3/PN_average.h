@@ -183,6 +183,7 @@ private:
   template <class Entry>
   static Vector unit_normal(const Entry* begin, const Entry* end, const Value* old)
   {
+    if (end - begin == 1) return old[begin->vertex].normal;
     Vector sum;
     sum.fill(FT(0));
     for (const Entry* e = begin; e != end; ++e)

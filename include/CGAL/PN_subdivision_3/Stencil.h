@@ -56,7 +56,8 @@ public:
   /// adds `vertex` with the weight that the row misses to 1.
   ///
   /// The weights of the row then sum to 1: in exact number types exactly, in floating point exactly
-  /// when they are added in the order of their emission. Emit the largest weight in this way.
+  /// when they are added in the order of their emission. Emit the largest weight in this way. In an
+  /// empty row it adds the weight 1, a copy of the vertex.
   void add_rest(Index vertex)
   {
     FT sum(0);

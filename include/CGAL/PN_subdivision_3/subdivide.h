@@ -119,7 +119,8 @@ back, and what such a map stores for vertices that exist no longer.
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object whose `round_done(unsigned k, std::size_t number_of_faces)` is
                           called after the k-th round is computed; an exception of it cancels the
-                          subdivision. It must not look at the mesh, which is being written.}
+                          subdivision. It must not look at the mesh, which is being written, and with
+                          `Parallel_tag` it may be called from another thread.}
     \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}
     \cgalParamDefault{no visitor}
   \cgalParamNEnd
@@ -130,6 +131,7 @@ back, and what such a map stores for vertices that exist no longer.
   the scheme can refine, or if a point or normal is not finite. The message names the element. These
   checks do not depend on `NDEBUG`.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
+\throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
 \cost linear in the size of the output, in time and memory, while the degrees of the faces and the

@@ -11,6 +11,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +42,8 @@ Not part of the header `CGAL/PN_subdivision_3.h`, since it needs \ref thirdparty
 \param round the number of the round in a call, counted from 1, for schemes whose weights depend on
   it
 
-\throws std::invalid_argument as `subdivide()` does
+\throws std::invalid_argument as `subdivide()` does, and if `round` is 0
+\throws std::length_error if there are more rows than `int` can number
 \cost linear in the size of the refined mesh
 */
 template <class FT = double, class PolygonMesh, class Scheme>
@@ -48,6 +52,8 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
 {
   using Index = Level_connectivity::Index;
   using Triplet = Eigen::Triplet<FT, int>;
+  if (round == 0)
+    throw std::invalid_argument("PN_subdivision_3: the rounds of a call are counted from 1");
   Eigen::SparseMatrix<FT, Eigen::RowMajor> matrix;
   internal::with_mesh_access(mesh, [&](const auto& access) {
     const Level_connectivity level = internal::checked_level(access);
@@ -55,6 +61,9 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
     const typename Scheme::Host host(level, round);
     const auto mask = scheme.template mask<FT>(level, round);
     const Index rows = static_cast<Index>(Scheme::Host::refined_size(level.size(), round).vertices);
+    if (rows > static_cast<Index>((std::numeric_limits<int>::max)()))
+      throw std::length_error("PN_subdivision_3: a matrix of " + std::to_string(rows) +
+                              " rows is more than Eigen's int can number");
     std::vector<Triplet> triplets;
     Stencil<FT> stencil;
     for (Index r = 0; r < rows; ++r) {

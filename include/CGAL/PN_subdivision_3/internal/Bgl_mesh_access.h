@@ -205,8 +205,7 @@ public:
       else // null would be the border
         level.set_face(h, (std::min)(find(face_index, f), static_cast<Index>(faces_.size())));
     }
-    for (Index v = 0; v < vertices_.size(); ++v)
-      level.set_halfedge_of_vertex(v, find(halfedge_index, halfedge(vertices_[v], graph_)));
+    for (Index v = 0; v < vertices_.size(); ++v) read_halfedge_of_vertex(v, halfedge_index, level);
     for (Index f = 0; f < faces_.size(); ++f)
       level.set_halfedge_of_face(f, find(halfedge_index, halfedge(faces_[f], graph_)));
   }
@@ -230,16 +229,17 @@ public:
     else
       remove_beyond(old_size_);
   }
-  // Removes the elements that the result does not use, and all that were removed before. Where the
-  // memory for the latter is lacking they stay: the result is right, and nothing may fail any more.
-  void trim(const Level_size& size)
+  // Removes the elements that the result does not use and, if the user's maps follow, all that were
+  // removed before. Where the memory for the latter is lacking they stay: the result is right, and
+  // nothing may fail any more.
+  void trim(const Level_size& size, bool collect)
   {
     if constexpr (Slots<std::remove_const_t<Graph>>::exist)
       if (old_slots_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
         return old_slots_.resize(graph_, size.vertices, size.edges, size.faces);
     remove_beyond(size);
     if constexpr (Has_collect_garbage<Graph>::value) try {
-        if (graph_.has_garbage()) graph_.collect_garbage();
+        if (collect && graph_.has_garbage()) graph_.collect_garbage();
       } catch (const std::bad_alloc&) {
       }
   }
@@ -272,6 +272,17 @@ public:
   }
 
 private:
+  template <class Map>
+  void read_halfedge_of_vertex(Index v, const Map& halfedge_index, Level_connectivity& level) const
+  {
+    const Halfedge h = halfedge(vertices_[v], graph_);
+    if (h == Traits::null_halfedge())
+      level.set_isolated(v);
+    else // null would be a vertex without edges
+      level.set_halfedge_of_vertex(
+        v, (std::min)(find(halfedge_index, h), static_cast<Index>(2 * edges_.size())));
+  }
+
   void remove_beyond(const Level_size& size)
   {
     for (; faces_.size() > size.faces; faces_.pop_back()) remove_face(faces_.back(), graph_);

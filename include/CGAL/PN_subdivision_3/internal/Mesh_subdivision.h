@@ -20,6 +20,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,7 +42,11 @@ struct No_normal_map
 template <class Access>
 Level_connectivity checked_level(const Access& access)
 {
-  Level_connectivity level(access.size());
+  const Level_size size = access.size();
+  if (size.halfedges() >= Level_connectivity::null || size.vertices >= Level_connectivity::null)
+    throw std::length_error("PN_subdivision_3: the mesh has " + std::to_string(size.halfedges()) +
+                            " half-edges, more than can be numbered");
+  Level_connectivity level(size);
   access.read(level);
   Connectivity_check<Access>(level, access)();
   return level;
@@ -66,6 +71,10 @@ class Mesh_subdivision
 {
   static constexpr bool is_pn = !Is_linear<Scheme>::value;
   static constexpr bool has_normal_map = is_pn && !std::is_same_v<Normal_map, No_normal_map>;
+
+  // the maps are those of a Surface_mesh
+  static constexpr bool has_own_maps =
+    has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>);
 
   using Index = Level_connectivity::Index;
   using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
@@ -101,7 +110,7 @@ public:
       throw;
     }
     connect();
-    if constexpr (!Scheme::Host::keeps_vertices) access_.trim(size);
+    if constexpr (!Scheme::Host::keeps_vertices) access_.trim(size, has_own_maps);
   }
 
 private:
@@ -211,9 +220,7 @@ private:
 
   void put_range(const One_round& round, Index begin, Index end)
   {
-    constexpr bool concurrent =
-      has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>);
-    if constexpr (concurrent || !is_parallel_v<Concurrency_tag>)
+    if constexpr (has_own_maps || !is_parallel_v<Concurrency_tag>)
       for_chunks_(end - begin, [&](Index first, Index last) {
         round.evaluate(begin + first, begin + last, values_.data(),
                        [&](Index v, const Value* values, Index n) { put_values(v, values, n); });
@@ -230,6 +237,7 @@ private:
     for (Index i = 0; i < n; ++i) {
       const auto v = access_.vertex(first + i);
       const Coordinates<FT, 3>& p = point_of(values[i]);
+      check_range(p, first + i);
       put(points_, v, Point(p[0], p[1], p[2]));
       if constexpr (has_normal_map) {
         using Normal = typename boost::property_traits<Normal_map>::value_type;
@@ -237,6 +245,16 @@ private:
         put(normals_, v, Normal(m[0], m[1], m[2]));
       }
     }
+  }
+
+  // Coordinates near the end of the range of a floating point type overflow in between.
+  static void check_range([[maybe_unused]] const Coordinates<FT, 3>& p, [[maybe_unused]] Index v)
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+        throw std::overflow_error("PN_subdivision_3: the point of the new vertex " +
+                                  std::to_string(v) +
+                                  " is out of the range of the number type: scale the mesh down");
   }
 
   // a map that throws here too keeps what it has

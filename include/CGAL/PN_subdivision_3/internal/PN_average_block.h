@@ -23,7 +23,8 @@ namespace internal {
 // How many rows are averaged at once. One PN average is a chain of a square root and divisions;
 // many independent ones side by side hide its latency. Other number types gain nothing from it.
 template <class FT>
-constexpr std::size_t block_size_v = std::is_floating_point_v<FT> ? 32 : 1;
+constexpr std::size_t block_size_v =
+  std::is_floating_point_v<FT> ? Stencil<FT>::maximum_number_of_rows : 1;
 
 // The average of every row of a block by the row's own rule: any number type, and the linear rule.
 template <class Average>
@@ -154,7 +155,7 @@ private:
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
     }
     for (std::size_t r = 0; r < size; ++r)
-      if (careful[r] || rows.end(r) - rows.begin(r) == 1)
+      if (careful[r] || rows.length(r) == 1 || normal_rows.length(r) == 1)
         result[r] = careful_row(rows, normal_rows, r, old);
   }
 

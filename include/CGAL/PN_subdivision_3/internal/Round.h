@@ -50,7 +50,8 @@ public:
   template <class Sink>
   void evaluate(Index begin, Index end, const Value* old, const Sink& sink) const
   {
-    Stencil<FT> rows, normal_rows;
+    Stencil<FT> rows;
+    [[maybe_unused]] Normal_rows normal_rows{};
     std::array<Value, block_size_v<FT>> values;
     const Block average{};
     for (Index first = begin; first < end;) {
@@ -79,6 +80,8 @@ private:
   struct No_mask
   {};
 
+  using Normal_rows = std::conditional_t<has_normal_mask, Stencil<FT>, No_mask>;
+
   static auto make_normal_mask(const Scheme& scheme, const Level_connectivity& level,
                                unsigned number)
   {
@@ -95,7 +98,7 @@ private:
                                                 std::declval<const Level_connectivity&>(), 0u));
 
   static void average_rows(const Block& average, const Stencil<FT>& rows,
-                           [[maybe_unused]] const Stencil<FT>& normal_rows, const Value* old,
+                           [[maybe_unused]] const Normal_rows& normal_rows, const Value* old,
                            Value* result)
   {
     if constexpr (has_normal_mask)
@@ -104,7 +107,7 @@ private:
       average(rows, old, result);
   }
 
-  void evaluate_block(const Block& average, const Stencil<FT>& rows, const Stencil<FT>& normal_rows,
+  void evaluate_block(const Block& average, const Stencil<FT>& rows, const Normal_rows& normal_rows,
                       const Value* old, Value* result, Index first) const
   {
     if constexpr (std::is_floating_point_v<FT>)

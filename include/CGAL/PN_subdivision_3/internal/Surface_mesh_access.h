@@ -81,7 +81,7 @@ public:
   }
   void shrink() { resize(old_size_); }
   // removes the elements that the result does not use
-  void trim(const Level_size& size) { resize(size); }
+  void trim(const Level_size& size, bool /*collect*/) { resize(size); }
 
   // the child of a host
   void set_target(Index h, Index v) { mesh_.set_target(Halfedge(h), Vertex(v)); }
