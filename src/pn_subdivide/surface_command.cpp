@@ -28,9 +28,12 @@ void require_consistent(const Surface_options& options)
   require_readable_format(options.input);
   require_writable_format(options.output);
   require_surface_schemes(options.scheme);
-  if (options.linear && options.normals)
-    throw Usage_error("--normals and --linear exclude each other: in linear schemes normals take "
-                      "no part");
+  if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
+  throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
+                    " and --linear exclude each other: in linear schemes normals take no part");
+  if (options.linear && options.scheme.normal_scheme)
+    throw Usage_error("--normal-scheme and --linear exclude each other: in linear schemes normals "
+                      "take no part");
 }
 
 unsigned number_of_threads(const Surface_options& options)

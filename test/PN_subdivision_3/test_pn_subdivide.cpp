@@ -375,7 +375,7 @@ TEST_F(Pn_subdivide, Output_that_cannot_be_written)
 
 TEST_F(Pn_subdivide, Help_and_version)
 {
-  for (const char* arguments : {"--help", "surface --help", "--version"}) {
+  for (const char* arguments : {"--help", "surface --help", "curve --help", "--version"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
