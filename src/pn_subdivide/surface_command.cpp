@@ -31,9 +31,6 @@ void require_consistent(const Surface_options& options)
   if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
   throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
                     " and --linear exclude each other: in linear schemes normals take no part");
-  if (options.linear && options.scheme.normal_scheme)
-    throw Usage_error("--normal-scheme and --linear exclude each other: in linear schemes normals "
-                      "take no part");
 }
 
 unsigned number_of_threads(const Surface_options& options)
