@@ -21,5 +21,6 @@ Everything of the package but `PN_mask_3`, which needs the package `Subdivision_
 #include <CGAL/PN_subdivision_3/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
+#include <CGAL/PN_subdivision_curve.h>
 
 #endif // CGAL_PN_SUBDIVISION_3_H
