@@ -126,6 +126,18 @@ public:
     } while (h != first);
     return n;
   }
+  /// calls `f(w)` for the neighbors `w` of the target of `h`, clockwise; if that is on the border and
+  /// `h` a border half-edge, from the one border neighbor to the other.
+  template <class Function>
+  void for_each_neighbor(Index h, const Function& f) const
+  {
+    Index g = h;
+    do {
+      g = next(g);
+      f(target(g));
+      g = opposite(g);
+    } while (g != h);
+  }
   /// the number of half-edges of the face of `h`.
   Index degree(Index h) const
   {

@@ -54,12 +54,7 @@ public:
     }
     const Index n = level_.valence(v);
     const FT weight = n == 6 ? one_16th_ : neighbor_weight_(n);
-    Index g = h;
-    do {
-      g = level_.next(g);
-      s.add(level_.target(g), weight);
-      g = Level_connectivity::opposite(g);
-    } while (g != h);
+    level_.for_each_neighbor(h, [&](Index w) { s.add(w, weight); });
     if (n == 6)
       s.add(v, five_8ths_);
     else

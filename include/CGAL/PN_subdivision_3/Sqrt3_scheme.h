@@ -52,12 +52,7 @@ public:
     if (level_.is_border(h)) return border_vertex(h, s);
     const Index n = level_.valence(v);
     const FT weight = neighbor_weight_(n);
-    Index g = h;
-    do {
-      g = level_.next(g);
-      s.add(level_.target(g), weight);
-      g = Level_connectivity::opposite(g);
-    } while (g != h);
+    level_.for_each_neighbor(h, [&](Index w) { s.add(w, weight); });
     s.add(v, vertex_weight_(n));
   }
 

@@ -101,7 +101,7 @@ planar_polygon_normals(const std::vector<Coordinates<FT, 2>>& points, bool close
   std::vector<Coordinates<FT, 2>> normals;
   for (std::size_t i : position) {
     const Coordinates<FT, 2> t = tangent(i);
-    normals.push_back({t[1], -t[0]});
+    normals.push_back({t[1], FT(0) - t[0]}); // not -0
   }
   return normals;
 }
