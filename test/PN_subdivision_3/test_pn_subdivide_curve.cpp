@@ -297,6 +297,14 @@ TEST_F(Pn_subdivide_curve, Few_and_repeated_points)
   }
 }
 
+TEST_F(Pn_subdivide_curve, Estimated_normals_of_lines_and_of_repeated_points)
+{
+  EXPECT_EQ(refined("0 0\n0 2\n0 4\n", "--levels 0 --scheme chaikin"),
+            "0 0 1 0\n0 2 1 0\n0 4 1 0\n");
+  EXPECT_EQ(refined("0 0\n2 0\n", "--scheme 4-point"), "0 0 0 -1\n1 0 0 -1\n2 0 0 -1\n");
+  EXPECT_EQ(refined("1 2\n1 2\n", "--levels 0 --scheme chaikin"), "1 2 0 0\n1 2 0 0\n");
+}
+
 TEST_F(Pn_subdivide_curve, Input_and_output_may_be_the_same_file)
 {
   const std::string file = folder.write("same.txt", square);
