@@ -46,7 +46,7 @@ template <int dimension>
 void move_curvature_vector(Real_coordinates<dimension>& k, const Real_coordinates<dimension>& from,
                            const Real_coordinates<dimension>& to)
 {
-  const long double square = dot<long double, dimension>(k, k);
+  const auto square = dot<long double, dimension>(k, k);
   add_multiple<long double, dimension>(k, square, difference(from, to));
 }
 

@@ -102,7 +102,7 @@ private:
     for (int k = 1 - half_; k <= half_; ++k) {
       if (k == j) continue;
       numerator *= 1 - 2 * k;
-      denominator *= 2 * (j - k);
+      denominator *= std::int64_t(2) * (j - k);
       const std::int64_t divisor = std::gcd(numerator, denominator);
       numerator /= divisor;
       denominator /= divisor;

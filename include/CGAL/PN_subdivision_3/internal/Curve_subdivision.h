@@ -154,7 +154,7 @@ private:
 
   std::pair<Index, Index> range() const
   {
-    const Index n = static_cast<Index>(values_.size());
+    const auto n = static_cast<Index>(values_.size());
     std::pair<Index, Index> r = rows_.range(n, end_);
     if constexpr (Normal_rows<FT, Mask>::differ) {
       const std::pair<Index, Index> other = normal_rows_.rows.range(n, end_);
@@ -183,7 +183,7 @@ private:
   template <class Sink>
   void evaluate(Index first, Index last, const Sink& sink) const
   {
-    constexpr Index half = static_cast<Index>(block_size_v<FT>);
+    constexpr auto half = static_cast<Index>(block_size_v<FT>);
     Stencil<FT> rows, normal_rows;
     std::array<Value, static_cast<std::size_t>(half)> values;
     std::array<Value, static_cast<std::size_t>(2 * half)> ordered;
