@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -141,6 +142,7 @@ private:
     old_points_.reserve(n);
     for (Index v = 0; v < n; ++v) {
       point_of(values_[v]) = checked_point<FT>(access_, points_, v);
+      note_range(point_of(values_[v]));
       old_points_.push_back(get(points_, access_.vertex(v)));
     }
     if constexpr (has_normal_map)
@@ -237,7 +239,7 @@ private:
     for (Index i = 0; i < n; ++i) {
       const auto v = access_.vertex(first + i);
       const Coordinates<FT, 3>& p = point_of(values[i]);
-      check_range(p, first + i);
+      if (is_near_overflow_) check_range(p, first + i);
       put(points_, v, Point(p[0], p[1], p[2]));
       if constexpr (has_normal_map) {
         using Normal = typename boost::property_traits<Normal_map>::value_type;
@@ -247,7 +249,15 @@ private:
     }
   }
 
-  // Coordinates near the end of the range of a floating point type overflow in between.
+  // Coordinates near the end of the range of a floating point type may overflow in between; what is
+  // below the root of the largest number does not in any number of rounds that memory allows.
+  void note_range([[maybe_unused]] const Coordinates<FT, 3>& p)
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      for (const FT& x : p)
+        if (x * x > (std::numeric_limits<FT>::max)()) is_near_overflow_ = true;
+  }
+
   static void check_range([[maybe_unused]] const Coordinates<FT, 3>& p, [[maybe_unused]] Index v)
   {
     if constexpr (std::is_floating_point_v<FT>)
@@ -298,6 +308,7 @@ private:
   Values values_;
   std::optional<One_round> last_round_;
   bool old_values_put_ = false;
+  bool is_near_overflow_ = false;
   std::vector<Point> old_points_;
   std::vector<typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
                                           Value_type<Point_map>>::type>
