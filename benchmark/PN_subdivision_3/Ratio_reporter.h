@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -49,5 +50,27 @@ public:
 private:
   std::map<std::string, double> medians_;
 };
+
+// The main() of a benchmark: the jobs are run interleaved, so that a change of the machine's speed meets
+// all alike. `add_jobs()` registers them and returns their names in this order; arguments of the command
+// line overrule the number of repetitions and the rest.
+template <class Add_jobs>
+int run_and_print_ratios(int argc, char** argv, int repetitions, const Add_jobs& add_jobs)
+{
+  std::vector<std::string> defaults = {
+    argv[0], "--benchmark_repetitions=" + std::to_string(repetitions),
+    "--benchmark_enable_random_interleaving=true", "--benchmark_report_aggregates_only=true"};
+  std::vector<char*> arguments;
+  for (std::string& s : defaults) arguments.push_back(s.data());
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return EXIT_FAILURE;
+  const std::vector<std::string> names = add_jobs();
+  Ratio_reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  reporter.print_ratios(names);
+  return EXIT_SUCCESS;
+}
 
 #endif // CGAL_PN_SUBDIVISION_3_BENCHMARK_RATIO_REPORTER_H

@@ -114,19 +114,9 @@ void add_group(const std::string& group, const Mask& mask)
 
 int main(int argc, char** argv)
 {
-  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=15",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_report_aggregates_only=true"};
-  std::vector<char*> arguments;
-  for (std::string& s : defaults) arguments.push_back(s.data());
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return EXIT_FAILURE;
-  add_group("cubic-B-spline", PN::B_spline_mask(3));
-  add_group("4-point", PN::Dubuc_Deslauriers_mask(4));
-  Ratio_reporter reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.print_ratios(names);
-  return EXIT_SUCCESS;
+  return run_and_print_ratios(argc, argv, 15, [] {
+    add_group("cubic-B-spline", PN::B_spline_mask(3));
+    add_group("4-point", PN::Dubuc_Deslauriers_mask(4));
+    return names;
+  });
 }

@@ -38,26 +38,6 @@ void write_header(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   out.text(" vertex_indices\nend_header\n");
 }
 
-void write_as_text(Output_file& out, const Mesh_data& mesh)
-{
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    write_triple(out, mesh.points[v]);
-    if (mesh.has_normals()) {
-      out.text(" ");
-      write_triple(out, mesh.normals[v]);
-    }
-    out.text("\n");
-  }
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    write_count(out, mesh.face(f).size());
-    for (const Mesh_data::Index v : mesh.face(f)) {
-      out.text(" ");
-      write_count(out, v);
-    }
-    out.text("\n");
-  }
-}
-
 template <class Triple>
 void write_doubles(Output_file& out, const Triple& t)
 {
@@ -87,7 +67,7 @@ void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)
 {
   write_header(out, mesh, encoding);
   if (encoding == Encoding::text)
-    write_as_text(out, mesh);
+    write_vertices_and_faces(out, mesh);
   else
     write_as_binary(out, mesh);
 }

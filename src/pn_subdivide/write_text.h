@@ -6,7 +6,11 @@
 #ifndef PN_SUBDIVIDE_WRITE_TEXT_H
 #define PN_SUBDIVIDE_WRITE_TEXT_H
 
+#include "Mesh_data.h"
 #include "Output_file.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace pn_subdivide {
 
@@ -24,6 +28,28 @@ void write_triple(Output_file& out, const Triple& t)
 inline void write_count(Output_file& out, std::size_t n)
 {
   out.number(static_cast<std::uint64_t>(n));
+}
+
+// What text OFF and PLY have in common after their headers: a line for each vertex, with its normal if
+// there are normals, and one for each face.
+inline void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh)
+{
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    write_triple(out, mesh.points[v]);
+    if (mesh.has_normals()) {
+      out.text(" ");
+      write_triple(out, mesh.normals[v]);
+    }
+    out.text("\n");
+  }
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    write_count(out, mesh.face(f).size());
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      out.text(" ");
+      write_count(out, v);
+    }
+    out.text("\n");
+  }
 }
 
 } // namespace pn_subdivide

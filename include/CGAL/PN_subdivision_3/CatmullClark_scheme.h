@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/Stencil.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -45,7 +46,7 @@ public:
   {
     if (level_.is_isolated(v)) return s.add(v, FT(1));
     const Index h = level_.halfedge_of_vertex(v);
-    if (level_.is_border(h)) return border_vertex(h, s);
+    if (level_.is_border(h)) return add_along_border(level_, h, eighth_, s);
     const Index n = level_.valence(v);
     if (!is_among_quads(h)) return vertex_among_polygons(h, n, s);
     if (n == 4) {
@@ -101,14 +102,6 @@ private:
       g = level_.next_around_target(g);
     } while (g != h);
     return true;
-  }
-
-  template <class Stencil>
-  void border_vertex(Index border, Stencil& s) const
-  {
-    s.add(level_.source(border), eighth_);
-    s.add(level_.target(level_.next(border)), eighth_);
-    s.add(level_.target(border), three_4ths_);
   }
 
   template <class Stencil>
@@ -173,7 +166,7 @@ private:
 
   const Level_connectivity& level_;
   FT half_ = FT(1) / FT(2), quarter_ = FT(1) / FT(4), eighth_ = FT(1) / FT(8);
-  FT three_4ths_ = FT(3) / FT(4), three_8ths_ = FT(3) / FT(8), three_32nds_ = FT(3) / FT(32);
+  FT three_8ths_ = FT(3) / FT(8), three_32nds_ = FT(3) / FT(32);
   FT one_16th_ = FT(1) / FT(16), nine_16ths_ = FT(9) / FT(16), one_64th_ = FT(1) / FT(64);
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/PN_subdivision_3/Cosine_weights.h>
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/Stencil.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -46,12 +47,7 @@ public:
   {
     if (level_.is_isolated(v)) return s.add(v, FT(1));
     const Index h = level_.halfedge_of_vertex(v);
-    if (level_.is_border(h)) {
-      s.add(level_.source(h), eighth_);
-      s.add(level_.target(level_.next(h)), eighth_);
-      s.add(v, three_4ths_);
-      return;
-    }
+    if (level_.is_border(h)) return add_along_border(level_, h, eighth_, s);
     const Index n = level_.valence(v);
     const FT weight = n == 6 ? one_16th_ : neighbor_weight_(n);
     level_.for_each_neighbor(h, [&](Index w) { s.add(w, weight); });
@@ -87,7 +83,7 @@ private:
   const Level_connectivity& level_;
   Weight_per_valence<FT> neighbor_weight_;
   FT half_ = FT(1) / FT(2), eighth_ = FT(1) / FT(8), one_16th_ = FT(1) / FT(16);
-  FT three_4ths_ = FT(3) / FT(4), three_8ths_ = FT(3) / FT(8), five_8ths_ = FT(5) / FT(8);
+  FT three_8ths_ = FT(3) / FT(8), five_8ths_ = FT(5) / FT(8);
 };
 
 /*!

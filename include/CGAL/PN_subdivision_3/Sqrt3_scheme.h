@@ -9,6 +9,7 @@
 #include <CGAL/PN_subdivision_3/Cosine_weights.h>
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/Stencil.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -86,9 +87,7 @@ private:
   void border_vertex(Index border, Stencil& s) const
   {
     if (!refines_border_) return s.add(level_.target(border), FT(1));
-    s.add(level_.source(border), FT(4) / FT(27));
-    s.add(level_.target(level_.next(border)), FT(4) / FT(27));
-    s.add_rest(level_.target(border));
+    add_along_border(level_, border, FT(FT(4) / FT(27)), s);
   }
 
   static FT neighbor_weight(Index n)

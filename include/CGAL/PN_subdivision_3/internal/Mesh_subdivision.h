@@ -249,8 +249,8 @@ private:
     }
   }
 
-  // Coordinates near the end of the range of a floating point type may overflow in between; what is
-  // below the root of the largest number does not in any number of rounds that memory allows.
+  // Coordinates near the end of the range of a floating point type may overflow in between. Below the
+  // root of the largest number new points are not looked at: they grow by small factors only.
   void note_range([[maybe_unused]] const Coordinates<FT, 3>& p)
   {
     if constexpr (std::is_floating_point_v<FT>)
