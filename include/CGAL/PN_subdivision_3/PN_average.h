@@ -147,17 +147,17 @@ struct PN_average
   using Value = Point_normal<FT, dimension>;
 
   /// one mask for points and normals.
-  template <class Entry>
-  Value operator()(const Entry* begin, const Entry* end, const Value* old) const
+  template <class Entry, class Values>
+  Value operator()(const Entry* begin, const Entry* end, const Values& old) const
   {
     if (end - begin == 1) return old[begin->vertex];
     return (*this)(begin, end, begin, end, old);
   }
 
   /// `[begin, end)` for the points, `[normal_begin, normal_end)` for the normals.
-  template <class Entry>
+  template <class Entry, class Values>
   Value operator()(const Entry* begin, const Entry* end, const Entry* normal_begin,
-                   const Entry* normal_end, const Value* old) const
+                   const Entry* normal_end, const Values& old) const
   {
     Value result;
     result.point.fill(FT(0));
@@ -180,8 +180,8 @@ struct PN_average
 private:
   using Traits = Unit_normal_traits<FT>;
 
-  template <class Entry>
-  static Vector unit_normal(const Entry* begin, const Entry* end, const Value* old)
+  template <class Entry, class Values>
+  static Vector unit_normal(const Entry* begin, const Entry* end, const Values& old)
   {
     if (end - begin == 1) return old[begin->vertex].normal;
     Vector sum;
@@ -207,8 +207,8 @@ private:
     for (FT& x : v) x *= d;
   }
 
-  template <class Entry>
-  static FT squared_vanishing_length(const Entry* begin, const Entry* end, const Value* old)
+  template <class Entry, class Values>
+  static FT squared_vanishing_length(const Entry* begin, const Entry* end, const Values& old)
   {
     if constexpr (internal::is_exact_v<FT>) return FT(0);
     FT sum(0);
@@ -219,8 +219,8 @@ private:
   }
 
   // the sum of the heights over q = result.point
-  template <class Entry>
-  static FT height(const Entry* begin, const Entry* end, const Value* old, const Value& result)
+  template <class Entry, class Values>
+  static FT height(const Entry* begin, const Entry* end, const Values& old, const Value& result)
   {
     FT sum(0), weight(0);
     bool faded = false;

@@ -59,7 +59,9 @@ class Curve_subdivision
   using Average =
     std::conditional_t<is_pn, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
   using Value = typename Average::Value;
-  using Values = boost::container::vector<Value>;
+  using Block = typename Block_of<Average>::type;
+  using Stored_value = typename Block::Stored_value;
+  using Values = boost::container::vector<Stored_value>;
   using Index = typename Univariate_rows<FT>::Index;
   using Vector_coordinates = Coordinates<FT, dimension>;
 
@@ -108,7 +110,7 @@ public:
     };
     if (iterations == 0 || values_.empty()) {
       curve.reserve(values_.size());
-      append(values_.data(), values_.size());
+      for (const Stored_value& value : values_) curve.push_back(make_item(value));
       return curve;
     }
     for (unsigned k = 1; k < iterations; ++k) refine();
@@ -171,9 +173,9 @@ private:
   {
     const auto [first, last] = range();
     Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
-    Value* next = refined.data();
+    Stored_value* next = refined.data();
     evaluate(first, last, [&next](const Value* values, std::size_t n) {
-      next = std::copy(values, values + n, next);
+      for (std::size_t i = 0; i < n; ++i) *next++ = values[i];
     });
     values_ = std::move(refined);
   }
@@ -213,7 +215,7 @@ private:
   void average(const Stencil<FT>& rows, [[maybe_unused]] const Stencil<FT>& normal_rows,
                Value* result, Index start) const
   try {
-    const typename Block_of<Average>::type block{};
+    const Block block{};
     if (rows.number_of_rows() == 0) return;
     if constexpr (Normal_rows<FT, Mask>::differ)
       block(rows, normal_rows, values_.data(), result);

@@ -6,8 +6,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LANES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LANES_H
 
-#include <cstring>
-
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
@@ -19,17 +17,13 @@ struct Lanes
 {
   static Lanes both(FT x) { return {x, x}; }
   static Lanes of(FT x, FT y) { return {x, y}; }
-  static Lanes load(const void* two_numbers)
-  {
-    Lanes l;
-    std::memcpy(&l, two_numbers, sizeof(Lanes));
-    return l;
-  }
   FT operator[](int i) const { return i == 0 ? x0 : x1; }
   friend Lanes operator+(Lanes a, Lanes b) { return {a.x0 + b.x0, a.x1 + b.x1}; }
   friend Lanes operator-(Lanes a, Lanes b) { return {a.x0 - b.x0, a.x1 - b.x1}; }
   friend Lanes operator*(Lanes a, Lanes b) { return {a.x0 * b.x0, a.x1 * b.x1}; }
   friend Lanes operator/(Lanes a, Lanes b) { return {a.x0 / b.x0, a.x1 / b.x1}; }
+  friend Lanes first_of(Lanes a, Lanes b) { return {a.x0, b.x0}; }
+  friend Lanes second_of(Lanes a, Lanes b) { return {a.x1, b.x1}; }
   friend Lanes lesser(Lanes a, Lanes b)
   {
     return {a.x0 < b.x0 ? a.x0 : b.x0, a.x1 < b.x1 ? a.x1 : b.x1};
@@ -46,17 +40,13 @@ struct Lanes<double>
 
   static Lanes both(double x) { return {Packed{x, x}}; }
   static Lanes of(double x, double y) { return {Packed{x, y}}; }
-  static Lanes load(const void* two_numbers)
-  {
-    Lanes l;
-    std::memcpy(&l.packed, two_numbers, sizeof(Packed));
-    return l;
-  }
   double operator[](int i) const { return packed[i]; }
   friend Lanes operator+(Lanes a, Lanes b) { return {a.packed + b.packed}; }
   friend Lanes operator-(Lanes a, Lanes b) { return {a.packed - b.packed}; }
   friend Lanes operator*(Lanes a, Lanes b) { return {a.packed * b.packed}; }
   friend Lanes operator/(Lanes a, Lanes b) { return {a.packed / b.packed}; }
+  friend Lanes first_of(Lanes a, Lanes b) { return {Packed{a.packed[0], b.packed[0]}}; }
+  friend Lanes second_of(Lanes a, Lanes b) { return {Packed{a.packed[1], b.packed[1]}}; }
   friend Lanes lesser(Lanes a, Lanes b) { return {a.packed < b.packed ? a.packed : b.packed}; }
 
   Packed packed;

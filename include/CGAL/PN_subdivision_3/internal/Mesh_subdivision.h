@@ -80,8 +80,9 @@ class Mesh_subdivision
   using Index = Level_connectivity::Index;
   using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
   using Value = typename Average::Value;
-  using Values = boost::container::vector<Value>;
   using One_round = Round<Scheme, Average>;
+  using Values = boost::container::vector<Value>;
+  using Stored_values = boost::container::vector<typename One_round::Stored_value>;
   using Point = typename boost::property_traits<Point_map>::value_type;
 
 public:
@@ -138,31 +139,32 @@ private:
   void read_values()
   {
     const Index n = level_.number_of_vertices();
-    values_ = Values(n, boost::container::default_init);
+    Values values(n, boost::container::default_init);
     old_points_.reserve(n);
     for (Index v = 0; v < n; ++v) {
-      point_of(values_[v]) = checked_point<FT>(access_, points_, v);
-      note_range(point_of(values_[v]));
+      point_of(values[v]) = checked_point<FT>(access_, points_, v);
+      note_range(point_of(values[v]));
       old_points_.push_back(get(points_, access_.vertex(v)));
     }
     if constexpr (has_normal_map)
-      read_normals();
+      read_normals(values);
     else if constexpr (is_pn)
       angle_weighted_normals<FT>(
-        level_, [&](Index v) -> const Coordinates<FT, 3>& { return values_[v].point; },
-        [&](Index v, const Coordinates<FT, 3>& m) { values_[v].normal = m; });
+        level_, [&](Index v) -> const Coordinates<FT, 3>& { return values[v].point; },
+        [&](Index v, const Coordinates<FT, 3>& m) { values[v].normal = m; });
+    values_ = Stored_values(values.begin(), values.end());
   }
 
-  void read_normals()
+  void read_normals(Values& values)
   {
     const Index n = level_.number_of_vertices();
     old_normals_.reserve(n);
     for (Index v = 0; v < n; ++v) {
       old_normals_.push_back(get(normals_, access_.vertex(v)));
-      values_[v].normal = coordinates_3<FT>(old_normals_.back());
+      values[v].normal = coordinates_3<FT>(old_normals_.back());
       const auto name = [&] { return access_.vertex_name(v); };
-      check_finite<FT, 3>(values_[v].normal, "normal", name);
-      normalize_control_normal<FT, 3>(values_[v].normal, name);
+      check_finite<FT, 3>(values[v].normal, "normal", name);
+      normalize_control_normal<FT, 3>(values[v].normal, name);
     }
   }
 
@@ -190,18 +192,19 @@ private:
     Level_connectivity child(round.refined_size());
     child.set_uniform_degree(Scheme::Host::refined_degree);
     round.host().connect(child, for_chunks_);
-    Values refined(round.refined_size().vertices, boost::container::default_init);
+    Stored_values refined(round.refined_size().vertices, boost::container::default_init);
     evaluate(round, 0, child.number_of_vertices(), refined);
     level_ = std::move(child);
     values_ = std::move(refined);
   }
 
-  void evaluate(const One_round& round, Index begin, Index end, Values& refined) const
+  template <class Refined>
+  void evaluate(const One_round& round, Index begin, Index end, Refined& refined) const
   {
     for_chunks_(end - begin, [&](Index first, Index last) {
       round.evaluate(begin + first, begin + last, values_.data(),
                      [&](Index v, const Value* values, Index n) {
-                       std::copy(values, values + n, refined.data() + (v - begin));
+                       for (Index i = 0; i < n; ++i) refined[v - begin + i] = values[i];
                      });
     });
   }
@@ -305,7 +308,7 @@ private:
   Normal_map normals_;
   For_chunks<Concurrency_tag> for_chunks_;
   Level_connectivity level_;
-  Values values_;
+  Stored_values values_;
   std::optional<One_round> last_round_;
   bool old_values_put_ = false;
   bool is_near_overflow_ = false;

@@ -10,10 +10,11 @@
 #include <CGAL/PN_subdivision_3/Stencil.h>
 #include <CGAL/PN_subdivision_3/internal/Lanes.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <type_traits>
 
 namespace CGAL {
@@ -33,6 +34,8 @@ class Average_block
 public:
   using FT = typename Average::FT;
   using Value = typename Average::Value;
+  // what old values are stored as
+  using Stored_value = Value;
 
   void operator()(const Stencil<FT>& rows, const Value* old, Value* result) const
   {
@@ -53,9 +56,35 @@ private:
   Average average_;
 };
 
+// A point and a normal as p_x n_x p_y n_y ...: both are summed, and their differences to q and -n
+// taken, two coordinates at once from where they lie.
+template <class FT, int dimension>
+struct Interleaved_point_normal
+{
+  using Value = Point_normal<FT, dimension>;
+
+  Interleaved_point_normal() = default;
+  Interleaved_point_normal(const Value& v)
+  {
+    for (int c = 0; c < dimension; ++c) pairs[c] = Lanes<FT>::of(v.point[c], v.normal[c]);
+  }
+  operator Value() const
+  {
+    Value v;
+    for (int c = 0; c < dimension; ++c) {
+      v.point[c] = pairs[c][0];
+      v.normal[c] = pairs[c][1];
+    }
+    return v;
+  }
+
+  Lanes<FT> pairs[dimension];
+};
+
 // The PN average in hardware floating point, in three passes over a block: sums, normalization,
-// heights. It is PN_average but for the order in which heights are added; a row that fades or whose
-// normal may vanish is left to PN_average itself.
+// heights. It is PN_average but for the order in which heights are added and for normals that are
+// multiplied by 1/|N|, not divided by |N|; a row that fades or whose normal may vanish is left to
+// PN_average itself.
 template <class FT_, int dimension>
 class Staged_PN_average_block
 {
@@ -63,8 +92,9 @@ public:
   using FT = FT_;
   using Average = PN_average<FT, dimension>;
   using Value = typename Average::Value;
+  using Stored_value = Interleaved_point_normal<FT, dimension>;
 
-  void operator()(const Stencil<FT>& rows, const Value* old, Value* result) const
+  void operator()(const Stencil<FT>& rows, const Stored_value* old, Value* result) const
   {
     switch (rows.uniform_length()) { // the lengths that regular meshes have
     case 1:
@@ -90,7 +120,7 @@ public:
     }
   }
 
-  void operator()(const Stencil<FT>& rows, const Stencil<FT>& normal_rows, const Value* old,
+  void operator()(const Stencil<FT>& rows, const Stencil<FT>& normal_rows, const Stored_value* old,
                   Value* result) const
   {
     staged(Row<0>(rows), Row<0>(normal_rows), old, result);
@@ -128,108 +158,85 @@ private:
     const Entry* first;
   };
 
-  static void copy(const Stencil<FT>& rows, const Value* old, Value* result)
+  static void copy(const Stencil<FT>& rows, const Stored_value* old, Value* result)
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r) result[r] = old[rows.begin(r)->vertex];
   }
 
   template <class Rows, class Normal_rows>
-  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Value* old,
+  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Stored_value* old,
                      Value* result)
   {
     const std::size_t size = rows.rows.number_of_rows();
-    FT length[capacity];
-    bool careful[capacity];
-    for (std::size_t r = 0; r < size; ++r) result[r] = sums(rows, normal_rows, r, old);
-    for (std::size_t r = 0; r < size; ++r)
-      length[r] = dot<FT, dimension>(result[r].normal, result[r].normal);
-    // a length of 1/4 is far from vanishing for any mask that is of use
-    for (std::size_t r = 0; r < size; ++r) careful[r] = !(length[r] > FT(1) / FT(16));
-    for (std::size_t r = 0; r < size; ++r) length[r] = std::sqrt(length[r]);
-    for (std::size_t r = 0; r < size; ++r)
-      for (int c = 0; c < dimension; ++c) result[r].normal[c] /= length[r];
+    FT scale[capacity];
     for (std::size_t r = 0; r < size; ++r) {
+      result[r] = sums(rows, normal_rows, r, old);
+      scale[r] = dot<FT, dimension>(result[r].normal, result[r].normal);
+    }
+    for (std::size_t r = 0; r < size; ++r) scale[r] = std::sqrt(scale[r]);
+    for (std::size_t r = 0; r < size; ++r) scale[r] = FT(1) / scale[r];
+    for (std::size_t r = 0; r < size; ++r) {
+      for (int c = 0; c < dimension; ++c) result[r].normal[c] *= scale[r];
       FT least_denominator(2);
       const FT h = height(rows, r, old, result[r], least_denominator);
-      if (!(least_denominator >= fade_begin<FT>())) careful[r] = true;
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
-    }
-    for (std::size_t r = 0; r < size; ++r)
-      if (careful[r] || rows.length(r) == 1 || normal_rows.length(r) == 1)
+      // a length |N| of 1/4 is far from vanishing for any mask that is of use
+      if (!(least_denominator >= fade_begin<FT>() && scale[r] < FT(4)) || rows.length(r) == 1 ||
+          normal_rows.length(r) == 1)
         result[r] = careful_row(rows, normal_rows, r, old);
+    }
   }
 
   template <class Rows, class Normal_rows>
   static Value sums(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
-                    const Value* old)
+                    const Stored_value* old)
   {
     const Entry* const e = rows.begin(r);
     const std::size_t length = rows.length(r);
     if (&rows.rows == &normal_rows.rows) {
-      Packed_value sum;
-      for (std::size_t j = 0; j < length; ++j) sum.add_multiple(e[j].weight, old[e[j].vertex]);
-      return sum.value();
+      return sum(e, length, old);
     }
-    Value sum;
-    sum.point.fill(FT(0));
-    sum.normal.fill(FT(0));
-    for (std::size_t j = 0; j < length; ++j)
-      add_multiple<FT, dimension>(sum.point, e[j].weight, old[e[j].vertex].point);
-    const Entry* const m = normal_rows.begin(r);
-    for (std::size_t j = 0; j < normal_rows.length(r); ++j)
-      add_multiple<FT, dimension>(sum.normal, m[j].weight, old[m[j].vertex].normal);
-    return sum;
+    return {sum(e, length, old).point,
+            sum(normal_rows.begin(r), normal_rows.length(r), old).normal};
   }
 
-  // The 2 * dimension coordinates of a point and its normal, two by two.
-  struct Packed_value
+  static Value sum(const Entry* e, std::size_t length, const Stored_value* old)
   {
-    static_assert(sizeof(Value) == dimension * sizeof(Lanes<FT>), "coordinates without padding");
-
-    Packed_value()
-    {
-      for (Lanes<FT>& l : lanes) l = Lanes<FT>::both(0);
+    Stored_value result;
+    for (Lanes<FT>& pair : result.pairs) pair = Lanes<FT>::both(0);
+    for (std::size_t j = 0; j < length; ++j) {
+      const Lanes<FT> weight = Lanes<FT>::both(e[j].weight);
+      for (int c = 0; c < dimension; ++c)
+        result.pairs[c] = result.pairs[c] + weight * old[e[j].vertex].pairs[c];
     }
-    void add_multiple(FT factor, const Value& v)
-    {
-      const char* const bytes = reinterpret_cast<const char*>(&v);
-      for (int i = 0; i < dimension; ++i)
-        lanes[i] =
-          lanes[i] + Lanes<FT>::both(factor) * Lanes<FT>::load(bytes + i * sizeof(Lanes<FT>));
-    }
-    Value value() const
-    {
-      Value v;
-      std::memcpy(&v, lanes, sizeof(Value));
-      return v;
-    }
-    Lanes<FT> lanes[dimension];
-  };
+    return result;
+  }
 
   // Two entries at a time; the order of the sums depends on nothing but the row.
   template <class Rows>
-  static FT height(const Rows& rows, std::size_t r, const Value* old, const Value& result,
+  static FT height(const Rows& rows, std::size_t r, const Stored_value* old, const Value& result,
                    FT& least_denominator)
   {
     using Two = Lanes<FT>;
-    Two point[dimension], normal[dimension];
+    Two offset[dimension], normal[dimension];
     for (int c = 0; c < dimension; ++c) {
-      point[c] = Two::both(result.point[c]);
+      offset[c] = Two::of(-result.point[c], result.normal[c]);
       normal[c] = Two::both(result.normal[c]);
     }
     Two sum = Two::both(0), least = Two::both(2);
     const Entry* const e = rows.begin(r);
     const std::size_t length = rows.length(r);
     for (std::size_t j = 0; j + 1 < length; j += 2) {
-      const Value& p0 = old[e[j].vertex];
-      const Value& p1 = old[e[j + 1].vertex];
-      Two s = Two::of(p0.normal[0], p1.normal[0]) + normal[0];
-      Two numerator = s * (Two::of(p0.point[0], p1.point[0]) - point[0]);
-      Two denominator = s * normal[0];
-      for (int c = 1; c < dimension; ++c) {
-        s = Two::of(p0.normal[c], p1.normal[c]) + normal[c];
-        numerator = numerator + s * (Two::of(p0.point[c], p1.point[c]) - point[c]);
-        denominator = denominator + s * normal[c];
+      const Stored_value& v0 = old[e[j].vertex];
+      const Stored_value& v1 = old[e[j + 1].vertex];
+      Two numerator, denominator;
+      for (int c = 0; c < dimension; ++c) {
+        // (p_j - q, n_j + n) of two entries
+        const Two a = v0.pairs[c] + offset[c], b = v1.pairs[c] + offset[c];
+        const Two s = second_of(a, b);
+        const Two numerator_c = s * first_of(a, b), denominator_c = s * normal[c];
+        numerator = c == 0 ? numerator_c : numerator + numerator_c;
+        denominator = c == 0 ? denominator_c : denominator + denominator_c;
       }
       sum = sum + Two::of(e[j].weight, e[j + 1].weight) * (numerator / denominator);
       least = lesser(denominator, least);
@@ -238,7 +245,7 @@ private:
     least_denominator = (std::min)(least[0], least[1]);
     if (length % 2 != 0) {
       const Entry& odd = e[length - 1];
-      const auto h = pn_height<FT, dimension>(old[odd.vertex], result.point, result.normal);
+      const auto h = pn_height<FT, dimension>(Value(old[odd.vertex]), result.point, result.normal);
       least_denominator = (std::min)(least_denominator, h.denominator);
       last = odd.weight * (h.numerator / h.denominator);
     }
@@ -246,12 +253,20 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static Value careful_row(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
-                           const Value* old)
+  BOOST_NOINLINE static Value careful_row(const Rows& rows, const Normal_rows& normal_rows,
+                                          std::size_t r, const Stored_value* old)
   {
-    if (&rows.rows == &normal_rows.rows) return Average()(rows.begin(r), rows.end(r), old);
-    return Average()(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
+    const Old_values values{old};
+    if (&rows.rows == &normal_rows.rows) return Average()(rows.begin(r), rows.end(r), values);
+    return Average()(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), values);
   }
+
+  // the stored values as PN_average wants them
+  struct Old_values
+  {
+    Value operator[](std::size_t v) const { return stored[v]; }
+    const Stored_value* stored;
+  };
 };
 
 template <class Average>

@@ -32,6 +32,8 @@ public:
   using Index = Level_connectivity::Index;
   using FT = typename Average::FT;
   using Value = typename Average::Value;
+  using Block = typename Block_of<Average>::type;
+  using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
 
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
@@ -48,7 +50,7 @@ public:
   // computes the new vertices [begin, end) from the old values, and hands them to
   // sink(first new vertex, values, how many) block by block
   template <class Sink>
-  void evaluate(Index begin, Index end, const Value* old, const Sink& sink) const
+  void evaluate(Index begin, Index end, const Stored_value* old, const Sink& sink) const
   {
     Stencil<FT> rows;
     [[maybe_unused]] Normal_rows normal_rows{};
@@ -91,14 +93,13 @@ private:
       return No_mask();
   }
 
-  using Block = typename Block_of<Average>::type;
   using Mask = decltype(std::declval<const Scheme&>().template mask<FT>(
     std::declval<const Level_connectivity&>(), 0u));
   using Normal_mask = decltype(make_normal_mask(std::declval<const Scheme&>(),
                                                 std::declval<const Level_connectivity&>(), 0u));
 
   static void average_rows(const Block& average, const Stencil<FT>& rows,
-                           [[maybe_unused]] const Normal_rows& normal_rows, const Value* old,
+                           [[maybe_unused]] const Normal_rows& normal_rows, const Stored_value* old,
                            Value* result)
   {
     if constexpr (has_normal_mask)
@@ -108,7 +109,7 @@ private:
   }
 
   void evaluate_block(const Block& average, const Stencil<FT>& rows, const Normal_rows& normal_rows,
-                      const Value* old, Value* result, Index first) const
+                      const Stored_value* old, Value* result, Index first) const
   {
     if constexpr (std::is_floating_point_v<FT>)
       average_rows(average, rows, normal_rows, old, result);
