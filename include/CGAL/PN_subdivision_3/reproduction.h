@@ -1,0 +1,464 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_REPRODUCTION_H
+#define CGAL_PN_SUBDIVISION_3_REPRODUCTION_H
+
+#include <CGAL/Dimension.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/PN_subdivision_3/internal/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/Curve_points.h>
+#include <CGAL/PN_subdivision_3/internal/Shape_measure.h>
+#include <CGAL/PN_subdivision_3/internal/named_parameters.h>
+#include <CGAL/Uncertain.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+A circular cylinder: the points at a given squared distance from a line.
+*/
+template <class Kernel>
+class Cylinder_3
+{
+public:
+  using FT = typename Kernel::FT;
+  using Line_3 = typename Kernel::Line_3;
+
+  Cylinder_3(const Line_3& axis, const FT& squared_radius)
+    : axis_(axis)
+    , squared_radius_(squared_radius)
+  {}
+
+  const Line_3& axis() const { return axis_; }
+  const FT& squared_radius() const { return squared_radius_; }
+
+private:
+  Line_3 axis_;
+  FT squared_radius_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+The number type of the deviations of coordinates in `FT`: `FT` itself for exact numbers and
+intervals; `CGAL::Exact_rational` for floating point types and `Gmpfr`, whose numbers it holds as
+they are. So deviations are never rounded.
+*/
+#ifdef DOXYGEN_RUNNING
+template <class FT>
+using Deviation_number = unspecified_type;
+#else
+template <class FT>
+using Deviation_number = internal::Measure_number<FT>;
+#endif
+
+namespace internal {
+
+template <class Point_or_vector>
+using FT_of = typename CGAL::Kernel_traits<Point_or_vector>::Kernel::FT;
+
+template <class Point>
+using Number_of_point = Measure_number<FT_of<Point>>;
+
+template <class Point, class Shape>
+auto shape_for(const Shape& shape)
+{
+  const auto measure = shape_measure<Number_of_point<Point>>(shape);
+  static_assert(std::decay_t<decltype(measure)>::dimension == Ambient_dimension<Point>::value,
+                "the shape and the point must have the same dimension");
+  return measure;
+}
+
+template <class Point, class Point_or_vector, class Name>
+auto checked_coordinates(const Point_or_vector& p, const char* what, const Name& name)
+{
+  constexpr int dimension = Ambient_dimension<Point>::value;
+  using FT = FT_of<Point>;
+  Coordinates<FT, dimension> c;
+  for (int i = 0; i < dimension; ++i) c[i] = FT(p.cartesian(i));
+  check_finite<FT, dimension>(c, what, name);
+  return measure_coordinates<Number_of_point<Point>, dimension>(p);
+}
+
+struct Point_itself
+{
+  std::string operator()() const { return "the point"; }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns how far a point is from a shape, as a number that is 0 on the shape and only there, without
+roots and without rounding:
+ - plane and line: d<sup>2</sup>, where d is the distance;
+ - sphere, cylinder, circle in the plane: (|r|<sup>2</sup> - R<sup>2</sup>)<sup>2</sup> /
+   4R<sup>2</sup> = d<sup>2</sup> (1 &plusmn; d/2R)<sup>2</sup>, where r is the vector from the center
+   or axis, + outside and - inside;
+ - circle in space: the latter, with r in its plane, plus the squared distance from the plane.
+
+\tparam Point `Point_2` or `Point_3` of any kernel
+\tparam Shape `Circle_2`, `Line_2`, `Sphere_3`, `Circle_3`, `Plane_3` or `Line_3` of any kernel, or
+  `Cylinder_3`. Its kernel may be another one than that of the point: the squared radius 1.1<sup>2</sup>
+  has no exact `double`.
+\returns a `Deviation_number<FT>` for the number type `FT` of the point; an interval number type
+  gives an interval around the deviation
+\throws std::invalid_argument if the point is not finite, if a floating point coordinate is out of
+  the range of `double`, if the squared radius is not positive, or if a direction is zero
+*/
+template <class Point, class Shape>
+auto squared_deviation(const Point& p, const Shape& shape)
+{
+  const auto measure = internal::shape_for<Point>(shape);
+  return measure.squared_deviation(measure.residual(
+    internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns sin<sup>2</sup> of the angle between a vector and the normal of the shape at a point, that is
+|n &times; r|<sup>2</sup> / |n|<sup>2</sup>|r|<sup>2</sup>, where r is the vector from the center or
+axis, without rounding; for a line in space, which has many normals, of the angle between the vector
+and the plane perpendicular to the line. The point need not be on the shape. Vectors of opposite
+direction have the same deviation; the length of the vector does not matter.
+
+\returns a number of the type that `squared_deviation()` returns; 1 if the point is the center or on
+  the axis
+\pre `n` is not the zero vector.
+*/
+template <class Vector, class Point, class Shape>
+auto squared_normal_deviation(const Vector& n, const Point& p, const Shape& shape)
+{
+  return internal::shape_for<Point>(shape).squared_sine(
+    internal::checked_coordinates<Point>(n, "normal", internal::Point_itself()),
+    internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
+}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns an interval of two doubles around the Euclidean distance of a point from a shape. It is a few
+units in the last place wide unless the coordinates are intervals, whatever the cancellation: it is
+rounded once, from exact numbers.
+
+\tparam Point, Shape as for `squared_deviation()`
+*/
+template <class Point, class Shape>
+Interval_nt<> distance_interval(const Point& p, const Shape& shape)
+{
+  const auto measure = internal::shape_for<Point>(shape);
+  return measure.distance(measure.residual(
+    internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns whether a point is on a shape: `true` or `false` where the coordinates are exact or floating
+point numbers (as they are: computed points that are on a sphere up to rounding are not on it), and
+for intervals `true`, `false` or `indeterminate`. `CGAL::Uncertain<bool>` converts to `bool`, which
+throws if it is indeterminate.
+
+\tparam Point, Shape as for `squared_deviation()`
+*/
+template <class Point, class Shape>
+Uncertain<bool> is_on(const Point& p, const Shape& shape)
+{
+  const auto r = internal::shape_for<Point>(shape).residual(
+    internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
+  return internal::is_zero_number(r.radial) & internal::is_zero_number(r.squared_distance);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns whether the distance of a point from a shape is at most `tolerance` times its radius, or for
+planes and lines at most `tolerance`. The answer is certified: it is not computed with rounding, and
+for intervals it may be indeterminate.
+
+For `double`, `5 * std::numeric_limits<double>::epsilon()` as tolerance asks for 5 units of
+2<sup>-52</sup>.
+
+\tparam Point, Shape as for `squared_deviation()`
+\pre `tolerance >= 0`
+*/
+template <class Point, class Shape>
+Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
+{
+  using Number = internal::Number_of_point<Point>;
+  const auto measure = internal::shape_for<Point>(shape);
+  return measure.is_near(
+    measure.residual(internal::checked_coordinates<Point>(p, "position", internal::Point_itself())),
+    Number(tolerance));
+}
+
+/// \name The same for one kind of shape
+/// With a tolerance as third argument they allow that distance, see `is_on()`.
+/// @{
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a sphere.
+template <class Point_3, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_sphere(const Point_3& p, const CGAL::Sphere_3<Kernel>& sphere,
+                             Tolerance... tolerance)
+{
+  return is_on(p, sphere, tolerance...);
+}
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a circular cylinder.
+template <class Point_3, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_cylinder(const Point_3& p, const Cylinder_3<Kernel>& cylinder,
+                               Tolerance... tolerance)
+{
+  return is_on(p, cylinder, tolerance...);
+}
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a circle in the plane.
+template <class Point_2, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_circle(const Point_2& p, const CGAL::Circle_2<Kernel>& circle,
+                             Tolerance... tolerance)
+{
+  return is_on(p, circle, tolerance...);
+}
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a circle in space.
+template <class Point_3, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_circle(const Point_3& p, const CGAL::Circle_3<Kernel>& circle,
+                             Tolerance... tolerance)
+{
+  return is_on(p, circle, tolerance...);
+}
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a plane.
+template <class Point_3, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_plane(const Point_3& p, const CGAL::Plane_3<Kernel>& plane,
+                            Tolerance... tolerance)
+{
+  return is_on(p, plane, tolerance...);
+}
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a line in the plane.
+template <class Point_2, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_line(const Point_2& p, const CGAL::Line_2<Kernel>& line,
+                           Tolerance... tolerance)
+{
+  return is_on(p, line, tolerance...);
+}
+
+/// \ingroup PkgPNSubdivision3Reproduction
+/// `is_on()` for a line in space.
+template <class Point_3, class Kernel, class... Tolerance>
+Uncertain<bool> is_on_line(const Point_3& p, const CGAL::Line_3<Kernel>& line,
+                           Tolerance... tolerance)
+{
+  return is_on(p, line, tolerance...);
+}
+
+/// @}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+What a mesh or curve deviates from a shape by, as `mesh_deviation()` and `curve_deviation()` return it.
+
+\tparam Number see `Deviation_number`
+\tparam Element the vertex descriptor of a mesh; the position in a curve
+*/
+template <class Number_, class Element_>
+struct Deviation
+{
+  using Number = Number_;
+  using Element = Element_;
+
+  /// how many points were looked at
+  std::size_t number_of_points = 0;
+  /// the `squared_deviation()` of the point that is farthest from the shape
+  Number squared_deviation = Number(0);
+  /// that point; of several equal ones the first
+  Element farthest_point = Element();
+  /// an interval around the largest distance of all points from the shape
+  Interval_nt<> distance = 0;
+  /// whether all points are on the shape, without any tolerance
+  Uncertain<bool> points_are_on_shape = true;
+
+  /// how many normals were looked at: those that are not zero
+  std::size_t number_of_normals = 0;
+  /// the largest `squared_normal_deviation()`
+  Number squared_normal_deviation = Number(0);
+  /// the point whose normal it is
+  Element most_turned_normal = Element();
+  /// an interval around the largest sine of all normals
+  Interval_nt<> normal_sine = 0;
+  /// whether all normals are those of the shape or opposite to them
+  Uncertain<bool> normals_are_exact = true;
+};
+
+namespace internal {
+
+// Two deviations are compared by intervals around their roots: numbers of two vertices may lie in
+// different fields, and exact comparisons of what is not zero would prove nothing.
+template <class Shape, class Element>
+class Deviation_of_all
+{
+  using Number = typename Shape::Number;
+  using Vector = typename Shape::Vector;
+
+public:
+  explicit Deviation_of_all(const Shape& shape)
+    : shape_(shape)
+  {}
+
+  void add_point(const Element& e, const Vector& p)
+  {
+    const bool first = d_.number_of_points++ == 0;
+    if (first) d_.farthest_point = e;
+    const auto r = shape_.residual(p);
+    const Uncertain<bool> on = is_zero_number(r.radial) & is_zero_number(r.squared_distance);
+    if (certainly(on)) return;
+    d_.points_are_on_shape = d_.points_are_on_shape & on;
+    if (raise(d_.distance, shape_.distance(r))) {
+      d_.farthest_point = e;
+      d_.squared_deviation = shape_.squared_deviation(r);
+    }
+  }
+
+  void add_normal(const Element& e, const Vector& p, const Vector& n)
+  {
+    if (certainly(Shape::squared_length(n) == Number(0))) return;
+    const bool first = d_.number_of_normals++ == 0;
+    if (first) d_.most_turned_normal = e;
+    const Number s = shape_.squared_sine(n, p);
+    const Uncertain<bool> exact = is_zero_number(s);
+    if (certainly(exact)) return;
+    d_.normals_are_exact = d_.normals_are_exact & exact;
+    if (raise(d_.normal_sine, CGAL::sqrt(interval_around(s)))) {
+      d_.most_turned_normal = e;
+      d_.squared_normal_deviation = s;
+    }
+  }
+
+  const Deviation<Number, Element>& result() const { return d_; }
+
+private:
+  // the interval becomes one around the maximum; whether its upper end rises
+  static bool raise(Interval_nt<>& largest, const Interval_nt<>& x)
+  {
+    const bool rises = !(x.sup() <= largest.sup());
+    largest = Interval_nt<>((std::max)(largest.inf(), x.inf()), rises ? x.sup() : largest.sup());
+    return rises;
+  }
+
+  Shape shape_;
+  Deviation<Number, Element> d_;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns how far the vertices of a mesh, and their normals, are from a shape. Nothing is rounded but
+the two intervals of the result; in particular an exact number type proves or refutes that all points
+are on the shape.
+
+\tparam PolygonMesh a model of `VertexListGraph` with a vertex point map
+\tparam Shape `Sphere_3`, `Circle_3`, `Plane_3` or `Line_3` of any kernel, or `Cylinder_3`
+\param mesh the mesh
+\param shape the shape
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
+  and `vertex_normal_map`, without which no normals are looked at; as in `subdivide()`
+\returns a `Deviation<Deviation_number<FT>, boost::graph_traits<PolygonMesh>::%vertex_descriptor>`
+\throws std::invalid_argument as `squared_deviation()` does; the message names the vertex
+\cost linear in the number of vertices; some microseconds a vertex
+*/
+template <class PolygonMesh, class Shape,
+          class NamedParameters = parameters::Default_named_parameters>
+auto mesh_deviation(const PolygonMesh& mesh, const Shape& shape,
+                    const NamedParameters& np = parameters::default_values())
+{
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  const auto points = Parameters::const_point_map(mesh, np);
+  using Point =
+    std::decay_t<typename boost::property_traits<std::decay_t<decltype(points)>>::value_type>;
+  const auto measure = internal::shape_for<Point>(shape);
+  internal::Deviation_of_all<std::decay_t<decltype(measure)>, Vertex> all(measure);
+  std::size_t i = 0;
+  const auto name = [&] { return "vertex " + std::to_string(i); };
+  for (Vertex v : vertices(mesh)) {
+    const auto p = internal::checked_coordinates<Point>(get(points, v), "position", name);
+    all.add_point(v, p);
+    if constexpr (!std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>)
+      all.add_normal(
+        v, p,
+        internal::checked_coordinates<Point>(get(Parameters::normal_map(np), v), "normal", name));
+    ++i;
+  }
+  return all.result();
+}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns how far the points of a curve, and its normals, are from a shape, see `mesh_deviation()`.
+
+\tparam Range a model of `ConstRange` whose items are points, pairs of a point and a normal as
+  `subdivide_curve()` returns them, or anything that the named parameters make points and normals of
+\tparam Shape `Circle_2` or `Line_2` for a planar curve; for a curve in space as for
+  `mesh_deviation()`
+\param curve the curve
+\param shape the shape
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map` and
+  `normal_map`. The normals of pairs are looked at without it, those of other items not.
+\returns a `Deviation<Deviation_number<FT>, std::size_t>` whose elements are positions in the range
+\throws std::invalid_argument as `squared_deviation()` does; the message gives the position
+\cost linear in the number of points; some microseconds a point
+*/
+template <class Range, class Shape, class NamedParameters = parameters::Default_named_parameters>
+auto curve_deviation(const Range& curve, const Shape& shape,
+                     const NamedParameters& np = parameters::default_values())
+{
+  using Points = internal::Curve_points<Range, NamedParameters>;
+  using Point = typename Points::Point;
+  const auto measure = internal::shape_for<Point>(shape);
+  internal::Deviation_of_all<std::decay_t<decltype(measure)>, std::size_t> all(measure);
+  const auto points = Points::point_map(np);
+  const auto normals = Points::normal_map(np);
+  std::size_t i = 0;
+  const auto name = [&] { return "point " + std::to_string(i); };
+  for (const auto& item : curve) {
+    const auto p = internal::checked_coordinates<Point>(get(points, item), "position", name);
+    all.add_point(i, p);
+    if constexpr (Points::has_normals)
+      all.add_normal(i, p,
+                     internal::checked_coordinates<Point>(get(normals, item), "normal", name));
+    ++i;
+  }
+  return all.result();
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_REPRODUCTION_H
