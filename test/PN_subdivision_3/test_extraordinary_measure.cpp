@@ -1,0 +1,334 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Whether the measurement of curvature at extraordinary vertices measures right: on surfaces whose
+// curvature is known, at regular vertices, and with the plain schemes, whose curvature diverges.
+
+#include "../../examples/PN_subdivision_3/Extraordinary_data.h"
+
+#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
+#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace data = extraordinary_data;
+using data::Extraordinary_net;
+using data::Index;
+using PN::CatmullClark_scheme;
+using PN::Extraordinary_vertex_zoom;
+using PN::Loop_scheme;
+using Zoom_quads = Extraordinary_vertex_zoom<CatmullClark_scheme>;
+using Zoom_triangles = Extraordinary_vertex_zoom<Loop_scheme>;
+
+template <class Function>
+void for_plain_schemes(const std::vector<Index>& valences, const Function& f)
+{
+  for (const Index n : valences) {
+    {
+      SCOPED_TRACE("Catmull-Clark, valence " + std::to_string(n));
+      f(CatmullClark_scheme(), n);
+    }
+    SCOPED_TRACE("Loop, valence " + std::to_string(n));
+    f(Loop_scheme(), n);
+  }
+}
+
+// --- the net ---
+
+void check_net(const Extraordinary_net& net)
+{
+  std::set<std::array<Index, 3>> places;
+  for (Index v = 0; v < net.number_of_vertices(); ++v) {
+    const auto& [s, i, j] = net.place(v);
+    EXPECT_EQ(net.vertex(s, i, j), v);
+    EXPECT_LE(net.norm(v), net.rings());
+    places.insert({s, i, j});
+  }
+  EXPECT_EQ(places.size(), net.number_of_vertices());
+  const PN::Level_connectivity level = net.level();
+  const Index regular = net.degree() == 4 ? 4 : 6;
+  for (Index v = 0; v < net.number_of_vertices(); ++v) {
+    EXPECT_EQ(level.target(level.halfedge_of_vertex(v)), v);
+    EXPECT_EQ(level.is_border_vertex(v), net.norm(v) == net.rings());
+    if (net.norm(v) == net.rings()) continue;
+    EXPECT_EQ(level.valence(v), v == 0 ? net.valence() : regular);
+  }
+  for (Index f = 0; f < level.number_of_faces(); ++f)
+    EXPECT_EQ(level.degree(level.halfedge_of_face(f)), net.degree());
+}
+
+TEST(Extraordinary_net, Has_one_vertex_of_its_valence)
+{
+  for (const Index degree : {3u, 4u})
+    for (const Index valence : {3u, 5u, 6u})
+      for (const Index rings : {1u, 2u, 5u}) check_net(Extraordinary_net(degree, valence, rings));
+}
+
+TEST(Extraordinary_net, Refuses_what_is_no_net)
+{
+  EXPECT_THROW(Extraordinary_net(5, 5, 5), std::invalid_argument);
+  EXPECT_THROW(Extraordinary_net(4, 2, 5), std::invalid_argument);
+  EXPECT_THROW(Extraordinary_net(3, 5, 0), std::invalid_argument);
+  const Zoom_quads zoom(CatmullClark_scheme(), 5);
+  EXPECT_THROW(zoom.measure(data::Values(3)), std::invalid_argument);
+}
+
+// A regular net in the plane has its shape again after a round, and every vertex its place.
+template <class Scheme>
+void check_places_are_kept(const Scheme& scheme, Index valence)
+{
+  const Extraordinary_vertex_zoom<Scheme> zoom(scheme, valence);
+  data::Values values(zoom.net().number_of_vertices());
+  for (Index v = 0; v < values.size(); ++v) {
+    const auto p = data::layout(zoom.net(), v);
+    values[v].point = {p[0] + 1, p[1] - 2, 0};
+  }
+  data::Vector origin{};
+  const data::Values half = zoom.refined(values, origin);
+  const data::Values quarter = zoom.twice_refined(values);
+  EXPECT_NEAR(origin[0], 1, 1e-15);
+  EXPECT_NEAR(origin[1], -2, 1e-15);
+  const Extraordinary_net larger(zoom.degree, valence, 17);
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (Index v = 0; v < half.size(); ++v)
+      EXPECT_NEAR(half[v].point[c], data::layout(zoom.net(), v)[c] / 2, 1e-14) << v;
+    for (Index v = 0; v < quarter.size(); ++v)
+      EXPECT_NEAR(quarter[v].point[c], origin[c] + data::layout(larger, v)[c] / 4, 1e-14) << v;
+  }
+}
+
+TEST(Extraordinary_zoom, Keeps_the_places_of_vertices)
+{
+  check_places_are_kept(CatmullClark_scheme(), 4);
+  check_places_are_kept(Loop_scheme(), 6);
+}
+
+// --- known curvatures ---
+
+struct Extent
+{
+  double min = std::numeric_limits<double>::infinity(), max = -min;
+  void add(double x)
+  {
+    min = (std::min)(min, x);
+    max = (std::max)(max, x);
+  }
+};
+
+// The linear schemes reproduce quadratic graphs over a regular net but for a constant height.
+template <class Scheme>
+void check_quadratic_graph(const Scheme& scheme, Index valence, double zxx, double zxy, double zyy)
+{
+  const Extraordinary_vertex_zoom<decltype(PN::linear(scheme))> zoom(PN::linear(scheme), valence);
+  const data::Graph graph = [=](double x, double y) -> data::Height {
+    return {(zxx * x * x + 2 * zxy * x * y + zyy * y * y) / 2, zxx * x + zxy * y,
+            zxy * x + zyy * y};
+  };
+  const auto ring = zoom.ring_curvature(data::turned(data::sampled(zoom.net(), graph)));
+  const Extraordinary_net fine(zoom.degree, valence, 16);
+  Extent gaussian, mean;
+  for (Index v = 0; v < fine.number_of_vertices(); ++v) {
+    if (fine.norm(v) < 8) continue;
+    const auto p = data::layout(fine, v);
+    const data::Height h = graph(p[0] / 4, p[1] / 4);
+    const double s = 1 + h.x * h.x + h.y * h.y;
+    gaussian.add((zxx * zyy - zxy * zxy) / (s * s));
+    mean.add(((1 + h.y * h.y) * zxx - 2 * h.x * h.y * zxy + (1 + h.x * h.x) * zyy) /
+             (2 * s * std::sqrt(s)));
+  }
+  EXPECT_NEAR(ring.gaussian_min, gaussian.min, 1e-11);
+  EXPECT_NEAR(ring.gaussian_max, gaussian.max, 1e-11);
+  EXPECT_NEAR(ring.mean_min, mean.min, 1e-11);
+  EXPECT_NEAR(ring.mean_max, mean.max, 1e-11);
+}
+
+TEST(Extraordinary_zoom, Finds_the_curvature_of_quadratic_graphs)
+{
+  check_quadratic_graph(CatmullClark_scheme(), 4, 0, 2, 0);
+  check_quadratic_graph(CatmullClark_scheme(), 4, 1.2, .5, -.5);
+  check_quadratic_graph(Loop_scheme(), 6, 0, 2, 0);
+  check_quadratic_graph(Loop_scheme(), 6, 1.2, .5, -.5);
+}
+
+// PN schemes keep spheres and cylinders at any valence and depth. The jets do not hold them exactly:
+// what is left falls with the square of the size of the net.
+template <class Scheme>
+void check_sphere_and_cylinder(const Scheme& scheme, Index valence)
+{
+  const Extraordinary_vertex_zoom<Scheme> zoom(scheme, valence);
+  const double r = data::sphere_radius;
+  const data::Graph cylinder = [r](double x, double) -> data::Height {
+    const double z = std::sqrt(r * r - x * x);
+    return {z, -x / z, 0};
+  };
+  const auto on_sphere = zoom.measure(data::turned(data::sampled(zoom.net(), data::sphere)));
+  const auto on_cylinder = zoom.measure(data::turned(data::sampled(zoom.net(), cylinder)));
+  const double lambda = PN::extraordinary_eigenvalues(scheme, valence).subdominant;
+  const double fall = (std::max)(lambda * lambda, 1. / 8);
+  for (std::size_t m = 0; m < on_sphere.rings.size(); ++m) {
+    const auto& s = on_sphere.rings[m];
+    const auto& c = on_cylinder.rings[m];
+    const double tolerance = 2e-3 * std::pow(fall, static_cast<double>(m)) + s.noise;
+    for (const double h : {s.mean_min, s.mean_max}) EXPECT_NEAR(h, -1 / r, tolerance) << m;
+    for (const double k : {s.gaussian_min, s.gaussian_max})
+      EXPECT_NEAR(k, 1 / (r * r), 2 * tolerance) << m;
+    for (const double h : {c.mean_min, c.mean_max}) EXPECT_NEAR(h, -.5 / r, tolerance) << m;
+    for (const double k : {c.gaussian_min, c.gaussian_max}) EXPECT_NEAR(k, 0, tolerance) << m;
+  }
+  const double noise = on_sphere.rings.back().noise;
+  EXPECT_NEAR(on_sphere.limit.gaussian, 1 / (r * r), noise);
+  EXPECT_NEAR(on_sphere.limit.mean, -1 / r, noise);
+  EXPECT_NEAR(on_cylinder.limit.gaussian, 0, noise);
+  EXPECT_NEAR(on_cylinder.limit.mean, -.5 / r, noise);
+}
+
+TEST(Extraordinary_zoom, Finds_the_curvature_of_spheres_and_cylinders)
+{
+  for_plain_schemes({3, 4, 5, 6, 8, 12},
+                    [](const auto& s, Index n) { check_sphere_and_cylinder(s, n); });
+}
+
+TEST(Extraordinary_zoom, Stays_on_the_sphere)
+{
+  for_plain_schemes({3, 5, 12}, [](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    data::Values values = data::turned(data::sampled(zoom.net(), data::sphere));
+    data::Vector origin{};
+    for (int m = 0; m < 20; ++m) values = zoom.refined(values, origin);
+    for (const auto& v : zoom.twice_refined(values)) {
+      long double square = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        square += std::pow(static_cast<long double>(origin[c]) + v.point[c], 2);
+      EXPECT_NEAR(double(std::sqrt(square) / data::sphere_radius), 1,
+                  8 * std::numeric_limits<double>::epsilon());
+    }
+  });
+}
+
+// The limit from a single net: on a graph its error falls with the square of the spacing. Here it is
+// the one of a regular vertex, whose quadratic parts the prediction does not hold: the slopes alone.
+TEST(Extraordinary_zoom, Predicts_from_the_slopes)
+{
+  const auto twisted = [](double x, double y) -> std::array<double, 2> {
+    return {.8 * x + .7 * y, -.1 * x + .2 * y}; // sym = (.8, .3; .3, .2)
+  };
+  for_plain_schemes({3, 5, 8}, [&](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    const auto limit = zoom.limit(data::turned(data::with_slopes(zoom.net(), nullptr, twisted)));
+    EXPECT_NEAR(limit.gaussian, .8 * .2 - .3 * .3, 1e-2);
+    EXPECT_NEAR(limit.mean, .5, 1e-2);
+  });
+}
+
+// --- rates ---
+
+TEST(Extraordinary_zoom, Fits_the_rate)
+{
+  PN::Extraordinary_curvature<double> curvature{};
+  for (int m = 0; m <= 20; ++m)
+    curvature.rings.push_back({0, 0, 1, 1 + (m < 15 ? 1 : 3 * std::pow(.6, m)), 1e-12});
+  EXPECT_NEAR(curvature.rate(), .6, 1e-9);
+  for (auto& ring : curvature.rings)
+    ring.noise = .08 * 3 * std::pow(.6, 17); // three rings are left
+  EXPECT_NEAR(curvature.rate(), .6, 1e-9);
+  for (auto& ring : curvature.rings) ring.noise = 1;
+  EXPECT_EQ(curvature.rate(), 0);
+}
+
+TEST(Extraordinary_zoom, Finds_one_half_at_regular_vertices)
+{
+  const auto check = [](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    for (const data::Graph& graph : {data::Graph(data::cubic), data::Graph(data::waves)}) {
+      const auto c = zoom.measure(data::turned(data::sampled(zoom.net(), graph)));
+      EXPECT_NEAR(c.rate(), .5, .01);
+      EXPECT_LT(c.rings[20].oscillation(), 1e-5);
+    }
+  };
+  check(CatmullClark_scheme(), 4);
+  check(Loop_scheme(), 6);
+  check(PN::linear(CatmullClark_scheme()), 4);
+  check(PN::linear(Loop_scheme()), 6);
+}
+
+// Published eigenvalues: Catmull-Clark at valence n has those of formulas with cos(2 pi / n).
+TEST(Extraordinary_eigenvalues, Are_those_of_the_plain_schemes)
+{
+  for (Index n = 3; n <= 20; ++n) {
+    const auto cosine = [n](int k) { return std::cos(2 * data::pi() * k / n); };
+    const auto dominant = [&](int k) {
+      const double c = cosine(k);
+      return (5 + c + std::sqrt((c + 1) * (c + 9))) / 16;
+    };
+    const double m = n;
+    const double axial = (3 * m - 7 + std::sqrt(5 * m * m - 30 * m + 49)) / (8 * m);
+    const double second =
+      n == 3 ? (5 + cosine(1) - std::sqrt((cosine(1) + 1) * (cosine(1) + 9))) / 16 : dominant(2);
+    const auto quads = PN::extraordinary_eigenvalues(CatmullClark_scheme(), n);
+    EXPECT_NEAR(quads.subdominant, dominant(1), 1e-14) << n;
+    EXPECT_NEAR(quads.largest_other, (std::max)(axial, second), 1e-14) << n;
+    const auto triangles = PN::extraordinary_eigenvalues(Loop_scheme(), n);
+    const double lambda = .375 + .25 * cosine(1);
+    EXPECT_NEAR(triangles.subdominant, lambda, 1e-14) << n;
+    const double frequency_2 = n == 3 ? 0 : .375 + .25 * cosine(2);
+    EXPECT_NEAR(triangles.largest_other, (std::max)(lambda * lambda, frequency_2), 1e-14) << n;
+  }
+}
+
+// Negative control: the plain schemes' curvature oscillates more from ring to ring.
+TEST(Extraordinary_zoom, Sees_that_plain_curvature_diverges)
+{
+  for_plain_schemes({5, 7, 8, 12}, [](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    if (zoom.degree == 3 && n == 5) return; // converges
+    const auto expected = PN::extraordinary_eigenvalues(scheme, n);
+    for (const auto& set : data::curved()) {
+      if (set.name != "saddle" && set.name != "cubic" && set.name != "rough") continue;
+      const double rate = zoom.measure(set.values(zoom.net())).rate();
+      EXPECT_GT(rate, 1.05) << set.name;
+      EXPECT_NEAR(rate, expected.rate(), .08) << set.name;
+    }
+  });
+}
+
+TEST(Extraordinary_zoom, Sees_that_curvature_of_plain_Loop_doubles_at_valence_3)
+{
+  const Zoom_triangles zoom(Loop_scheme(), 3);
+  for (const auto& set : data::curved())
+    EXPECT_NEAR(zoom.measure(set.values(zoom.net())).rate(), 2, .01) << set.name;
+}
+
+TEST(Extraordinary_zoom, Leaves_normals_out_of_linear_schemes)
+{
+  const auto scheme = PN::linear(CatmullClark_scheme());
+  const Extraordinary_vertex_zoom<decltype(PN::linear(CatmullClark_scheme()))> zoom(scheme, 5);
+  data::Values values = data::turned(data::sampled(zoom.net(), data::cubic));
+  const auto with = zoom.measure(values);
+  for (auto& v : values) v.normal = {0, 0, 0};
+  const auto without = zoom.measure(values);
+  const auto pn = Zoom_quads(CatmullClark_scheme(), 5).measure(values); // all normals zero
+  for (std::size_t m = 0; m < with.rings.size(); ++m) {
+    EXPECT_EQ(with.rings[m].gaussian_min, without.rings[m].gaussian_min);
+    EXPECT_EQ(with.rings[m].mean_max, without.rings[m].mean_max);
+    EXPECT_EQ(with.rings[m].mean_max, pn.rings[m].mean_max);
+  }
+  EXPECT_EQ(with.limit.gaussian, 0);
+}
+
+} // namespace
