@@ -10,6 +10,7 @@
 
 #include "Curve_svg.h"
 
+#include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <cmath>
@@ -48,7 +49,8 @@ int main(int argc, char** argv)
 
   bool kept = true;
   for (const Curve* curve : {&interpolating, &approximating}) {
-    const long double deviation = PN::deviation_from_circle(*curve, curve_svg::Point(0, 0), 1);
+    const double deviation =
+      PN::curve_deviation(*curve, curve_svg::Kernel::Circle_2({0, 0}, 1)).distance.sup();
     std::cout << curve->size() << " points, off the circle by " << deviation << std::endl;
     kept = kept && deviation <= 8 * std::numeric_limits<double>::epsilon();
   }

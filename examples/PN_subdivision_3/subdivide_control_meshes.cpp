@@ -10,61 +10,61 @@
 //
 //   subdivide_control_meshes FOLDER OUTPUT_FOLDER [ROUNDS]
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Vector_3>;
+namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
-// A sphere (no direction) or a circular cylinder; radius 0 if the data lies on none.
+// In exact numbers: the square of a double is not a double.
+using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+using Shape = std::variant<Exact::Sphere_3, PN::Cylinder_3<Exact>>;
+
 struct Round_surface
 {
-  long double center[3] = {0, 0, 0}, direction[3] = {0, 0, 0}, radius = 0;
-
-  long double distance(const Kernel::Point_3& p) const
-  {
-    const long double d[3] = {p.x() - center[0], p.y() - center[1], p.z() - center[2]};
-    long double along = 0, length2 = 0;
-    for (int c = 0; c < 3; ++c) along += d[c] * direction[c];
-    for (int c = 0; c < 3; ++c) {
-      const long double across = d[c] - along * direction[c];
-      length2 += across * across;
-    }
-    return std::abs(std::sqrt(length2) - radius);
-  }
+  Shape shape;
+  double radius;
 };
 
-Round_surface surface_in_comments(const std::string& comments)
+std::optional<Round_surface> surface_in_comments(const std::string& comments)
 {
-  Round_surface s;
   std::istringstream lines(comments);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string kind;
     words >> kind;
     if (kind != "sphere" && kind != "cylinder") continue;
-    for (long double& x : s.center) words >> x;
-    if (kind == "cylinder")
-      for (long double& x : s.direction) words >> x;
-    words >> s.radius;
+    const std::vector<double> x{std::istream_iterator<double>(words), {}};
+    if (x.size() != (kind == "sphere" ? 4 : 7)) throw std::runtime_error("has a broken comment");
+    const Exact::Point_3 center(x[0], x[1], x[2]);
+    const Exact::FT squared_radius = CGAL::square(Exact::FT(x.back()));
+    if (kind == "sphere") return Round_surface{Exact::Sphere_3(center, squared_radius), x.back()};
+    const Exact::Line_3 axis(center, Exact::Vector_3(x[3], x[4], x[5]));
+    return Round_surface{PN::Cylinder_3<Exact>(axis, squared_radius), x.back()};
   }
-  return s;
+  return std::nullopt;
 }
 
 bool read(const std::filesystem::path& file, Mesh& mesh, std::string& comments)
@@ -79,7 +79,7 @@ Normal_map control_normals(Mesh& mesh)
 {
   const auto [normals, is_new] =
     mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR);
-  if (is_new) CGAL::PN_subdivision_3::estimate_control_normals(mesh, normals);
+  if (is_new) PN::estimate_control_normals(mesh, normals);
   return normals;
 }
 
@@ -97,9 +97,9 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
   timer.start();
   const auto np = params::number_of_iterations(rounds).vertex_normal_map(normals);
   if (triangles)
-    CGAL::PN_subdivision_3::Loop_subdivision(mesh, np);
+    PN::Loop_subdivision(mesh, np);
   else
-    CGAL::PN_subdivision_3::CatmullClark_subdivision(mesh, np);
+    PN::CatmullClark_subdivision(mesh, np);
   timer.stop();
 
   std::cout << std::left << std::setw(26) << file.filename().string() << std::setw(18)
@@ -107,13 +107,11 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
             << control_faces << std::setw(10) << mesh.number_of_faces() << std::setw(10)
             << mesh.number_of_vertices() << std::fixed << std::setprecision(1) << std::setw(9)
             << timer.time() * 1e3 << " ms";
-  const Round_surface surface = surface_in_comments(comments);
-  if (surface.radius > 0) {
-    long double deviation = 0;
-    for (const Kernel::Point_3& p : mesh.points())
-      deviation = (std::max)(deviation, surface.distance(p));
-    std::cout << std::setprecision(2) << std::setw(9)
-              << static_cast<double>(deviation / surface.radius * 0x1p52L);
+  if (const auto surface = surface_in_comments(comments)) {
+    const double distance =
+      std::visit([&](const auto& shape) { return PN::mesh_deviation(mesh, shape).distance.sup(); },
+                 surface->shape);
+    std::cout << std::setprecision(2) << std::setw(9) << distance / surface->radius * 0x1p52;
   }
   std::cout << '\n';
 

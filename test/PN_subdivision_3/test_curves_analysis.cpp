@@ -216,7 +216,7 @@ TEST(CurveAnalysis, CombsOfCirclesAreCircles)
   EXPECT_NEAR(comb[1].y(), -4 * 0.6, 1e-14);
 }
 
-// --- differences and deviations ---
+// --- differences ---
 
 TEST(CurveAnalysis, DifferencesOfPolynomials)
 {
@@ -234,22 +234,6 @@ TEST(CurveAnalysis, DifferencesOfPolynomials)
   EXPECT_EQ(closed[9], points[0] - points[9]);
   EXPECT_EQ(PN::divided_differences(points, Curve_end::none, 0, 3)[4], points[4] - CGAL::ORIGIN);
   EXPECT_TRUE(PN::divided_differences(points, Curve_end::none, 10, 3).empty());
-}
-
-TEST(CurveAnalysis, DeviationFromCircles)
-{
-  const Points points = {{3, 1}, {1, 3.5}, {-0.75, 1}}; // 2, 2.5 and 1.75 from (1, 1)
-  EXPECT_EQ(PN::deviation_from_circle(points, Point(1, 1), 2), 0.25L);
-  EXPECT_EQ(PN::deviation_from_circle(Points{{3, 1}}, Point(1, 1), 2), 0);
-  // 5 from the circle: 3 too far out and 4 out of the plane
-  using Point_3 = Double::Point_3;
-  const std::vector<Point_3> space = {{5, 2, 4}, {2, 2, 0}};
-  EXPECT_NEAR(
-    double(PN::deviation_from_circle(space, Point_3(0, 2, 0), Double::Vector_3(0, 0, 7), 2)), 2.5,
-    1e-15);
-  // a deviation below the precision of double is seen
-  const std::vector<Long_double::Point_2> fine = {{1 + std::ldexp(1.L, -60), 0}};
-  EXPECT_EQ(PN::deviation_from_circle(fine, Long_double::Point_2(0, 0), 1), std::ldexp(1.L, -60));
 }
 
 } // namespace
