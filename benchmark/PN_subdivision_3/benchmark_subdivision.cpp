@@ -4,9 +4,9 @@
 // Author(s): PN_subdivision_3 developers
 
 // Times whole jobs, mesh in and mesh out, beside the linear functions of CGAL (Butterfly: of
-// OpenMesh) in the same process, and prints the ratios of the medians. The runs of all jobs are
-// interleaved, so that a change of the machine's speed meets all alike. Copying the control mesh is
-// not timed. The linear functions get a mesh without normals.
+// OpenMesh) in the same process, and prints the ratios of the medians. The runs of a group's jobs are
+// interleaved, see Ratio_reporter.h. Copying the control mesh is not timed. The linear functions get a
+// mesh without normals.
 //
 //   benchmark_subdivision [--benchmark_filter=...] [--benchmark_repetitions=N]
 
