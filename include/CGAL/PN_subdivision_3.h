@@ -18,6 +18,8 @@ Everything of the package but `PN_mask_3`, which needs the package `Subdivision_
 #include <CGAL/PN_subdivision_3/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>

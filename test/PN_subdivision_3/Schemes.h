@@ -17,6 +17,8 @@
 #include "reference/Kobbelt.h"
 #include "reference/Loop.h"
 #include "reference/Sqrt3.h"
+#include "reference/modified_CatmullClark.h"
+#include "reference/modified_Loop.h"
 
 #include <CGAL/PN_subdivision_3.h>
 
@@ -112,8 +114,28 @@ struct Kobbelt_description : Scheme_description
   }
 };
 
+struct Modified_CatmullClark_description : Scheme_description
+{
+  static auto scheme() { return CGAL::PN_subdivision_3::modified_CatmullClark_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::modified_catmull_clark(mesh, reference::Real(1) / 2);
+  }
+};
+
+struct Modified_Loop_description : Scheme_description
+{
+  static constexpr std::size_t degree = 3;
+  static auto scheme() { return CGAL::PN_subdivision_3::modified_Loop_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::modified_loop(mesh, reference::Real(1) / 2);
+  }
+};
+
 using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,
-                               Sqrt3_description, Butterfly_description, Kobbelt_description>;
+                               Sqrt3_description, Butterfly_description, Kobbelt_description,
+                               Modified_CatmullClark_description, Modified_Loop_description>;
 
 // The names of the schemes in the output.
 struct Scheme_names

@@ -12,6 +12,8 @@
 #include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 namespace CGAL {
@@ -121,6 +123,39 @@ void Kobbelt_subdivision(PolygonMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, Kobbelt_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal modified Catmull-Clark subdivision with cap 1/2, for polygons of any degree.
+The same as `subdivide(mesh, modified_CatmullClark_scheme(), np)`, which documents all parameters,
+guarantees and exceptions; use it for other caps. The order of the new vertices is that of
+`PQQ_host`.
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void modified_CatmullClark_subdivision(PolygonMesh& mesh,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, modified_CatmullClark_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal modified Loop subdivision with cap 1/2, for triangles. The same as
+`subdivide(mesh, modified_Loop_scheme(), np)`, which documents all parameters, guarantees and
+exceptions; use it for other caps. The order of the new vertices is that of `PTQ_host`.
+
+\throws std::invalid_argument also if a face is not a triangle
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void modified_Loop_subdivision(PolygonMesh& mesh,
+                               const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, modified_Loop_scheme(), np);
 }
 
 } // namespace PN_subdivision_3
