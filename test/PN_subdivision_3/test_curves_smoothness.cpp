@@ -132,6 +132,10 @@ TEST(CurveSmoothnessOfMixedMasks, CubicWithFourPointNormals)
     EXPECT_LE(increment(mask, 1, k + 1), 0.51L * increment(mask, 1, k));
     EXPECT_LE(largest_jump(differences(mask, 1, k + 1)),
               0.51L * largest_jump(differences(mask, 1, k)));
+    // So do second differences: a round adds about c h^2 g' to the height over a tangent, g' being the
+    // derivative of the 4-point normals' slope; its second differences over h^2 are those of g', which is
+    // almost Lipschitz, and hence summable. The ratio tends to 1/2 like 1/2 + c/k.
+    EXPECT_LE(increment(mask, 2, k + 1), 0.6L * increment(mask, 2, k));
     // third differences, bounded with the cubic's own normals, grow by as much each round
     const Real growth =
       largest_length(differences(mask, 3, k + 1)) - largest_length(differences(mask, 3, k));
