@@ -141,6 +141,46 @@ void add_group(const std::string& group, const Mesh& control, unsigned rounds, c
 #endif
 }
 
+// Two point-normal schemes side by side, with one and with two threads.
+template <class Scheme, class Modified_scheme>
+void add_modified(const std::string& name, const std::string& size, const Mesh& control,
+                  unsigned rounds, const Scheme& scheme, const Modified_scheme& modified)
+{
+  const auto add_pair = [&](const std::string& group, const auto& job_of) {
+    add(group + "/PN-unmodified", control, rounds, job_of(scheme));
+    add(group + "/PN", control, rounds, job_of(modified));
+  };
+  add_pair(name + "/" + size, [](const auto& s) { return pn_job<CGAL::Sequential_tag>(s); });
+#ifdef CGAL_LINKED_WITH_TBB
+  add_pair(name + "/" + size + "-2-threads", [](const auto& s) {
+    return [s](const Mesh& mesh, unsigned k) {
+      const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
+      return pn_job<CGAL::Parallel_tag>(s)(mesh, k);
+    };
+  });
+#endif
+}
+
+void add_modified_schemes()
+{
+  // the triangles have extraordinary vertices that are separated after a round or two
+  const PN::CatmullClark_scheme catmull_clark;
+  const PN::modified_CatmullClark_scheme modified_catmull_clark;
+  const auto add_catmull_clark = [&](const char* size, const Mesh& control, unsigned rounds) {
+    add_modified("modified_CatmullClark", size, control, rounds, catmull_clark,
+                 modified_catmull_clark);
+  };
+  add_catmull_clark("100k", triangles(20, 14), 4);
+  add_catmull_clark("1M", triangles(54, 50), 4);
+  add_catmull_clark("1M-one-round", quads(500, 500), 1);
+
+  const PN::Loop_scheme loop;
+  const PN::modified_Loop_scheme modified_loop;
+  add_modified("modified_Loop", "100k", triangles(16, 14), 4, loop, modified_loop);
+  add_modified("modified_Loop", "1M", triangles(50, 40), 4, loop, modified_loop);
+  add_modified("modified_Loop", "1M-one-round", triangles(360, 350), 1, loop, modified_loop);
+}
+
 namespace SM3 = CGAL::Subdivision_method_3;
 
 const Job cgal_catmull_clark = linear_job([](Mesh& mesh, unsigned k) {
@@ -188,6 +228,7 @@ int main(int argc, char** argv)
   return run_and_print_ratios(argc, argv, 9, [] {
     add_quad_schemes();
     add_triangle_schemes();
+    add_modified_schemes();
     return names;
   });
 }
