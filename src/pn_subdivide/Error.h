@@ -25,6 +25,12 @@ struct Usage_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+// The result deviates more than --tolerance allows; it has been written.
+struct Tolerance_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_ERROR_H

@@ -7,39 +7,18 @@
 
 #include "Error.h"
 #include "Surface.h"
+#include "parse_numbers.h"
 
 #include <CGAL/PN_subdivision_3.h>
 
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
 
 using Source = Normals_option::Source;
-
-std::vector<double> parse_numbers(const std::string& text, std::size_t number,
-                                  const std::string& option)
-{
-  const std::string place = "--normals " + option + ": ";
-  std::vector<std::string> words;
-  boost::algorithm::split(words, text, boost::algorithm::is_any_of(","));
-  std::vector<double> numbers;
-  for (const std::string& word : words) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(word.c_str(), &end));
-    if (word.empty() || *end != '\0' || !std::isfinite(numbers.back()))
-      throw Usage_error(place + "'" + word + "' is not a number");
-  }
-  if (numbers.size() != number)
-    throw Usage_error(place + std::to_string(number) + " numbers with commas between are expected");
-  return numbers;
-}
 
 // In long double, so that normals of exact control data are correct to the last bit or nearly so.
 using Long_vector = CGAL::Simple_cartesian<long double>::Vector_3;
@@ -97,9 +76,7 @@ Vector_3 normalized(const Vector_3& n)
 Normals_option parse_normals_option(const std::string& text)
 {
   Normals_option option;
-  const std::size_t colon = text.find(':');
-  const std::string name = text.substr(0, colon);
-  const std::string arguments = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const auto [name, arguments] = split_at_colon(text);
 
   if (text == "auto")
     option.source = Source::automatic;
@@ -110,15 +87,15 @@ Normals_option parse_normals_option(const std::string& text)
   else if (text == "none")
     option.source = Source::none;
   else if (name == "sphere") {
-    const std::vector<double> x = parse_numbers(arguments, 3, "sphere:X,Y,Z");
+    const std::vector<double> x = parse_numbers(arguments, 3, "--normals sphere:X,Y,Z");
     option.source = Source::sphere;
     option.center = Point_3(x[0], x[1], x[2]);
   } else if (name == "cylinder") {
-    const std::vector<double> x = parse_numbers(arguments, 6, "cylinder:X,Y,Z,DX,DY,DZ");
+    const std::vector<double> x = parse_numbers(arguments, 6, "--normals cylinder:X,Y,Z,DX,DY,DZ");
+    require_direction(&x[3], "--normals cylinder");
     option.source = Source::cylinder;
     option.center = Point_3(x[0], x[1], x[2]);
     const double largest = (std::max)({std::abs(x[3]), std::abs(x[4]), std::abs(x[5])});
-    if (largest == 0) throw Usage_error("--normals cylinder: the axis has no direction");
     option.axis = Vector_3(x[3] / largest, x[4] / largest, x[5] / largest);
   } else
     throw Usage_error("--normals '" + text + "': expected auto, file, estimate, none, " +

@@ -127,6 +127,8 @@ void write_files(const Curve_options& options, const Curve_rule& rule, const Cur
 void run_curve_command(const Curve_options& options)
 {
   const Curve_rule rule = parse_rule(options);
+  std::optional<Verification> verification;
+  if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
 
   const auto start = std::chrono::steady_clock::now();
@@ -134,13 +136,17 @@ void run_curve_command(const Curve_options& options)
   const Curve_data curve = naming(options.input, [&] {
     if (!rule.linear) set_control_normals(polygon, rule.end);
     polygon = refine_curve(polygon, rule, 0); // what the drawing shows: normals of unit length
-    return refine_curve(polygon, rule, options.levels);
+    const Curve_data refined = refine_curve(polygon, rule, options.levels);
+    if (verification) verification->measure(refined);
+    return refined;
   });
   write_files(options, rule, polygon, curve);
-  if (options.quiet || curve.size() < points_worth_a_report) return;
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::fprintf(stderr, "%s: %zu points, %.2f s\n", options.output.c_str(), curve.size(),
-               seconds.count());
+  if (!options.quiet && curve.size() >= points_worth_a_report) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::fprintf(stderr, "%s: %zu points, %.2f s\n", options.output.c_str(), curve.size(),
+                 seconds.count());
+  }
+  if (verification) verification->report();
 }
 
 } // namespace pn_subdivide

@@ -6,6 +6,8 @@
 #ifndef PN_SUBDIVIDE_CURVE_COMMAND_H
 #define PN_SUBDIVIDE_CURVE_COMMAND_H
 
+#include "verification.h"
+
 #include <optional>
 #include <string>
 
@@ -15,12 +17,13 @@ struct Curve_options
 {
   std::string input, output, scheme;
   std::optional<std::string> normal_scheme, end, comb;
+  Verify_options verify;
   unsigned levels = 1;
   bool closed = false, linear = false, quiet = false;
 };
 
 // The command `pn_subdivide curve`. Throws Usage_error, Error or what the library throws; the files
-// to be written are then as they were.
+// to be written are then as they were. Throws Tolerance_error after writing them.
 void run_curve_command(const Curve_options& options);
 
 } // namespace pn_subdivide

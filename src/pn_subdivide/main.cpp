@@ -27,20 +27,20 @@ namespace {
 
 const char* const footer =
   "Reads .ply .off .obj .stl, writes .ply .off .obj .vtp; messages count vertices and faces from "
-  "0.\nExit code: 0 success, 1 failure, 2 wrong command line (3 is reserved for --tolerance). A "
-  "failure\nprints one line on standard error and leaves OUTPUT as it was.";
+  "0.\nExit code: 0 success, 1 failure, 2 wrong command line; a failure prints one line on "
+  "standard\n"
+  "error and leaves OUTPUT as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
 const char* const curve_footer =
   "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
   "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. In "
   "the\nplane missing normals are estimated. Messages count lines from 1.\nExit code: 0 success, 1 "
-  "failure, 2 wrong command line (3 is reserved for --tolerance). A failure\nprints one line on "
-  "standard error and leaves OUTPUT as it was.";
+  "failure, 2 wrong command line; a failure prints one line on standard\nerror and leaves OUTPUT "
+  "as "
+  "it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
 // Options that are spoken for. They are refused by name, so that nobody takes them for typos.
-const std::vector<const char*> later_surface_options = {"--cap", "--curvature", "--verify",
-                                                        "--tolerance"};
-const std::vector<const char*> later_curve_options = {"--verify", "--tolerance"};
+const std::vector<const char*> later_surface_options = {"--cap", "--curvature"};
 
 // A number or a fraction such as 1/16.
 double parse_tension(const std::string& text)
@@ -54,6 +54,19 @@ double parse_tension(const std::string& text)
   if (!good || !(in >> std::ws).eof())
     throw Usage_error("--tension '" + text + "': it takes a number or a fraction such as 1/16");
   return numerator / denominator;
+}
+
+void add_verify_options(CLI::App& command, Verify_options& options, const std::string& shapes)
+{
+  CLI::Option* const verify =
+    command.add_option("--verify", options.shape,
+                       "Print the largest deviation D of the result from " + shapes +
+                         ", and the bound (5 R + 3 |C|) 2^-52 that it keeps if the control data is "
+                         "on the shape up to rounding");
+  command
+    .add_option("--tolerance", options.tolerance,
+                "With --verify: exit with 3, OUTPUT written, if D is more than this times R")
+    ->needs(verify);
 }
 
 CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
@@ -81,6 +94,7 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
                       "estimate, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
   surface->add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->capture_default_str();
+  add_verify_options(*surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   surface->add_flag("--repair", options.repair,
                     "Orient the faces and duplicate non-manifold edges and vertices");
   surface->add_flag("--ascii", options.ascii, "PLY and VTP as text");
@@ -114,8 +128,10 @@ CLI::App* add_curve_command(CLI::App& app, Curve_options& options)
   curve->add_option("--comb", options.comb,
                     "Draw curve, control polygon, control normals and curvature comb into this "
                     "SVG file");
+  add_verify_options(*curve, options.verify,
+                     "circle:X,Y,R or, in space, circle:X,Y,Z,NX,NY,NZ,R, sphere:X,Y,Z,R or "
+                     "cylinder:X,Y,Z,DX,DY,DZ,R");
   curve->add_flag("--quiet", options.quiet, "No progress on standard error");
-  for (const char* later : later_curve_options) curve->add_option(later)->group("");
   return curve;
 }
 
@@ -146,7 +162,6 @@ int run(int argc, char** argv)
     throw Usage_error(std::string(e.what()) + " (see pn_subdivide --help)");
   }
   refuse_later_options(*surface, later_surface_options);
-  refuse_later_options(*curve, later_curve_options);
   if (curve->parsed())
     run_curve_command(curve_options);
   else
@@ -173,6 +188,8 @@ int main(int argc, char** argv)
     return run(argc, argv);
   } catch (const Usage_error& e) {
     return report(e.what(), exit_usage);
+  } catch (const Tolerance_error& e) {
+    return report(e.what(), exit_tolerance);
   } catch (const std::bad_alloc&) {
     return report("not enough memory", exit_failure);
   } catch (const std::exception& e) {

@@ -83,6 +83,11 @@ void run_surface_command(const Surface_options& options)
   require_consistent(options);
   const Normals_option normals = normals_option(options);
   const unsigned threads = number_of_threads(options);
+  std::optional<Verification> verification;
+  if (options.verify.shape) {
+    verification.emplace(options.verify);
+    verification->require_surface();
+  }
   require_writable_place(options.output);
 
   Mesh_data mesh = read_mesh(options.input);
@@ -92,6 +97,7 @@ void run_surface_command(const Surface_options& options)
     set_control_normals(mesh, normals);
     if (options.levels > 0)
       mesh = refine_surface(mesh, options.scheme, refinement(options, threads));
+    if (verification) verification->measure(mesh.points);
   } catch (const Usage_error&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -101,6 +107,7 @@ void run_surface_command(const Surface_options& options)
     throw Error(options.input + ": " + e.what());
   }
   write_mesh(options.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
+  if (verification) verification->report();
 }
 
 } // namespace pn_subdivide

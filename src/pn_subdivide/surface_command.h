@@ -7,6 +7,7 @@
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
 #include "surface_schemes.h"
+#include "verification.h"
 
 #include <optional>
 #include <string>
@@ -21,11 +22,12 @@ struct Surface_options
   bool linear = false;
   std::optional<std::string> normals;
   unsigned threads = 1; // 0: all cores
+  Verify_options verify;
   bool repair = false, ascii = false, quiet = false;
 };
 
 // The command `pn_subdivide surface`. Throws Usage_error, Error or what the library throws; the
-// output file is then as it was.
+// output file is then as it was. Throws Tolerance_error after writing it.
 void run_surface_command(const Surface_options& options);
 
 } // namespace pn_subdivide

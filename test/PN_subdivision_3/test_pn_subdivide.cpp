@@ -329,14 +329,12 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
 TEST_F(Pn_subdivide, What_later_versions_bring_is_refused_by_name)
 {
   const std::string input = folder.write("cube.off", cube);
-  for (const char* option : {"--cap 0.5", "--curvature mean", "--verify sphere:0,0,0,1"})
+  for (const char* option : {"--cap 0.5", "--curvature mean"})
     expect_failure(input, std::string("--scheme catmull-clark ") + option, 2,
                    std::string(option).substr(0, std::string(option).find(' ')) +
                      " is not available yet");
   for (const char* scheme : {"modified-catmull-clark", "modified-loop"})
     expect_failure(input, std::string("--scheme ") + scheme, 2, "is not available yet");
-  expect_one_line(run("curve a.txt b.txt --scheme chaikin --verify circle:0,0,1"), 2,
-                  "--verify is not available yet");
 }
 
 TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)

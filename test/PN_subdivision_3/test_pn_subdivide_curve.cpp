@@ -360,8 +360,6 @@ TEST_F(Pn_subdivide_curve, Bad_command_lines)
   expect_failure(square, "--scheme chaikin --normal-scheme bspline:3", 2, "dual");
   expect_failure(square, "--scheme chaikin --levels -1", 2, "--levels");
   expect_failure(square, "--scheme chaikin --levels two", 2, "--levels");
-  expect_failure(square, "--scheme chaikin --verify circle:0,0,1", 2, "--verify is not available");
-  expect_failure(square, "--scheme chaikin --tolerance 1", 2, "--tolerance is not available");
   expect_failure(square, "--scheme chaikin --threads 2", 2, "--threads");
 }
 
