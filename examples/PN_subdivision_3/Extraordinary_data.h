@@ -9,9 +9,11 @@
 #include <CGAL/PN_subdivision_3/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/PN_average.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -250,6 +252,59 @@ inline std::vector<Data_set> flat()
     {"constant normals",
      [=](const Extraordinary_net& net) { return turned(with_slopes(net, cubic, constant)); },
      false}};
+}
+
+// --- figures ---
+
+using Curvature = CGAL::PN_subdivision_3::Extraordinary_curvature<double>;
+
+// how much of the mean curvature on ring 0 is left on ring 19
+inline double remaining_mean_curvature(const Curvature& c)
+{
+  const auto largest = [](const auto& ring) {
+    return (std::max)(std::abs(ring.mean_min), std::abs(ring.mean_max));
+  };
+  return largest(c.rings[19]) / largest(c.rings[0]);
+}
+
+// The worst of each figure over the curved data.
+struct Figures
+{
+  double oscillation_12 = 0, oscillation_16 = 0, oscillation_20 = 0; // on these rings
+  double rate = 0, prediction_error = 0;
+  // of normals sampled from the surface: the least |K| on ring 20, relative to the scale of the ring
+  double least_gaussian = 1;
+};
+
+template <class Zoom>
+Figures figures(const Zoom& zoom)
+{
+  Figures f;
+  const auto raise = [](double& x, double y) { x = (std::max)(x, y); };
+  for (const Data_set& set : curved()) {
+    const Curvature c = zoom.measure(set.values(zoom.net()));
+    raise(f.oscillation_12, c.rings[12].oscillation());
+    raise(f.oscillation_16, c.rings[16].oscillation());
+    raise(f.oscillation_20, c.rings[20].oscillation());
+    raise(f.rate, c.rate());
+    raise(f.prediction_error, c.prediction_error());
+    if (!set.has_sampled_normals) continue;
+    const auto& last = c.rings[20];
+    const bool changes_sign = last.gaussian_min * last.gaussian_max <= 0;
+    const double least = (std::min)(std::abs(last.gaussian_min), std::abs(last.gaussian_max));
+    f.least_gaussian = (std::min)(f.least_gaussian, changes_sign ? 0 : least / last.scale());
+  }
+  return f;
+}
+
+// The largest part of the mean curvature that is left, over data that come out flat.
+template <class Zoom>
+double remaining_mean_curvature(const Zoom& zoom, const std::vector<Data_set>& sets)
+{
+  double largest = 0;
+  for (const Data_set& set : sets)
+    largest = (std::max)(largest, remaining_mean_curvature(zoom.measure(set.values(zoom.net()))));
+  return largest;
 }
 
 } // namespace extraordinary_data

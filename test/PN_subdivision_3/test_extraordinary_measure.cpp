@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -131,26 +132,35 @@ struct Extent
   }
 };
 
-// The linear schemes reproduce quadratic graphs over a regular net but for a constant height.
+// From control points on the graph of a cubic polynomial q over a regular net of spacing h the linear
+// schemes make the graph of q + h^2/6 Laplace(q) (quads) or q + h^2/8 Laplace(q) (triangles).
+struct Cubic
+{
+  data::Graph graph;
+  std::array<double, 2> laplacian;                             // its derivatives
+  std::function<std::array<double, 3>(double, double)> second; // xx, xy, yy
+
+  void add_curvature(double x, double y, double c, Extent& gaussian, Extent& mean) const
+  {
+    const data::Height h = graph(x, y);
+    const double a = h.x + c * laplacian[0], b = h.y + c * laplacian[1], s = 1 + a * a + b * b;
+    const auto [xx, xy, yy] = second(x, y);
+    gaussian.add((xx * yy - xy * xy) / (s * s));
+    mean.add(((1 + b * b) * xx - 2 * a * b * xy + (1 + a * a) * yy) / (2 * s * std::sqrt(s)));
+  }
+};
+
 template <class Scheme>
-void check_quadratic_graph(const Scheme& scheme, Index valence, double zxx, double zxy, double zyy)
+void check_cubic(const Scheme& scheme, Index valence, const Cubic& cubic)
 {
   const Extraordinary_vertex_zoom<decltype(PN::linear(scheme))> zoom(PN::linear(scheme), valence);
-  const data::Graph graph = [=](double x, double y) -> data::Height {
-    return {(zxx * x * x + 2 * zxy * x * y + zyy * y * y) / 2, zxx * x + zxy * y,
-            zxy * x + zyy * y};
-  };
-  const auto ring = zoom.ring_curvature(data::turned(data::sampled(zoom.net(), graph)));
+  const auto ring = zoom.ring_curvature(data::turned(data::sampled(zoom.net(), cubic.graph)));
   const Extraordinary_net fine(zoom.degree, valence, 16);
+  const double c = data::spacing * data::spacing / (zoom.degree == 4 ? 6 : 8);
   Extent gaussian, mean;
   for (Index v = 0; v < fine.number_of_vertices(); ++v) {
-    if (fine.norm(v) < 8) continue;
     const auto p = data::layout(fine, v);
-    const data::Height h = graph(p[0] / 4, p[1] / 4);
-    const double s = 1 + h.x * h.x + h.y * h.y;
-    gaussian.add((zxx * zyy - zxy * zxy) / (s * s));
-    mean.add(((1 + h.y * h.y) * zxx - 2 * h.x * h.y * zxy + (1 + h.x * h.x) * zyy) /
-             (2 * s * std::sqrt(s)));
+    if (fine.norm(v) >= 8) cubic.add_curvature(p[0] / 4, p[1] / 4, c, gaussian, mean);
   }
   EXPECT_NEAR(ring.gaussian_min, gaussian.min, 1e-11);
   EXPECT_NEAR(ring.gaussian_max, gaussian.max, 1e-11);
@@ -158,12 +168,17 @@ void check_quadratic_graph(const Scheme& scheme, Index valence, double zxx, doub
   EXPECT_NEAR(ring.mean_max, mean.max, 1e-11);
 }
 
-TEST(Extraordinary_zoom, Finds_the_curvature_of_quadratic_graphs)
+TEST(Extraordinary_zoom, Finds_the_curvature_of_cubic_graphs)
 {
-  check_quadratic_graph(CatmullClark_scheme(), 4, 0, 2, 0);
-  check_quadratic_graph(CatmullClark_scheme(), 4, 1.2, .5, -.5);
-  check_quadratic_graph(Loop_scheme(), 6, 0, 2, 0);
-  check_quadratic_graph(Loop_scheme(), 6, 1.2, .5, -.5);
+  using Second = std::array<double, 3>;
+  const Cubic saddle{data::saddle, {0, 0}, [](double, double) { return Second{0, 2, 0}; }};
+  const Cubic cubic{data::cubic, {1.5, .3}, [](double x, double y) {
+                      return Second{1 + 1.5 * x - .3 * y, -.3 - .3 * x, .4 + .6 * y};
+                    }};
+  for (const Cubic& c : {saddle, cubic}) {
+    check_cubic(CatmullClark_scheme(), 4, c);
+    check_cubic(Loop_scheme(), 6, c);
+  }
 }
 
 // PN schemes keep spheres and cylinders at any valence and depth. The jets do not hold them exactly:
@@ -233,6 +248,24 @@ TEST(Extraordinary_zoom, Predicts_from_the_slopes)
     const auto limit = zoom.limit(data::turned(data::with_slopes(zoom.net(), nullptr, twisted)));
     EXPECT_NEAR(limit.gaussian, .8 * .2 - .3 * .3, 1e-2);
     EXPECT_NEAR(limit.mean, .5, 1e-2);
+  });
+}
+
+// A linear round multiplies what a left eigenvector gives by its eigenvalue, whatever the data.
+TEST(Extraordinary_zoom, Has_left_eigenvectors)
+{
+  for_plain_schemes({3, 4, 5, 6, 7, 12}, [&](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(PN::linear(scheme))>> zoom(
+      PN::linear(scheme), n);
+    const PN::internal::Extraordinary_limit<double> mask(zoom.net());
+    const data::Values values = data::rough(zoom.net(), data::cubic, 2);
+    data::Vector origin{};
+    const data::Values refined = zoom.refined(values, origin);
+    const auto z = [](const data::Value& v) { return v.point[2]; };
+    const double lambda = PN::extraordinary_eigenvalues(scheme, n).subdominant;
+    EXPECT_NEAR(zoom.limit(values).point[2], origin[2] + zoom.limit(refined).point[2], 1e-15);
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR(lambda * mask.tangent(values, z)[k], mask.tangent(refined, z)[k], 1e-15);
   });
 }
 
