@@ -10,9 +10,11 @@
 
 #include <boost/range/iterator_range.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace pn_subdivide {
@@ -20,9 +22,11 @@ namespace pn_subdivide {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
+using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
 // A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
 // `normals` is empty or has one vector per point, zero where a point has no control normal.
+// `scalars` and `colors` are for writing only, and empty or one per point.
 class Mesh_data
 {
 public:
@@ -32,6 +36,9 @@ public:
 
   std::vector<Point_3> points;
   std::vector<Vector_3> normals;
+  std::string scalar_name;
+  std::vector<double> scalars;
+  std::vector<Color> colors;
 
   bool has_normals() const { return !normals.empty(); }
   std::size_t number_of_faces() const { return face_end_.size(); }

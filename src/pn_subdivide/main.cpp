@@ -40,7 +40,7 @@ const char* const curve_footer =
   "it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
 // Options that are spoken for. They are refused by name, so that nobody takes them for typos.
-const std::vector<const char*> later_surface_options = {"--cap", "--curvature"};
+const std::vector<const char*> later_surface_options = {"--cap"};
 
 // A number or a fraction such as 1/16.
 double parse_tension(const std::string& text)
@@ -92,6 +92,9 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
   surface->add_option("--normals", options.normals,
                       "Control normals: auto (the file's if it has any, else estimated), file, "
                       "estimate, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
+  surface->add_option("--curvature", options.curvature,
+                      "Add gaussian or mean curvature to the vertices, and colors for it, "
+                      "symmetric about 0 (.ply, .vtp)");
   surface->add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->capture_default_str();
   add_verify_options(*surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");

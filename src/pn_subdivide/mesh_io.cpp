@@ -57,6 +57,12 @@ void require_writable_format(const std::string& file)
   find_format(writers, file, "written");
 }
 
+bool holds_scalars(const std::string& file)
+{
+  const Writer writer = find_format(writers, file, "written");
+  return writer == write_ply || writer == write_vtp;
+}
+
 void require_writable_place(const std::string& file)
 {
   try {

@@ -21,6 +21,9 @@ namespace pn_subdivide {
 void require_readable_format(const std::string& file);
 void require_writable_format(const std::string& file);
 
+// Whether the format has a place for scalars and colors of the vertices.
+bool holds_scalars(const std::string& file);
+
 // Throws Error if it can be seen beforehand that the file cannot be written.
 void require_writable_place(const std::string& file);
 

@@ -10,6 +10,7 @@
 #include "mesh_io.h"
 #include "soup_check.h"
 #include "soup_repair.h"
+#include "vertex_curvature.h"
 
 #include <algorithm>
 #include <chrono>
@@ -76,12 +77,21 @@ Refinement refinement(const Surface_options& options, unsigned threads)
   return r;
 }
 
+void add_curvature(Mesh_data& mesh, Curvature_kind kind, const Surface_options& options,
+                   unsigned threads)
+{
+  const Curvature_range range = set_curvature(mesh, kind, threads);
+  if (!options.quiet) std::fprintf(stderr, "%s\n", range.description(kind).c_str());
+}
+
 } // namespace
 
 void run_surface_command(const Surface_options& options)
 {
   require_consistent(options);
   const Normals_option normals = normals_option(options);
+  std::optional<Curvature_kind> curvature;
+  if (options.curvature) curvature = parse_curvature_option(*options.curvature, options.output);
   const unsigned threads = number_of_threads(options);
   std::optional<Verification> verification;
   if (options.verify.shape) {
@@ -98,6 +108,7 @@ void run_surface_command(const Surface_options& options)
     if (options.levels > 0)
       mesh = refine_surface(mesh, options.scheme, refinement(options, threads));
     if (verification) verification->measure(mesh.points);
+    if (curvature) add_curvature(mesh, *curvature, options, threads);
   } catch (const Usage_error&) {
     throw;
   } catch (const std::bad_alloc&) {

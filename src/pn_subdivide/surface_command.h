@@ -20,7 +20,7 @@ struct Surface_options
   Scheme_choice scheme;
   unsigned levels = 1;
   bool linear = false;
-  std::optional<std::string> normals;
+  std::optional<std::string> normals, curvature;
   unsigned threads = 1; // 0: all cores
   Verify_options verify;
   bool repair = false, ascii = false, quiet = false;

@@ -31,6 +31,9 @@ void write_header(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   write_count(out, mesh.points.size());
   out.text("\nproperty double x\nproperty double y\nproperty double z\n");
   if (mesh.has_normals()) out.text("property double nx\nproperty double ny\nproperty double nz\n");
+  if (!mesh.scalars.empty()) out.text("property double " + mesh.scalar_name + "\n");
+  if (!mesh.colors.empty())
+    out.text("property uchar red\nproperty uchar green\nproperty uchar blue\n");
   out.text("element face ");
   write_count(out, mesh.number_of_faces());
   out.text(fits_uchar(mesh) ? "\nproperty list uchar " : "\nproperty list uint ");
@@ -49,6 +52,9 @@ void write_as_binary(Output_file& out, const Mesh_data& mesh)
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     write_doubles(out, mesh.points[v]);
     if (mesh.has_normals()) write_doubles(out, mesh.normals[v]);
+    if (!mesh.scalars.empty()) out.little_endian<double>(mesh.scalars[v]);
+    if (!mesh.colors.empty())
+      for (const std::uint8_t c : mesh.colors[v]) out.little_endian(c);
   }
   const bool short_lists = fits_uchar(mesh);
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {

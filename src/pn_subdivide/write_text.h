@@ -30,8 +30,8 @@ inline void write_count(Output_file& out, std::size_t n)
   out.number(static_cast<std::uint64_t>(n));
 }
 
-// What text OFF and PLY have in common after their headers: a line for each vertex, with its normal if
-// there are normals, and one for each face.
+// What text OFF and PLY have in common after their headers: a line for each vertex, with what it has
+// besides its point, and one for each face.
 inline void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh)
 {
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -40,6 +40,15 @@ inline void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh)
       out.text(" ");
       write_triple(out, mesh.normals[v]);
     }
+    if (!mesh.scalars.empty()) {
+      out.text(" ");
+      out.number(mesh.scalars[v]);
+    }
+    if (!mesh.colors.empty())
+      for (const std::uint8_t c : mesh.colors[v]) {
+        out.text(" ");
+        write_count(out, c);
+      }
     out.text("\n");
   }
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {

@@ -50,6 +50,21 @@ public:
     });
   }
 
+  void scalars(const std::string& name, const std::vector<double>& values)
+  {
+    array_tag("Float64", name, 1, 8 * values.size(), [this, &values] {
+      for (const double x : values) value<double>(x, true);
+    });
+  }
+
+  void colors(const std::vector<Color>& values)
+  {
+    array_tag("UInt8", "colors", 3, 3 * values.size(), [this, &values] {
+      for (const Color& c : values)
+        for (std::size_t i = 0; i < 3; ++i) value<std::uint8_t>(c[i], i == 2);
+    });
+  }
+
   // One number per face, or several: `put(f)` writes them.
   void integers(const char* name, std::size_t number, std::function<void()> put)
   {
@@ -89,10 +104,11 @@ private:
   };
 
   void text_value(double x) { out_.number(x); }
+  void text_value(std::uint8_t n) { out_.number(static_cast<std::uint64_t>(n)); }
   void text_value(std::int64_t n) { out_.number(static_cast<std::uint64_t>(n)); }
 
-  void array_tag(const char* type, const char* name, std::size_t components, std::size_t bytes,
-                 std::function<void()> put)
+  void array_tag(const char* type, const std::string& name, std::size_t components,
+                 std::size_t bytes, std::function<void()> put)
   {
     out_.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
               "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
@@ -113,6 +129,19 @@ private:
   std::vector<Appended> appended_;
 };
 
+void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh)
+{
+  if (!mesh.has_normals() && mesh.scalars.empty() && mesh.colors.empty()) return;
+  std::string tag = "<PointData";
+  if (mesh.has_normals()) tag += " Normals=\"Normals\"";
+  if (!mesh.scalars.empty()) tag += " Scalars=\"" + mesh.scalar_name + "\"";
+  vtp.line((tag + ">").c_str());
+  if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
+  if (!mesh.scalars.empty()) vtp.scalars(mesh.scalar_name, mesh.scalars);
+  if (!mesh.colors.empty()) vtp.colors(mesh.colors);
+  vtp.line("</PointData>");
+}
+
 } // namespace
 
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
@@ -120,11 +149,7 @@ void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   const std::size_t faces = mesh.number_of_faces();
   Vtp_writer vtp(out, encoding);
   vtp.begin(mesh.points.size(), faces);
-  if (mesh.has_normals()) {
-    vtp.line("<PointData Normals=\"Normals\">");
-    vtp.triples("Normals", mesh.normals);
-    vtp.line("</PointData>");
-  }
+  write_point_data(vtp, mesh);
   vtp.line("<Points>");
   vtp.triples("Points", mesh.points);
   vtp.line("</Points>\n<Polys>");

@@ -329,7 +329,7 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
 TEST_F(Pn_subdivide, What_later_versions_bring_is_refused_by_name)
 {
   const std::string input = folder.write("cube.off", cube);
-  for (const char* option : {"--cap 0.5", "--curvature mean"})
+  for (const char* option : {"--cap 0.5"})
     expect_failure(input, std::string("--scheme catmull-clark ") + option, 2,
                    std::string(option).substr(0, std::string(option).find(' ')) +
                      " is not available yet");
