@@ -6,12 +6,10 @@
 // Whether the measurement of curvature at extraordinary vertices measures right: on surfaces whose
 // curvature is known, at regular vertices, and with the plain schemes, whose curvature diverges.
 
-#include "../../examples/PN_subdivision_3/Extraordinary_data.h"
+#include "Extraordinary_checks.h"
 
 #include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
 
 #include <gtest/gtest.h>
 
@@ -221,19 +219,8 @@ TEST(Extraordinary_zoom, Finds_the_curvature_of_spheres_and_cylinders)
 
 TEST(Extraordinary_zoom, Stays_on_the_sphere)
 {
-  for_plain_schemes({3, 5, 12}, [](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
-    data::Values values = data::turned(data::sampled(zoom.net(), data::sphere));
-    data::Vector origin{};
-    for (int m = 0; m < 20; ++m) values = zoom.refined(values, origin);
-    for (const auto& v : zoom.twice_refined(values)) {
-      long double square = 0;
-      for (std::size_t c = 0; c < 3; ++c)
-        square += std::pow(static_cast<long double>(origin[c]) + v.point[c], 2);
-      EXPECT_NEAR(double(std::sqrt(square) / data::sphere_radius), 1,
-                  8 * std::numeric_limits<double>::epsilon());
-    }
-  });
+  for_plain_schemes({3, 5, 12},
+                    [](const auto& s, Index n) { extraordinary_checks::check_sphere(s, n); });
 }
 
 // The limit from a single net: on a graph its error falls with the square of the spacing. Here it is
@@ -251,21 +238,10 @@ TEST(Extraordinary_zoom, Predicts_from_the_slopes)
   });
 }
 
-// A linear round multiplies what a left eigenvector gives by its eigenvalue, whatever the data.
 TEST(Extraordinary_zoom, Has_left_eigenvectors)
 {
-  for_plain_schemes({3, 4, 5, 6, 7, 12}, [&](const auto& scheme, Index n) {
-    const Extraordinary_vertex_zoom<std::decay_t<decltype(PN::linear(scheme))>> zoom(
-      PN::linear(scheme), n);
-    const PN::internal::Extraordinary_limit<double> mask(zoom.net());
-    const data::Values values = data::rough(zoom.net(), data::cubic, 2);
-    data::Vector origin{};
-    const data::Values refined = zoom.refined(values, origin);
-    const auto z = [](const data::Value& v) { return v.point[2]; };
-    const double lambda = PN::extraordinary_eigenvalues(scheme, n).subdominant;
-    EXPECT_NEAR(zoom.limit(values).point[2], origin[2] + zoom.limit(refined).point[2], 1e-15);
-    for (std::size_t k = 0; k < 2; ++k)
-      EXPECT_NEAR(lambda * mask.tangent(values, z)[k], mask.tangent(refined, z)[k], 1e-15);
+  for_plain_schemes({3, 4, 5, 6, 7, 12}, [](const auto& s, Index n) {
+    extraordinary_checks::check_left_eigenvectors(s, n);
   });
 }
 
