@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from control_meshes import models, shapes
+from control_meshes import head, models, shapes, star
 from control_meshes.domain import Domain, Saddle, Sphere, Tube
 from control_meshes.mesh import Mesh, check
 from control_meshes.output import as_text
@@ -116,6 +116,13 @@ ENTRIES = [
     Entry("wheel.off", "hub, five spokes and rim of quads, genus 6", make=lambda: shapes.wheel(5)),
     Entry("creature.obj", "a standing creature of quads, closed", make=models.creature),
     Entry("spoon.obj", "a spoon of quads, closed", make=models.spoon),
+    Entry("head.obj", "a head of quads, open at the neck", make=head.head),
+    Entry("saddle_3.ply", "z = 2xy about its saddle point", make=lambda: star.saddle(3)),
+    Entry("saddle_5.ply", "z = 2xy about its saddle point", make=lambda: star.saddle(5)),
+    Entry("bezier_6.ply", "bicubic Bézier patch about its middle", make=lambda: star.bezier(6)),
+    Entry("bezier_7.ply", "bicubic Bézier patch about its middle", make=lambda: star.bezier(7)),
+    Entry("cylinder_cap_8.ply", "cylinder of radius 15 and height 10, with a vertex above its base",
+          make=lambda: star.cylinder_cap(8)),
 ]
 
 

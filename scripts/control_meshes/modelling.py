@@ -11,6 +11,10 @@ from .mesh import Face, Mesh
 from .vector import Vec, add, cos, mean, sin, sub
 
 Cell = tuple[int, int, int]
+X, Y, Z = range(3)
+LEFT, RIGHT = (-1, 0, 0), (1, 0, 0)
+FRONT, BACK = (0, -1, 0), (0, 1, 0)
+DOWN, UP = (0, 0, -1), (0, 0, 1)
 # The six sides of a cell: the step to the neighbour, and the corners counter-clockwise.
 SIDES: dict[Cell, tuple[Cell, Cell, Cell, Cell]] = {
     (-1, 0, 0): ((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0)),
@@ -49,13 +53,8 @@ class Model:
     """A quad mesh that grows by extrusion. A region is a list of face indices; extruding keeps
     the indices, so the same list names the moved faces afterwards."""
 
-    def __init__(self, nx: int, ny: int, nz: int, place: Callable[[Cell], Vec]) -> None:
-        cells = product(range(nx), range(ny), range(nz))
-        self.mesh, self._origin = boundary_of_cells(cells, place)
-
-    def side(self, side: Cell, wanted: Callable[[Cell], bool] = lambda cell: True) -> list[int]:
-        """The block's faces on one side whose cells are wanted."""
-        return [i for i, (cell, s) in enumerate(self._origin) if s == side and wanted(cell)]
+    def __init__(self, mesh: Mesh) -> None:
+        self.mesh = mesh
 
     def vertices(self, region: list[int]) -> list[int]:
         return sorted({v for i in region for v in self.mesh.faces[i]})
@@ -100,6 +99,19 @@ class Model:
             a, b = d[first], d[second]
             d[first], d[second] = c * a - s * b, s * a + c * b
             self.mesh.points[v] = add(centre, (d[0], d[1], d[2]))
+
+
+class Block(Model):
+    """A model that begins as a block of cells."""
+
+    def __init__(self, nx: int, ny: int, nz: int, place: Callable[[Cell], Vec]) -> None:
+        cells = product(range(nx), range(ny), range(nz))
+        mesh, self._origin = boundary_of_cells(cells, place)
+        super().__init__(mesh)
+
+    def side(self, side: Cell, wanted: Callable[[Cell], bool] = lambda cell: True) -> list[int]:
+        """The block's faces on one side whose cells are wanted."""
+        return [i for i, (cell, s) in enumerate(self._origin) if s == side and wanted(cell)]
 
 
 def _edges(f: Face) -> list[tuple[int, int]]:

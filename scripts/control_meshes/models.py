@@ -4,16 +4,10 @@
 # Author(s): PN_subdivision_3 developers
 """Two coarse models of pure quads, as a modeller would box them: a creature and a spoon."""
 
-from math import sqrt
-
 from .mesh import Mesh
-from .modelling import Cell, Model
-from .vector import Vec, lerp
-
-X, Y, Z = range(3)
-LEFT, RIGHT = (-1, 0, 0), (1, 0, 0)
-FRONT, BACK = (0, -1, 0), (0, 1, 0)
-DOWN, UP = (0, 0, -1), (0, 0, 1)
+from .modelling import BACK, DOWN, FRONT, LEFT, RIGHT, UP, Block, Cell, Model, X, Y, Z
+from .star import Star
+from .vector import Vec, add, cos, lerp, sin
 
 
 def creature() -> Mesh:
@@ -26,7 +20,7 @@ def creature() -> Mesh:
         belly = -0.12 if z == 1 and y == 0 else 0.0
         return ((-1, -0.38, 0.38, 1)[x] * widths[z], (y - 1) * depths[z] + belly, heights[z])
 
-    model = Model(3, 2, 3, place)
+    model = Block(3, 2, 3, place)
     for side, sign, column in ((LEFT, -1, 0), (RIGHT, 1, 2)):
         _leg(model, sign, model.side(DOWN, lambda c, column=column: c[0] == column))
         _arm(model, side, sign, model.side(side, lambda c: c[2] == 2))
@@ -63,7 +57,7 @@ def _tail(model: Model, tip: list[int]) -> None:
         model.turn(tip, Y, Z, 0.35)
 
 
-def _head(model: Model) -> None:
+def _head(model: Block) -> None:
     top = model.side(UP)
     model.extrude(top, (0.0, 0.0, 0.2), (0.72, 0.8, 1.0))
     model.extrude(top, (0.0, -0.03, 0.18), (1.75, 1.9, 1.0))
@@ -82,15 +76,21 @@ def _head(model: Model) -> None:
 
 
 def spoon() -> Mesh:
-    """The bowl lies at the origin, the handle runs along +x."""
-    def place(node: Cell) -> Vec:
-        u, v = node[0] / 2 - 1, node[1] / 2 - 1
-        x, y = u * sqrt(1 - v * v / 2), v * sqrt(1 - u * u / 2)
-        depth = 0.55 * (1 - x * x) * (1 - y * y)
-        return (1.25 * x, 0.85 * y, 0.14 * node[2] - depth)
-
-    model = Model(4, 4, 1, place)
-    end = model.side(RIGHT, lambda c: c[1] in (1, 2))
+    """The bowl lies at the origin, the handle runs along +x. In the middle of the bowl, above and
+    below, six edges meet."""
+    star = Star(6, 2)
+    above: list[Vec] = []
+    for place in star.places:
+        ring, angle = star.circular(place)
+        x, y = ring / 2 * cos(angle), ring / 2 * sin(angle)
+        above.append((1.25 * x, 0.85 * y, -0.55 * (1 - x * x - y * y)))
+    points = above + [add(p, (0.0, 0.0, -0.14)) for p in above]
+    count, faces, rim = len(above), star.faces(), star.rim()
+    faces += [tuple(count + v for v in reversed(f)) for f in faces]
+    first_wall = len(faces)
+    faces += [(a, count + a, count + b, b) for a, b in zip(rim, rim[1:] + rim[:1])]
+    model = Model(Mesh(points, faces))
+    end = [first_wall, len(faces) - 1]
     steps = ((0.35, 0.1, 0.5), (0.6, 0.14, 0.65), (0.9, 0.1, 0.95), (0.9, 0.0, 1.1),
              (0.9, -0.1, 1.25), (0.6, -0.12, 1.3), (0.3, -0.06, 0.75))
     for along, up, grow in steps:
