@@ -154,7 +154,7 @@ TYPED_TEST(Interval_certificate, NoRoundIsRefutedAndWidthsGrowByAFactor)
             << ", growth a round " << least << " to " << greatest << ", of n^2 up to "
             << greatest_of_normals << '\n';
   EXPECT_GT(least, 2);
-  EXPECT_LT(greatest, TypeParam::is_interpolatory ? 5 : 3.6);
+  EXPECT_LT(greatest, 5);
   EXPECT_LT(widest, 1e-10);
 }
 
