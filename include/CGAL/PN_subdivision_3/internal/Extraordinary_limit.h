@@ -13,7 +13,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -39,22 +39,13 @@ public:
   using Index = Level_connectivity::Index;
   using Value = Point_normal<FT, 3>;
 
-  struct Entry
-  {
-    Index vertex;
-    FT weight;        // of the limit mask
-    Pair<FT> tangent; // real and imaginary part
-  };
-
   explicit Extraordinary_limit(const Extraordinary_net& net)
   {
     if (net.degree() == 4)
-      CatmullClark(net);
+      make_masks_of_quads(net);
     else
-      Loop(net);
+      make_masks_of_triangles(net);
   }
-
-  const std::vector<Entry>& entries() const { return entries_; }
 
   // The limit point and the limit control normal, zero without control normals: the PN average.
   Value limit(const std::vector<Value>& values) const
@@ -77,7 +68,14 @@ public:
   }
 
 private:
-  void CatmullClark(const Extraordinary_net& net)
+  struct Entry
+  {
+    Index vertex;
+    FT weight;        // of the limit mask
+    Pair<FT> tangent; // real and imaginary part
+  };
+
+  void make_masks_of_quads(const Extraordinary_net& net)
   {
     const Index n = net.valence();
     const FT m = FT(n), lambda = subdominant_eigenvalue<FT>(4, n);
@@ -90,7 +88,7 @@ private:
     }
   }
 
-  void Loop(const Extraordinary_net& net)
+  void make_masks_of_triangles(const Extraordinary_net& net)
   {
     const Index n = net.valence();
     const FT lambda = subdominant_eigenvalue<FT>(3, n), a = 5 - 8 * lambda * lambda;
@@ -99,10 +97,9 @@ private:
       entries_.push_back({net.vertex(s, 1, 0), a / (FT(n) * (3 + a)), half_turn(2 * s, n)});
   }
 
-  // exp(-i k pi / n)
+  // exp(-i k pi / n); the sine is the cosine of n / (2 n) pi less
   static Pair<FT> half_turn(Index k, Index n)
   {
-    // sin x = cos(x - pi/2), in units of pi / (2 n)
     return {cosine_weight<FT>(k, 2 * n), -cosine_weight<FT>(2 * std::int64_t(k) - n, 4 * n)};
   }
 
