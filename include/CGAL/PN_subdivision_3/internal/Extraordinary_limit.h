@@ -97,7 +97,7 @@ private:
       entries_.push_back({net.vertex(s, 1, 0), a / (FT(n) * (3 + a)), half_turn(2 * s, n)});
   }
 
-  // exp(-i k pi / n); the sine is the cosine of n / (2 n) pi less
+  // exp(-i k pi / n), by sin(x) = cos(x - pi / 2) in units of 2 pi / (4 n)
   static Pair<FT> half_turn(Index k, Index n)
   {
     return {cosine_weight<FT>(k, 2 * n), -cosine_weight<FT>(2 * std::int64_t(k) - n, 4 * n)};
