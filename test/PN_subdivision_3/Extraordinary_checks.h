@@ -45,6 +45,17 @@ void check_sphere(const Scheme& scheme, data::Index valence)
   }
 }
 
+// The limit normal of points and normals of a sphere, wherever on it, is that of the sphere: no slope is
+// left over the plane perpendicular to it.
+template <class Scheme>
+void check_slope_on_sphere(const Scheme& scheme, data::Index valence)
+{
+  const Zoom<Scheme> zoom(scheme, valence);
+  const data::Graph aside = [](double x, double y) { return data::sphere(x + .3, y - .2); };
+  const auto limit = zoom.limit(data::turned(data::sampled(zoom.net(), aside)));
+  EXPECT_NEAR(std::hypot(limit.slope[0], limit.slope[1]), 0, 1e-14);
+}
+
 // A linear round multiplies what a left eigenvector gives by its eigenvalue, whatever the data.
 template <class Scheme>
 void check_left_eigenvectors(const Scheme& scheme, data::Index valence)

@@ -181,6 +181,7 @@ TEST_P(Modified_scheme, Keeps_the_sphere)
 {
   with_scheme(GetParam(), [](const auto& scheme) {
     extraordinary_checks::check_sphere(scheme, GetParam().valence);
+    extraordinary_checks::check_slope_on_sphere(scheme, GetParam().valence);
   });
 }
 

@@ -219,8 +219,10 @@ TEST(Extraordinary_zoom, Finds_the_curvature_of_spheres_and_cylinders)
 
 TEST(Extraordinary_zoom, Stays_on_the_sphere)
 {
-  for_plain_schemes({3, 5, 12},
-                    [](const auto& s, Index n) { extraordinary_checks::check_sphere(s, n); });
+  for_plain_schemes({3, 5, 12}, [](const auto& s, Index n) {
+    extraordinary_checks::check_sphere(s, n);
+    extraordinary_checks::check_slope_on_sphere(s, n);
+  });
 }
 
 // The limit from a single net: on a graph its error falls with the square of the spacing. Here it is
