@@ -17,7 +17,9 @@ from .files import averaged_normals, normals_of, points_of, set_normals, vertice
 
 OUTSIDE, INSIDE = (0.62, 0.71, 0.82), (0.93, 0.62, 0.32)
 EDGE, CONTROL, NEEDLE = (0.15, 0.2, 0.3), (0.75, 0.1, 0.1), (0.1, 0.5, 0.2)
-BLUE, WHITE, RED = (0.10, 0.25, 0.75), (0.95, 0.95, 0.95), (0.75, 0.10, 0.10)
+# of scalars, interpolated in CIELAB; those of pn_subdivide's --curvature
+BLUE, WHITE, RED = ((r / 255, g / 255, b / 255)
+                    for r, g, b in ((59, 76, 192), (242, 242, 242), (180, 4, 38)))
 
 
 def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
@@ -132,7 +134,7 @@ def scalar_limit(meshes: list[vtkPolyData], name: str, wanted: float | None) -> 
     if any(v is None for v in values):
         raise ValueError(f"not every mesh has a vertex array '{name}'")
     every = np.abs(np.concatenate([vtk_to_numpy(v) for v in values]))
-    return wanted or float(np.percentile(every, 98)) or 1.0
+    return wanted or float(np.percentile(every, 90)) or 1.0
 
 
 def _colours(limit: float) -> vtkColorTransferFunction:
@@ -146,13 +148,14 @@ def _colours(limit: float) -> vtkColorTransferFunction:
 def colour_bar(title: str, limit: float, font_size: int) -> vtkScalarBarActor:
     bar = vtkScalarBarActor()
     bar.SetLookupTable(_colours(limit))
-    bar.SetTitle(title)
+    bar.SetTitle(title.replace("_", " "))
+    bar.SetOrientationToHorizontal()
     bar.SetNumberOfLabels(3)
     bar.SetLabelFormat("%.3g")
     bar.UnconstrainedFontSizeOn()
-    bar.SetPosition(0.87, 0.25)
-    bar.SetWidth(0.12)
-    bar.SetHeight(0.5)
+    bar.SetPosition(0.54, 0.015)
+    bar.SetWidth(0.42)
+    bar.SetHeight(0.12)
     for style in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         style.SetColor(0.1, 0.1, 0.1)
         style.SetFontSize(font_size)

@@ -21,7 +21,7 @@ from .camera import View, fitted_view
 from .files import points_of, read_mesh
 
 GAP = 0.004
-ROOM_FOR_BAR = 1.2
+ROOM_FOR_BAR = 1.08
 
 
 def draw(options: Namespace, angles: tuple[float, float] | None) -> None:

@@ -36,7 +36,7 @@ const char* name_of(Curvature_kind kind)
 // say, must not make the others pale. What is flat but for rounding remains so.
 double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
 {
-  constexpr double share_within = 0.98, flat = 1e-9;
+  constexpr double share_within = 0.9, flat = 1e-9;
   std::vector<double> sizes;
   for (const double x : mesh.scalars) sizes.push_back(std::abs(x));
   if (sizes.empty()) return 1;

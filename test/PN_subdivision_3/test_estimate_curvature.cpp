@@ -462,7 +462,8 @@ TEST(Estimate_curvature, edges_without_length_and_faces_without_area)
   EXPECT_LT(error(from_normals(s.soup, normals_of(s)), s), 2 * before);
 
   // all at one place, on a line, or folded back onto itself: no normal, nothing to fit
-  for (const Triple& direction : {Triple{0, 0, 0}, Triple{1, 2, 3}}) {
+  for (const Triple& direction :
+       {Triple{0, 0, 0}, Triple{1, 2, 3}, Triple{1 / 3., 1 / 7., 1 / 11.}}) {
     Soup soup = square(4, Faces::quads, 0);
     for (Triple& p : soup.points)
       p = {p[0] * direction[0], p[0] * direction[1], p[0] * direction[2]};
@@ -518,6 +519,19 @@ TEST(Estimate_curvature, missing_normals)
   EXPECT_LT(error(from_normals(s.soup, n), s), 2 * from_all_normals);
   n.assign(n.size(), Triple{0, 0, 0});
   EXPECT_LT(error(from_normals(s.soup, n), s), 10 * from_all_normals);
+}
+
+// Gaussian curvatures of 1e400 and more
+TEST(Estimate_curvature, curvatures_out_of_range)
+{
+  Sampled_surface s = lay(square(4, Faces::quads, 0), sphere);
+  for (Triple& p : s.soup.points) p = {1e-200 * p[0], 1e-200 * p[1], 1e-200 * p[2]};
+  for (const Curvatures& c : {from_points(s.soup), from_normals(s.soup, normals_of(s))})
+    for (const Curvature& d : c) {
+      EXPECT_FALSE(d.is_estimated);
+      EXPECT_EQ(d.gaussian, 0);
+      EXPECT_EQ(d.maximal, 0);
+    }
 }
 
 TEST(Estimate_curvature, numbers_that_are_not_finite_are_refused)

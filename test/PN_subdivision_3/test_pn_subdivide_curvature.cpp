@@ -103,7 +103,7 @@ TEST_F(Pn_subdivide_curvature, Torus_is_red_outside_and_blue_inside)
     if (c.at("red")[v] == 59 && c.at("blue")[v] == 192) ++full;
   }
   EXPECT_GT(full, 0u); // the inner side has the largest values, and they are beyond the end
-  EXPECT_LT(full, k.size() / 20);
+  EXPECT_LT(full, k.size() / 8);
 }
 
 TEST_F(Pn_subdivide_curvature, Linear_scheme_without_normals)
