@@ -9,6 +9,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -41,14 +42,23 @@ template <class FT>
 struct Is_lazy<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> : std::true_type
 {};
 
-// The unit of relative precision: 0 for exact types.
+// 2^-k, also below the range of double
+template <class FT>
+FT negative_power_of_two(int k)
+{
+  FT p(1);
+  for (; k > 1000; k -= 1000) p *= FT(std::ldexp(1.0, -1000));
+  return p * FT(std::ldexp(1.0, -k));
+}
+
+// The unit of relative precision: 0 for exact types; that of double where a type tells nothing.
 template <class FT>
 FT machine_epsilon()
 {
   if constexpr (is_exact_v<FT>)
     return FT(0);
   else if constexpr (Has_default_precision<FT>::value) // Gmpfr, Gmpfi: no numeric_limits
-    return FT(std::ldexp(1.0, 1 - static_cast<int>(FT::get_default_precision())));
+    return negative_power_of_two<FT>(static_cast<int>(FT::get_default_precision()) - 1);
   else if constexpr (std::numeric_limits<FT>::is_specialized &&
                      !std::numeric_limits<FT>::is_integer && std::numeric_limits<FT>::digits > 0)
     return FT(std::numeric_limits<FT>::epsilon());
@@ -61,12 +71,22 @@ std::pair<double, double> close_interval(const FT& x)
 {
   std::pair<double, double> i = CGAL::to_interval(x);
   // to_double() of a lazy number may be far less precise than a double; its exact value is not
-  if constexpr (Is_lazy<FT>::value)
-    if (!(i.second - i.first <= i.first * std::ldexp(1.0, -50))) {
+  if constexpr (Is_lazy<FT>::value) {
+    const double largest = (std::max)(std::abs(i.first), std::abs(i.second));
+    if (!std::isfinite(largest) || !(i.second - i.first <= largest * std::ldexp(1.0, -50))) {
       x.exact();
       i = CGAL::to_interval(x);
     }
+  }
   return i;
+}
+
+// nearly the nearest double, also of lazy numbers
+template <class FT>
+double close_double(const FT& x)
+{
+  if constexpr (Is_lazy<FT>::value) close_interval(x);
+  return static_cast<double>(CGAL::to_double(x));
 }
 
 // 1/sqrt(x) from a double; its relative error is below 2^-48. \pre x > 0
@@ -74,9 +94,14 @@ template <class FT>
 FT approximate_inverse_sqrt(const FT& x)
 {
   const std::pair<double, double> i = close_interval(x);
-  if constexpr (is_exact_v<FT>)
-    if (i.first < (std::numeric_limits<double>::min)()) // x is below the range of double
+  if constexpr (is_exact_v<FT>) {
+    using Limits = std::numeric_limits<double>;
+    if (i.first < (Limits::min)()) // x is below the range of double
       return FT(std::ldexp(1.0, 500)) * approximate_inverse_sqrt(FT(x * FT(std::ldexp(1.0, 1000))));
+    if (!(i.second <= (Limits::max)())) // above it
+      return FT(std::ldexp(1.0, -500)) *
+             approximate_inverse_sqrt(FT(x * FT(std::ldexp(1.0, -1000))));
+  }
   return FT(1.0 / std::sqrt(i.first / 2 + i.second / 2));
 }
 
@@ -108,7 +133,9 @@ struct Unit_normal_traits
   }
 
   /// a sum N of normals vanishes if |N| is at most this times the sum of the lengths:
-  /// 2<sup>12</sup> times the machine epsilon, 0 for exact types.
+  /// 2<sup>12</sup> times the machine epsilon, 0 for exact types. The machine epsilon is that of
+  /// `std::numeric_limits`, or of the default precision where it can be set (`Gmpfr`), or of
+  /// `double` for types that tell neither.
   static FT vanishing_tolerance() { return FT(4096) * internal::machine_epsilon<FT>(); }
 
   /// a normal counts as a unit vector if its squared length differs from 1 by at most this: 4 times

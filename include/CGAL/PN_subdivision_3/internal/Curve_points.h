@@ -103,7 +103,7 @@ struct Curve_points
     if constexpr (std::is_same_v<FT, Number> || std::is_floating_point_v<FT>)
       return Number(x);
     else
-      return Number(CGAL::to_double(x));
+      return Number(close_double(x));
   }
 
   template <class Point_or_vector, class Number>

@@ -30,8 +30,7 @@ Coordinates<T, 3> cross(const Coordinates<T, 3>& a, const Coordinates<T, 3>& b)
 template <class T>
 Coordinates<double, 3> to_double_3(const Coordinates<T, 3>& a)
 {
-  return {static_cast<double>(CGAL::to_double(a[0])), static_cast<double>(CGAL::to_double(a[1])),
-          static_cast<double>(CGAL::to_double(a[2]))};
+  return {close_double(a[0]), close_double(a[1]), close_double(a[2])};
 }
 
 inline double length(const Coordinates<double, 3>& a)
