@@ -5,6 +5,8 @@
 
 // Deviations from shapes, against values found by hand, in every kind of kernel.
 
+#include "One_root_number.h"
+
 #include <CGAL/CORE_Expr.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,7 +19,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Sqrt_extension.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
@@ -39,8 +40,7 @@ using Q = CGAL::Exact_rational;
 using Rational = CGAL::Simple_cartesian<Q>;
 using Double = CGAL::Simple_cartesian<double>;
 using Interval = CGAL::Simple_cartesian<CGAL::Interval_nt<>>;
-using Root = CGAL::Sqrt_extension<CGAL::Gmpq, CGAL::Gmpq, CGAL::Tag_true>;
-using Rooted = CGAL::Simple_cartesian<Root>;
+using Rooted = CGAL::Simple_cartesian<One_root_number>;
 
 const double ulp = std::numeric_limits<double>::epsilon();
 
@@ -340,11 +340,11 @@ TEST(Meshes, OtherMeshTypesAndPointMaps)
   EXPECT_EQ(d.farthest_point->id(), 2u);
 }
 
-// Each vertex has a square root of its own.
+// Each vertex has a square root of its own; numbers with two of them throw.
 TEST(Meshes, NumbersOfDifferentFieldsDoNotMeet)
 {
   CGAL::Surface_mesh<Rooted::Point_3> mesh;
-  const auto root = [](int d, int r) { return Root(0, CGAL::Gmpq(1, d), r); };
+  const auto root = [](int d, int r) { return One_root_number::root(CGAL::Gmpq(1, d), r); };
   mesh.add_vertex({root(2, 2), root(2, 2), 0});
   mesh.add_vertex({root(3, 3), root(3, 3), root(3, 3)});
   mesh.add_vertex({root(5, 5), CGAL::Gmpq(0), root(5, 20)});
@@ -353,7 +353,7 @@ TEST(Meshes, NumbersOfDifferentFieldsDoNotMeet)
   EXPECT_EQ(d.number_of_points, 3u);
   EXPECT_TRUE(d.points_are_on_shape);
   for (CGAL::SM_Vertex_index v : mesh.vertices())
-    mesh.point(v) = mesh.point(v) + Rooted::Vector_3(CGAL::Gmpq(1, 1024) * int(v + 1), 0, 0);
+    mesh.point(v) = mesh.point(v) + Rooted::Vector_3(CGAL::Gmpq(int(v + 1), 1024), 0, 0);
   d = PN::mesh_deviation(mesh, unit);
   EXPECT_FALSE(d.points_are_on_shape);
   EXPECT_EQ(d.farthest_point, CGAL::SM_Vertex_index(2)); // 3/sqrt(5) > 2/sqrt(3) > 1/sqrt(2)

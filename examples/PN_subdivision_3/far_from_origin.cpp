@@ -1,0 +1,138 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Where double is not enough, and what recentring buys. A unit sphere and a unit circle are sampled
+// at distances of 1 to 10^12 from the origin, where doubles are 2^-53 to 10^-4 apart, and refined:
+//  - in place;
+//  - recentred: the control points are translated to the origin before and the result back after;
+//  - recentred and kept there: whoever draws or measures it adds the translation, if at all, last;
+//  - made about the origin in the first place, the translation a separate number.
+// Printed are the largest deviation from the shape (for results that are kept at the origin, from the
+// translated one) and the largest relative error of the discrete curvature of the circle.
+//
+//   far_from_origin [OUTPUT.csv [OUTPUT.svg]]
+
+#include "Chart_svg.h"
+#include "Sampled_shapes.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/PN_subdivision_curve.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace PN = CGAL::PN_subdivision_3;
+
+using K = CGAL::Simple_cartesian<double>;
+using Point_2 = K::Point_2;
+using Point_3 = K::Point_3;
+
+namespace {
+
+enum Way { in_place, recentred, recentred_and_kept, made_at_origin, number_of_ways };
+const char* const names[] = {"in place", "recentred, moved back", "recentred, kept there",
+                             "made at the origin"};
+
+struct Errors
+{
+  double sphere, circle, curvature;
+};
+
+// what is added before and after, and where the shape's center is in the end
+template <class Vector>
+struct Translation
+{
+  Translation(Way way, const Vector& center)
+    : made_at(way == made_at_origin ? 0. * center : center)
+    , before(way == recentred || way == recentred_and_kept ? -center : 0. * center)
+    , after(way == recentred ? center : 0. * center)
+    , center(way == in_place || way == recentred ? center : 0. * center)
+  {}
+  Vector made_at, before, after, center;
+};
+
+double sphere_deviation(Way way, const K::Vector_3& center)
+{
+  const Translation<K::Vector_3> t(way, center);
+  sampled_shapes::Mesh<K> mesh;
+  const auto normals = sampled_shapes::make_sphere<K>(mesh, CGAL::ORIGIN + t.made_at);
+  for (Point_3& p : mesh.points()) p = p + t.before;
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                CGAL::parameters::number_of_iterations(4).vertex_normal_map(normals));
+  for (Point_3& p : mesh.points()) p = p + t.after;
+  return PN::mesh_deviation(mesh, K::Sphere_3(CGAL::ORIGIN + t.center, 1)).distance.sup();
+}
+
+sampled_shapes::Curve<K> refined_circle(const Translation<K::Vector_2>& t)
+{
+  auto polygon = sampled_shapes::circle<K>(CGAL::ORIGIN + t.made_at);
+  for (auto& item : polygon) item.first = item.first + t.before;
+  auto curve = PN::subdivide_curve(polygon, PN::B_spline_mask(3), PN::Curve_end::closed,
+                                   CGAL::parameters::number_of_iterations(5));
+  for (auto& item : curve) item.first = item.first + t.after;
+  return curve;
+}
+
+Errors errors(Way way, double distance)
+{
+  Errors e;
+  // 1/9 (1, -8, 4) and 1/5 (3, -4) have the length 1; whole numbers can be subtracted exactly
+  e.sphere =
+    sphere_deviation(way, K::Vector_3(std::round(distance / 9), -std::round(distance * 8 / 9),
+                                      std::round(distance * 4 / 9)));
+  const Translation<K::Vector_2> t(
+    way, K::Vector_2(std::round(distance * 3 / 5), -std::round(distance * 4 / 5)));
+  const auto curve = refined_circle(t);
+  e.circle = PN::curve_deviation(curve, K::Circle_2(CGAL::ORIGIN + t.center, 1)).distance.sup();
+  e.curvature = 0;
+  for (const double c : PN::discrete_curvature(curve, PN::Curve_end::closed))
+    e.curvature = (std::max)(e.curvature, std::abs(c - 1));
+  return e;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<chart_svg::Panel> panels{
+    {"deviation from the sphere", "|c| / R", true, {}},
+    {"error of the curvature of the circle", "|c| / R", true, {}}};
+  std::ofstream csv;
+  if (argc > 1) csv.open(argv[1]);
+  csv << "way,distance,sphere,circle,curvature\n";
+  std::cout << "                        |c|/R    sphere, in 2^-52    circle, in 2^-52   curvature\n"
+            << std::setprecision(3);
+  for (int way = 0; way < number_of_ways; ++way) {
+    for (chart_svg::Panel& panel : panels) panel.series.push_back({names[way], {}});
+    for (int exponent = 0; exponent <= 12; ++exponent) {
+      const double distance = std::pow(10., exponent);
+      const Errors e = errors(static_cast<Way>(way), distance);
+      if (exponent % 2 == 0)
+        std::cout << std::left << std::setw(22) << names[way] << std::right << std::setw(8)
+                  << distance << std::setw(11) << e.sphere << std::setw(10) << e.sphere * 0x1p52
+                  << std::setw(11) << e.circle << std::setw(10) << e.circle * 0x1p52
+                  << std::setw(11) << e.curvature << '\n';
+      csv << names[way] << ',' << distance << ',' << e.sphere << ',' << e.circle << ','
+          << e.curvature << '\n';
+      panels[0].series.back().points.emplace_back(distance, e.sphere);
+      panels[1].series.back().points.emplace_back(distance, e.curvature);
+    }
+  }
+  const bool written =
+    (argc < 2 || csv.flush()) &&
+    (argc < 3 || chart_svg::write(argv[2], "Far from the origin, in double",
+                                  "relative to the radius and its curvature", panels));
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
+}
