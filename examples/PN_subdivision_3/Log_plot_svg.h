@@ -12,13 +12,12 @@
 #include <cstddef>
 #include <fstream>
 #include <iomanip>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-// Plots of positive numbers against 0, 1, 2, ... in logarithmic scale, side by side, as SVG. The
-// colors follow the reader's light or dark mode.
+// Plots of positive numbers against 0, 1, 2, ... in logarithmic scale, side by side, as SVG. What is
+// out of the plot's bounds, 0 among it, is drawn on them. The colors follow the reader's light or dark mode.
 namespace log_plot_svg {
 
 struct Line
@@ -39,6 +38,9 @@ struct Plot
   std::string title, x_label, y_label, legend_title;
   int least_exponent, largest_exponent; // of the powers of ten that bound the plot
   std::vector<Panel> panels;
+  std::size_t tick_step = 5;
+  bool numbered_labels = true; // the legend is in the order of numbers, else of appearance
+  double legend_width = 90;
 };
 
 namespace internal {
@@ -50,16 +52,17 @@ constexpr std::array<const char*, 10> colors = {"#8f63e8", "#4f7df0", "#1e96c8",
                                                 "#3f9b3f", "#8a9a1f", "#c78a10", "#e06c1f",
                                                 "#d9483b", "#c94c96"};
 
-// The labels, numbers in their order.
 inline std::vector<std::string> labels(const Plot& plot)
 {
-  const auto before = [](const std::string& a, const std::string& b) {
-    return a.size() == b.size() ? a < b : a.size() < b.size();
-  };
-  std::set<std::string, decltype(before)> all(before);
+  std::vector<std::string> all;
   for (const Panel& panel : plot.panels)
-    for (const Line& line : panel.lines) all.insert(line.label);
-  return {all.begin(), all.end()};
+    for (const Line& line : panel.lines)
+      if (std::find(all.begin(), all.end(), line.label) == all.end()) all.push_back(line.label);
+  if (plot.numbered_labels)
+    std::sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
+      return a.size() == b.size() ? a < b : a.size() < b.size();
+    });
+  return all;
 }
 
 inline std::size_t last_x(const Plot& plot)
@@ -87,7 +90,7 @@ inline void write_axes(std::ostream& out, const Plot& plot, std::size_t n, doubl
       out << "<text class=\"end\" x=\"" << x0 - 8 << "\" y=\"" << at + 5 << "\">10<tspan dy=\"-6\" "
           << "font-size=\"10\">" << e << "</tspan></text>\n";
   }
-  for (std::size_t i = 0; i <= n; i += 5) {
+  for (std::size_t i = 0; i <= n; i += plot.tick_step) {
     const double at = x0 + width * double(i) / double(n);
     out << "<path class=\"grid\" d=\"M" << at << ' ' << top << 'v' << height << "\"/><text x=\""
         << at << "\" y=\"" << top + height + 19 << "\">" << i << "</text>\n";
@@ -122,9 +125,9 @@ inline std::string drawing(const Plot& plot)
   const double right = left + double(plot.panels.size()) * (width + gap);
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << right + 90 << ' '
-      << top + height + bottom << "\" width=\"" << right + 90 << "\">\n<title>" << plot.title
-      << "</title>\n"
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << right + plot.legend_width
+      << ' ' << top + height + bottom << "\" width=\"" << right + plot.legend_width
+      << "\">\n<title>" << plot.title << "</title>\n"
       << style() << "<rect class=\"paper\" width=\"100%\" height=\"100%\" rx=\"8\"/>\n";
   double x0 = left;
   for (const Panel& panel : plot.panels) {

@@ -14,7 +14,7 @@
 //
 //   far_from_origin [OUTPUT.csv [OUTPUT.svg]]
 
-#include "Chart_svg.h"
+#include "Log_plot_svg.h"
 #include "Sampled_shapes.h"
 
 #include <CGAL/Exact_rational.h>
@@ -54,11 +54,11 @@ struct Errors
 template <class Vector>
 struct Translation
 {
-  Translation(Way way, const Vector& center)
-    : made_at(way == made_at_origin ? 0. * center : center)
-    , before(way == recentred || way == recentred_and_kept ? -center : 0. * center)
-    , after(way == recentred ? center : 0. * center)
-    , center(way == in_place || way == recentred ? center : 0. * center)
+  Translation(Way way, const Vector& c)
+    : made_at(way == made_at_origin ? 0. * c : c)
+    , before(way == recentred || way == recentred_and_kept ? -c : 0. * c)
+    , after(way == recentred ? c : 0. * c)
+    , center(way == in_place || way == recentred ? c : 0. * c)
   {}
   Vector made_at, before, after, center;
 };
@@ -106,16 +106,15 @@ Errors errors(Way way, double distance)
 
 int main(int argc, char** argv)
 {
-  std::vector<chart_svg::Panel> panels{
-    {"deviation from the sphere", "|c| / R", true, {}},
-    {"error of the curvature of the circle", "|c| / R", true, {}}};
+  std::vector<log_plot_svg::Panel> panels{{"deviation from the sphere", {}},
+                                          {"error of the curvature of the circle", {}}};
   std::ofstream csv;
   if (argc > 1) csv.open(argv[1]);
   csv << "way,distance,sphere,circle,curvature\n";
   std::cout << "                        |c|/R    sphere, in 2^-52    circle, in 2^-52   curvature\n"
             << std::setprecision(3);
   for (int way = 0; way < number_of_ways; ++way) {
-    for (chart_svg::Panel& panel : panels) panel.series.push_back({names[way], {}});
+    for (log_plot_svg::Panel& panel : panels) panel.lines.push_back({names[way], {}});
     for (int exponent = 0; exponent <= 12; ++exponent) {
       const double distance = std::pow(10., exponent);
       const Errors e = errors(static_cast<Way>(way), distance);
@@ -126,13 +125,21 @@ int main(int argc, char** argv)
                   << std::setw(11) << e.curvature << '\n';
       csv << names[way] << ',' << distance << ',' << e.sphere << ',' << e.circle << ','
           << e.curvature << '\n';
-      panels[0].series.back().points.emplace_back(distance, e.sphere);
-      panels[1].series.back().points.emplace_back(distance, e.curvature);
+      panels[0].lines.back().values.push_back(e.sphere);
+      panels[1].lines.back().values.push_back(e.curvature);
     }
   }
+  const log_plot_svg::Plot plot{"Far from the origin, in double",
+                                "decimal logarithm of the distance in radii",
+                                "relative error",
+                                "sampled and refined",
+                                -16,
+                                0,
+                                panels,
+                                2,
+                                false,
+                                220};
   const bool written =
-    (argc < 2 || csv.flush()) &&
-    (argc < 3 || chart_svg::write(argv[2], "Far from the origin, in double",
-                                  "relative to the radius and its curvature", panels));
+    (argc < 2 || csv.flush()) && (argc < 3 || log_plot_svg::write(argv[2], plot));
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -16,7 +16,7 @@
 // --with-sqrt adds the surfaces in Exact_predicates_exact_constructions_kernel_with_sqrt, which takes
 // minutes.
 
-#include "Chart_svg.h"
+#include "Log_plot_svg.h"
 #include "Sampled_shapes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -51,7 +51,6 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -269,28 +268,37 @@ bool write_csv(const std::string& file, const Table& table)
   return bool(out.flush());
 }
 
-// the largest deviation of a kernel over the shapes, against the rounds
+// the largest deviations of the kernels over the shapes, by rounds
+log_plot_svg::Panel panel(const Table& table, int distance, const std::string& caption)
+{
+  log_plot_svg::Panel panel{caption, {}};
+  for (const Row& r : table.rows) {
+    if (r.distance != distance) continue;
+    auto line = std::find_if(panel.lines.begin(), panel.lines.end(),
+                             [&r](const auto& l) { return l.label == r.kernel; });
+    if (line == panel.lines.end())
+      line = panel.lines.insert(line, {r.kernel, {}, r.kernel == "EPICK"}); // else over double
+    line->values.resize((std::max)(line->values.size(), std::size_t(r.rounds + 1)));
+    line->values[r.rounds] = (std::max)(line->values[r.rounds], r.deviation);
+  }
+  return panel;
+}
+
 bool write_svg(const std::string& file, const Table& table)
 {
-  std::vector<chart_svg::Panel> panels;
-  for (const int distance : {0, 100}) {
-    std::vector<std::string> kernels;
-    std::map<std::string, std::map<unsigned, double>> largest;
-    for (const Row& r : table.rows) {
-      if (r.distance != distance) continue;
-      if (largest.count(r.kernel) == 0) kernels.push_back(r.kernel);
-      double& d = largest[r.kernel][r.rounds];
-      d = (std::max)(d, r.deviation);
-    }
-    chart_svg::Panel panel;
-    panel.caption = distance == 0 ? "about the origin" : "100 radii from the origin";
-    panel.x_label = "rounds";
-    for (const std::string& kernel : kernels)
-      panel.series.push_back({kernel, {largest[kernel].begin(), largest[kernel].end()}});
-    panels.push_back(panel);
-  }
-  return chart_svg::write(file, "What kernels keep of circles, spheres and cylinders",
-                          "largest deviation / radius", panels, 1e-22);
+  log_plot_svg::Plot plot{"What kernels keep of circles, spheres and cylinders",
+                          "rounds",
+                          "largest deviation / radius",
+                          "kernel",
+                          -22,
+                          -4,
+                          {},
+                          1,
+                          false,
+                          190};
+  plot.panels = {panel(table, 0, "about the origin"),
+                 panel(table, 100, "100 radii from the origin")};
+  return log_plot_svg::write(file, plot);
 }
 
 } // namespace
