@@ -465,8 +465,10 @@ TEST(Estimate_curvature, edges_without_length_and_faces_without_area)
   for (const Triple& direction :
        {Triple{0, 0, 0}, Triple{1, 2, 3}, Triple{1 / 3., 1 / 7., 1 / 11.}}) {
     Soup soup = square(4, Faces::quads, 0);
-    for (Triple& p : soup.points)
-      p = {p[0] * direction[0], p[0] * direction[1], p[0] * direction[2]};
+    for (Triple& p : soup.points) {
+      const double t = p[0] + 0.37 * p[1];
+      p = {t * direction[0], t * direction[1], t * direction[2]};
+    }
     for (const Curvature& c : from_points(soup)) EXPECT_FALSE(c.is_estimated);
     const std::vector<Triple> normals(soup.points.size(), Triple{0.6, 0, 0.8});
     for (const Curvature& c : from_normals(soup, normals)) EXPECT_FALSE(c.is_estimated);
