@@ -91,8 +91,8 @@ def spoon() -> Mesh:
     faces += [(a, count + a, count + b, b) for a, b in zip(rim, rim[1:] + rim[:1])]
     model = Model(Mesh(points, faces))
     end = [first_wall, len(faces) - 1]
-    steps = ((0.35, 0.1, 0.5), (0.6, 0.14, 0.65), (0.9, 0.1, 0.95), (0.9, 0.0, 1.1),
-             (0.9, -0.1, 1.25), (0.6, -0.12, 1.3), (0.3, -0.06, 0.75))
+    steps = ((0.35, 0.1, 0.5), (0.45, 0.12, 0.65), (0.6, 0.08, 0.95), (0.6, 0.0, 1.1),
+             (0.6, -0.08, 1.25), (0.4, -0.1, 1.3), (0.25, -0.05, 0.75))
     for along, up, grow in steps:
         model.extrude(end, (along, 0.0, up), (1.0, grow, lerp(1.0, grow, 0.3)))
     return model.mesh
