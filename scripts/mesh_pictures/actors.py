@@ -156,6 +156,7 @@ def colour_bar(title: str, limit: float, font_size: int) -> vtkScalarBarActor:
     bar.SetPosition(0.54, 0.015)
     bar.SetWidth(0.42)
     bar.SetHeight(0.12)
+    bar.SetTextPositionToPrecedeScalarBar()
     for style in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         style.SetColor(0.1, 0.1, 0.1)
         style.SetFontSize(font_size)

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Draws doc/PN_subdivision_3/fig/curvature_MESH.png for some meshes of data/: the Gaussian curvature of
+# the surfaces by Catmull-Clark and modified Catmull-Clark subdivision, linear and point-normal, in the
+# same colours. Models have estimated control normals.
+#
+#   scripts/make_curvature_pictures.sh [PN_SUBDIVIDE [FOLDER]]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+command=${1:-build/release/src/pn_subdivide/pn_subdivide}
+folder=${2:-doc/PN_subdivision_3/fig}
+if [[ ! -x $command ]]; then
+  echo "$command is missing: scripts/build.sh pn_subdivide builds it" >&2
+  exit 1
+fi
+mkdir -p "$folder"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+refine() { # mesh, rounds, output, scheme, options
+  "$command" surface "data/$1" "$work/$3.vtp" --levels "$2" --curvature gaussian --quiet \
+             --scheme "${@:4}"
+}
+
+draw() { # mesh, rounds, curvature at the ends of the colours, view
+  refine "$1" "$2" linear catmull-clark --linear
+  refine "$1" "$2" modified modified-catmull-clark --linear
+  refine "$1" "$2" PN catmull-clark
+  refine "$1" "$2" PN_modified modified-catmull-clark
+  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 300 --same-view \
+                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
+                    --caption "linear" --caption "modified linear" --caption "PN" \
+                    --caption "PN-modified" "$work"/{linear,modified,PN,PN_modified}.vtp
+}
+
+draw saddle_5.ply 5 5 35,60
+draw bezier_6.ply 5 1 35,60
+draw cylinder_cap_8.ply 5 0.01 35,50
+draw spoon.obj 4 4 -40,60
+draw head.obj 4 8 -35,10
