@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -21,11 +22,8 @@ namespace PN = CGAL::PN_subdivision_3;
 
 constexpr double ulp = std::numeric_limits<double>::epsilon(); // 2^-52
 
-const Curve_kernel::Point_2& point_of(const Curve_2::value_type& item)
-{
-  return item.first;
-}
-const Curve_kernel::Point_3& point_of(const Curve_3::value_type& item)
+template <class Point, class Vector>
+const Point& point_of(const std::pair<Point, Vector>& item)
 {
   return item.first;
 }

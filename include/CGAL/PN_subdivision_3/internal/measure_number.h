@@ -12,7 +12,6 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -79,13 +78,7 @@ Uncertain<bool> is_zero_number(const Number& x)
 template <class Number>
 Interval_nt<> interval_around(const Number& x)
 {
-  Interval_nt<> i(CGAL::to_interval(x));
-  if constexpr (Is_lazy<Number>::value)
-    if (!(i.sup() - i.inf() <= std::ldexp((std::min)(std::abs(i.inf()), std::abs(i.sup())), -40))) {
-      x.exact();
-      i = Interval_nt<>(CGAL::to_interval(x));
-    }
-  return i;
+  return Interval_nt<>(close_interval(x));
 }
 
 } // namespace internal
