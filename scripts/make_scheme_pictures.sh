@@ -10,17 +10,7 @@
 #
 #   scripts/make_scheme_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
-cd "$(dirname "$0")/.."
-
-command=${1:-build/release/src/pn_subdivide/pn_subdivide}
-folder=${2:-doc/PN_subdivision_3/fig}
-if [[ ! -x $command ]]; then
-  echo "$command is missing: scripts/build.sh pn_subdivide builds it" >&2
-  exit 1
-fi
-mkdir -p "$folder"
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+source "$(dirname "$0")/figure_setup.sh"
 
 # Four cubes about a corner; cut open, the arms have no ends and one of them lacks a side too.
 python3 - "$work" <<'PY'
