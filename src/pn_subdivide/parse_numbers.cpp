@@ -22,17 +22,26 @@ std::pair<std::string, std::string> split_at_colon(const std::string& text)
   return {text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
 }
 
+namespace {
+
+double parse_number(const std::string& word, const std::string& option)
+{
+  char* end = nullptr;
+  const double x = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0' || !std::isfinite(x))
+    throw Usage_error(option + ": '" + word + "' is not a number");
+  return x;
+}
+
+} // namespace
+
 std::vector<double> parse_numbers(const std::string& text, const std::string& option)
 {
   std::vector<std::string> words;
   boost::algorithm::split(words, text, boost::algorithm::is_any_of(","));
   std::vector<double> numbers;
-  for (const std::string& word : words) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(word.c_str(), &end));
-    if (word.empty() || *end != '\0' || !std::isfinite(numbers.back()))
-      throw Usage_error(option + ": '" + word + "' is not a number");
-  }
+  numbers.reserve(words.size());
+  for (const std::string& word : words) numbers.push_back(parse_number(word, option));
   return numbers;
 }
 

@@ -77,8 +77,8 @@ using Number_of_point = Measure_number<FT_of<Point>>;
 template <class Point, class Shape>
 auto shape_for(const Shape& shape)
 {
-  const auto measure = shape_measure<Number_of_point<Point>>(shape);
-  static_assert(std::decay_t<decltype(measure)>::dimension == Ambient_dimension<Point>::value,
+  auto measure = shape_measure<Number_of_point<Point>>(shape);
+  static_assert(decltype(measure)::dimension == Ambient_dimension<Point>::value,
                 "the shape and the point must have the same dimension");
   return measure;
 }

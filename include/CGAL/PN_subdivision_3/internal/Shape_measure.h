@@ -157,7 +157,7 @@ private:
 
   Number height(const Vector& v) const
   {
-    const Number h = dot<Number, dimension>(v, direction);
+    const auto h = dot<Number, dimension>(v, direction);
     return kind == Shape_kind::hyperplane ? Number(h + squared_radius) : h;
   }
 

@@ -56,7 +56,7 @@ Number measure_number(const FT& x)
   else if constexpr (is_rounded_v<FT>) {
     Number sum(0);
     for (FT rest = x; rest != FT(0);) {
-      const double head = static_cast<double>(CGAL::to_double(rest));
+      const auto head = static_cast<double>(CGAL::to_double(rest));
       check_range(rest, head);
       sum += Number(head);
       rest = rest - FT(head);
