@@ -212,7 +212,7 @@ private:
     return result;
   }
 
-  // Two entries at a time; beside the last one of an odd number stands itself with weight zero.
+  // Two entries at a time; the order of the sums depends on nothing but the row.
   template <class Rows>
   static FT height(const Rows& rows, std::size_t r, const Stored_value* old, const Value& result,
                    FT& least_denominator)
@@ -226,11 +226,9 @@ private:
     Two sum = Two::both(0), least = Two::both(2);
     const Entry* const e = rows.begin(r);
     const std::size_t length = rows.length(r);
-    for (std::size_t j = 0; j < length; j += 2) {
-      const std::size_t k = j + 1 < length ? j + 1 : j;
-      const Two weight = Two::of(e[j].weight, j < k ? e[k].weight : FT(0));
+    for (std::size_t j = 0; j + 1 < length; j += 2) {
       const Stored_value& v0 = old[e[j].vertex];
-      const Stored_value& v1 = old[e[k].vertex];
+      const Stored_value& v1 = old[e[j + 1].vertex];
       Two numerator, denominator;
       for (int c = 0; c < dimension; ++c) {
         // (p_j - q, n_j + n) of two entries
@@ -240,11 +238,18 @@ private:
         numerator = c == 0 ? numerator_c : numerator + numerator_c;
         denominator = c == 0 ? denominator_c : denominator + denominator_c;
       }
-      sum = sum + weight * (numerator / denominator);
+      sum = sum + Two::of(e[j].weight, e[j + 1].weight) * (numerator / denominator);
       least = lesser(denominator, least);
     }
+    FT last(0);
     least_denominator = (std::min)(least[0], least[1]);
-    return sum[0] + sum[1];
+    if (length % 2 != 0) {
+      const Entry& odd = e[length - 1];
+      const auto h = pn_height<FT, dimension>(Value(old[odd.vertex]), result.point, result.normal);
+      least_denominator = (std::min)(least_denominator, h.denominator);
+      last = odd.weight * (h.numerator / h.denominator);
+    }
+    return sum[0] + sum[1] + last;
   }
 
   template <class Rows, class Normal_rows>
