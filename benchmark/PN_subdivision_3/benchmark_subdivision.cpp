@@ -41,8 +41,36 @@ namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
-using Control_meshes::quads;
-using Control_meshes::triangles;
+
+// A control mesh, made when the first job of its group runs. Only one is held: those of other groups
+// would scatter the memory that the jobs get.
+struct Control
+{
+  const Mesh& mesh() const
+  {
+    static Mesh mesh;
+    static Control held{nullptr, 0, 0};
+    if (make != held.make || rings != held.rings || segments != held.segments) {
+      mesh = Mesh();
+      mesh = make(rings, segments);
+      held = *this;
+    }
+    return mesh;
+  }
+
+  Mesh (*make)(int rings, int segments);
+  int rings, segments;
+};
+
+Control quads(int rings, int segments)
+{
+  return {&Control_meshes::quads, rings, segments};
+}
+
+Control triangles(int rings, int segments)
+{
+  return {&Control_meshes::triangles, rings, segments};
+}
 
 struct Result
 {
@@ -106,13 +134,13 @@ Result openmesh_butterfly(const Mesh& control, unsigned rounds)
 
 std::vector<std::string> names;
 
-void add(const std::string& name, const Mesh& control, unsigned rounds, const Job& job)
+void add(const std::string& name, const Control& control, unsigned rounds, const Job& job)
 {
   names.push_back(name);
   const auto run = [control, rounds, job](benchmark::State& state) {
     Result result{};
     for (auto _ : state) {
-      result = job(control, rounds);
+      result = job(control.mesh(), rounds);
       state.SetIterationTime(result.seconds);
     }
     state.counters["faces"] = static_cast<double>(result.faces);
@@ -125,7 +153,7 @@ void add(const std::string& name, const Mesh& control, unsigned rounds, const Jo
 
 // The peer comes first: the ratios of a group are to its first job.
 template <class Scheme>
-void add_group(const std::string& group, const Mesh& control, unsigned rounds, const Job& peer,
+void add_group(const std::string& group, const Control& control, unsigned rounds, const Job& peer,
                const Scheme& scheme)
 {
   add(group + "/peer-linear", control, rounds, peer);
@@ -143,7 +171,7 @@ void add_group(const std::string& group, const Mesh& control, unsigned rounds, c
 
 // Two point-normal schemes side by side, with one and with two threads.
 template <class Scheme, class Modified_scheme>
-void add_modified(const std::string& name, const std::string& size, const Mesh& control,
+void add_modified(const std::string& name, const std::string& size, const Control& control,
                   unsigned rounds, const Scheme& scheme, const Modified_scheme& modified)
 {
   const auto add_pair = [&](const std::string& group, const auto& job_of) {
@@ -166,7 +194,7 @@ void add_modified_schemes()
   // the triangles have extraordinary vertices that are separated after a round or two
   const PN::CatmullClark_scheme catmull_clark;
   const PN::modified_CatmullClark_scheme modified_catmull_clark;
-  const auto add_catmull_clark = [&](const char* size, const Mesh& control, unsigned rounds) {
+  const auto add_catmull_clark = [&](const char* size, const Control& control, unsigned rounds) {
     add_modified("modified_CatmullClark", size, control, rounds, catmull_clark,
                  modified_catmull_clark);
   };
