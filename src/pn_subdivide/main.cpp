@@ -39,11 +39,8 @@ const char* const curve_footer =
   "as "
   "it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
-// Options that are spoken for. They are refused by name, so that nobody takes them for typos.
-const std::vector<const char*> later_surface_options = {"--cap"};
-
 // A number or a fraction such as 1/16.
-double parse_tension(const std::string& text)
+double parse_fraction(const char* option, const std::string& text)
 {
   std::istringstream in(text);
   double numerator = 0, denominator = 1;
@@ -52,7 +49,7 @@ double parse_tension(const std::string& text)
   bool good = !in.fail();
   if (good && in >> slash) good = slash == '/' && (in >> denominator) && denominator != 0;
   if (!good || !(in >> std::ws).eof())
-    throw Usage_error("--tension '" + text + "': it takes a number or a fraction such as 1/16");
+    throw Usage_error(option + (" '" + text) + "': it takes a number or a fraction such as 1/16");
   return numerator / denominator;
 }
 
@@ -76,15 +73,24 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
   surface->add_option("INPUT", options.input, "Control mesh")->required();
   surface->add_option("OUTPUT", options.output, "Refined mesh")->required();
   surface
-    ->add_option("--scheme", options.scheme.scheme,
-                 "catmull-clark, loop, doo-sabin, sqrt3, butterfly or kobbelt")
+    ->add_option(
+      "--scheme", options.scheme.scheme,
+      "catmull-clark, loop, doo-sabin, sqrt3, butterfly, kobbelt, modified-catmull-clark or "
+      "modified-loop")
     ->required();
   surface->add_option("--normal-scheme", options.scheme.normal_scheme,
                       "Another scheme for the normals, with the same split of the faces");
   surface->add_option_function<std::string>(
     "--tension",
-    [&options](const std::string& text) { options.scheme.tension = parse_tension(text); },
+    [&options](const std::string& text) {
+      options.scheme.tension = parse_fraction("--tension", text);
+    },
     "Kobbelt's tension, a number or a fraction; default 1/16");
+  surface->add_option_function<std::string>(
+    "--cap",
+    [&options](const std::string& text) { options.scheme.cap = parse_fraction("--cap", text); },
+    "Of a modified scheme: bound of its eigenvalues, C in C lambda^2, a number or a fraction; "
+    "0 < C <= 1, default 1/2");
   surface
     ->add_option("--levels", options.levels, "Rounds of subdivision; 0 copies the control data")
     ->capture_default_str();
@@ -102,7 +108,6 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
                     "Orient the faces and duplicate non-manifold edges and vertices");
   surface->add_flag("--ascii", options.ascii, "PLY and VTP as text");
   surface->add_flag("--quiet", options.quiet, "No progress on standard error");
-  for (const char* later : later_surface_options) surface->add_option(later)->group("");
   return surface;
 }
 
@@ -138,12 +143,6 @@ CLI::App* add_curve_command(CLI::App& app, Curve_options& options)
   return curve;
 }
 
-void refuse_later_options(const CLI::App& command, const std::vector<const char*>& later_options)
-{
-  for (const char* later : later_options)
-    if (command.count(later) > 0) throw Usage_error(std::string(later) + " is not available yet");
-}
-
 int run(int argc, char** argv)
 {
   CLI::App app(
@@ -164,7 +163,6 @@ int run(int argc, char** argv)
     if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(e);
     throw Usage_error(std::string(e.what()) + " (see pn_subdivide --help)");
   }
-  refuse_later_options(*surface, later_surface_options);
   if (curve->parsed())
     run_curve_command(curve_options);
   else

@@ -24,6 +24,7 @@ namespace {
 namespace PN = CGAL::PN_subdivision_3;
 
 constexpr double default_tension = 1. / 16;
+constexpr double default_cap = 1. / 2;
 
 struct Round_visitor
 {
@@ -68,14 +69,13 @@ Mesh_data refine_with_normals(const Mesh_data& mesh, const Scheme& scheme,
 
 // All schemes. A new scheme of the library is a new type here and a new line in parse_scheme().
 using Scheme = std::variant<PN::CatmullClark_scheme, PN::Kobbelt_scheme, PN::Loop_scheme,
-                            PN::Butterfly_scheme, PN::DooSabin_scheme, PN::Sqrt3_scheme>;
+                            PN::Butterfly_scheme, PN::DooSabin_scheme, PN::Sqrt3_scheme,
+                            PN::modified_CatmullClark_scheme, PN::modified_Loop_scheme>;
 
-const char* const later_schemes[] = {"modified-catmull-clark", "modified-loop"};
-
-Scheme parse_scheme(const char* option, const std::string& name, double tension)
+Scheme parse_scheme(const char* option, const std::string& name, const Scheme_choice& choice)
 {
-  for (const char* later : later_schemes)
-    if (name == later) throw Usage_error(option + (' ' + name) + " is not available yet");
+  const double tension = choice.tension.value_or(default_tension);
+  const double cap = choice.cap.value_or(default_cap);
   const std::pair<const char*, Scheme> schemes[] = {
     {"catmull-clark", PN::CatmullClark_scheme()},
     {"kobbelt", PN::Kobbelt_scheme(tension)},
@@ -83,6 +83,8 @@ Scheme parse_scheme(const char* option, const std::string& name, double tension)
     {"butterfly", PN::Butterfly_scheme()},
     {"doo-sabin", PN::DooSabin_scheme()},
     {"sqrt3", PN::Sqrt3_scheme()},
+    {"modified-catmull-clark", PN::modified_CatmullClark_scheme(cap)},
+    {"modified-loop", PN::modified_Loop_scheme(cap)},
   };
   std::string known;
   for (const auto& [scheme_name, scheme] : schemes) {
@@ -133,19 +135,28 @@ void require_same_host(const Scheme_choice& choice, const Scheme& scheme,
                       choice.scheme + ": they split the faces differently");
 }
 
+bool is_modified(const std::string& scheme)
+{
+  return scheme == "modified-catmull-clark" || scheme == "modified-loop";
+}
+
 } // namespace
 
 void require_surface_schemes(const Scheme_choice& choice)
 {
   if (choice.tension && choice.scheme != "kobbelt" && choice.normal_scheme != "kobbelt")
     throw Usage_error("--tension belongs to the scheme kobbelt");
-  const double tension = choice.tension.value_or(default_tension);
-  if (!(tension > -0.5 && tension < 0.5))
+  if (choice.tension && !(*choice.tension > -0.5 && *choice.tension < 0.5))
     throw Usage_error("--tension must lie between -1/2 and 1/2");
-  const Scheme scheme = parse_scheme("--scheme", choice.scheme, tension);
+  if (choice.cap && !is_modified(choice.scheme) &&
+      !(choice.normal_scheme && is_modified(*choice.normal_scheme)))
+    throw Usage_error("--cap belongs to the schemes modified-catmull-clark and modified-loop");
+  if (choice.cap && !(*choice.cap > 0 && *choice.cap <= 1))
+    throw Usage_error("--cap must be greater than 0 and at most 1");
+  const Scheme scheme = parse_scheme("--scheme", choice.scheme, choice);
   if (choice.normal_scheme)
     require_same_host(choice, scheme,
-                      parse_scheme("--normal-scheme", *choice.normal_scheme, tension));
+                      parse_scheme("--normal-scheme", *choice.normal_scheme, choice));
 }
 
 void require_threads(unsigned threads)
@@ -164,10 +175,9 @@ Mesh_data refine_surface(const Mesh_data& mesh, const Scheme_choice& choice,
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, refinement.threads);
 #endif
-  const double tension = choice.tension.value_or(default_tension);
-  const Scheme scheme = parse_scheme("--scheme", choice.scheme, tension);
+  const Scheme scheme = parse_scheme("--scheme", choice.scheme, choice);
   if (!choice.normal_scheme || !mesh.has_normals()) return refine(mesh, scheme, refinement);
-  return refine(mesh, scheme, parse_scheme("--normal-scheme", *choice.normal_scheme, tension),
+  return refine(mesh, scheme, parse_scheme("--normal-scheme", *choice.normal_scheme, choice),
                 refinement);
 }
 

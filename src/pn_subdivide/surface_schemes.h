@@ -26,7 +26,8 @@ struct Scheme_choice
 {
   std::string scheme;
   std::optional<std::string> normal_scheme; // the scheme's own mask if there is none
-  std::optional<double> tension;
+  std::optional<double> tension;            // Kobbelt's
+  std::optional<double> cap;                // that of the modified schemes
 };
 
 // Throws Usage_error if there is no such scheme, or if these do not go together.

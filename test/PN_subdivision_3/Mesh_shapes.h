@@ -231,6 +231,41 @@ inline Control_mesh single_polygon(int n)
   return mesh;
 }
 
+// The faces about the vertex 0 of valence n: n sectors of a grid with `rings` cells along a side.
+inline Control_mesh star(int n, int rings, Cells cells)
+{
+  const bool triangles = cells == Cells::triangles;
+  Control_mesh mesh{"star " + std::to_string(n), {{0, 0, 0}}, {}};
+  std::map<std::array<int, 3>, int> index; // (spoke, along it, along the next one)
+  const auto vertex = [&](int spoke, int i, int j) {
+    if (i == 0 && j == 0) return 0;
+    if (i == 0) return index.at({(spoke + 1) % n, j, 0});
+    return index.at({spoke, i, j});
+  };
+  const auto last = [&](int i) { return triangles ? rings - i : rings; };
+  for (int s = 0; s < n; ++s)
+    for (int i = 1; i <= rings; ++i)
+      for (int j = 0; j <= last(i); ++j) {
+        const double a = 6.2831853 * s / n, b = 6.2831853 * (s + 1) / n;
+        index[{s, i, j}] = int(mesh.points.size());
+        mesh.points.push_back({i * std::cos(a) + j * std::cos(b), i * std::sin(a) + j * std::sin(b),
+                               0.3 * std::sin(i + 2.0 * j + s)});
+      }
+  for (int s = 0; s < n; ++s)
+    for (int i = 0; i < rings; ++i)
+      for (int j = 0; j < last(i); ++j) {
+        const int a = vertex(s, i, j), b = vertex(s, i + 1, j), d = vertex(s, i, j + 1);
+        if (!triangles) {
+          mesh.faces.push_back({a, b, vertex(s, i + 1, j + 1), d});
+          continue;
+        }
+        mesh.faces.push_back({a, b, d});
+        if (j + 1 < last(i)) mesh.faces.push_back({b, vertex(s, i + 1, j + 1), d});
+      }
+  mesh.normals.assign(mesh.points.size(), {0, 0, 0});
+  return mesh;
+}
+
 // --- operations ---
 
 // Takes faces away at random, a third of them, and keeps a manifold without isolated vertices.

@@ -74,6 +74,7 @@ inline std::vector<Control_mesh> shapes()
   suite.push_back(part_of(with_centers(bipyramid(11), 2), 1));
   suite.push_back(grid(5, 1, false, false, Cells::triangles));
   suite.push_back(single_polygon(3));
+  for (int n : {4, 7}) suite.push_back(star(n, 2, Cells::triangles));
   // quads
   for (int n : {3, 5, 7, 12}) suite.push_back(in_quads(bipyramid(n)));
   suite.push_back(grid(5, 6, true, true, Cells::quads));
@@ -83,6 +84,7 @@ inline std::vector<Control_mesh> shapes()
   suite.push_back(part_of(grid(7, 6, false, false, Cells::quads), 2));
   suite.push_back(grid(4, 1, false, false, Cells::quads));
   suite.push_back(single_polygon(4));
+  for (int n : {3, 5}) suite.push_back(star(n, 2, Cells::quads));
   // any polygons
   for (int n : {3, 5, 9}) suite.push_back(house(n));
   suite.push_back(part_of(house(7), 4));

@@ -135,34 +135,6 @@ TEST(Kobbelt, IsTheTensorProductOfTheFourPointRuleOnGrids)
     }
 }
 
-// The faces about an isolated vertex of valence n, two rings of them.
-Control_mesh isolated_vertex_of_valence(int n)
-{
-  Control_mesh mesh{"star " + std::to_string(n), {{0, 0, 0}}, {}};
-  const int size = 4;                      // cells along a sector
-  std::map<std::array<int, 3>, int> index; // (spoke, along it, along the next one)
-  const auto vertex = [&](int spoke, int i, int j) {
-    if (i == 0 && j == 0) return 0;
-    if (i == 0) return index.at({(spoke + 1) % n, j, 0});
-    return index.at({spoke, i, j});
-  };
-  for (int s = 0; s < n; ++s)
-    for (int i = 1; i <= size; ++i)
-      for (int j = 0; j <= size; ++j) {
-        const double a = 6.2831853 * s / n, b = 6.2831853 * (s + 1) / n;
-        index[{s, i, j}] = int(mesh.points.size());
-        mesh.points.push_back({i * std::cos(a) + j * std::cos(b), i * std::sin(a) + j * std::sin(b),
-                               0.3 * std::sin(i + 2.0 * j + s)});
-      }
-  for (int s = 0; s < n; ++s)
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        mesh.faces.push_back(
-          {vertex(s, i, j), vertex(s, i + 1, j), vertex(s, i + 1, j + 1), vertex(s, i, j + 1)});
-  mesh.normals.assign(mesh.points.size(), {0, 0, 0});
-  return mesh;
-}
-
 Row row_of(const Kernel::Point_3& p)
 {
   Row row(3);
@@ -175,7 +147,7 @@ Row row_of(const Kernel::Point_3& p)
 TEST(Kobbelt, FacesAtAnIsolatedVertexDoNotDependOnTheDirection)
 {
   for (int n : {3, 5, 6, 7, 8, 9, 12}) {
-    const Control_mesh control = isolated_vertex_of_valence(n);
+    const Control_mesh control = test_meshes::star(n, 4, test_meshes::Cells::quads);
     Surface_mesh old = to_surface_mesh(control), mesh = old;
     refine_linearly<Kobbelt_description>(mesh, 1);
     const auto edge_point = [&](Surface_mesh::Halfedge_index h) {

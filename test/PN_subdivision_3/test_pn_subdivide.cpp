@@ -108,12 +108,57 @@ TEST_F(Pn_subdivide, Linear_Loop_of_an_octahedron_as_computed_by_hand)
     EXPECT_NEAR((mesh.points[v] - CGAL::ORIGIN).squared_length(), 9. / 32, 1e-15);
 }
 
+// The first point is one of valence 5 in the midst of triangles: 1 - alpha kappa for itself, with
+// kappa = (1 - C lambda^2) / (1 - lambda^2), and the sum of its neighbors is the zero vector.
+TEST_F(Pn_subdivide, Linear_modified_Loop_of_a_vertex_as_computed_by_hand)
+{
+  std::string off = "OFF\n6 5 0\n0 0 1\n";
+  const double turn = 2 * std::acos(-1.) / 5;
+  for (int i = 0; i < 5; ++i)
+    off += std::to_string(std::cos(i * turn)) + " " + std::to_string(std::sin(i * turn)) + " 0\n";
+  for (int i = 0; i < 5; ++i)
+    off += "3 0 " + std::to_string(1 + i) + " " + std::to_string(1 + (i + 1) % 5) + "\n";
+  const std::string input = folder.write("vertex.off", off);
+  const double lambda = 3. / 8 + std::cos(turn) / 4, square = lambda * lambda;
+  const auto height = [&](double cap) {
+    return 1 - (5. / 8 - square) * (1 - cap * square) / (1 - square);
+  };
+  for (const auto& [options, cap] :
+       {std::pair("", 0.5), {"--cap 1/2", 0.5}, {"--cap 0.3", 0.3}, {"--cap 1/8", 0.125}})
+    EXPECT_NEAR(
+      refined(input, std::string("--linear --scheme modified-loop ") + options).points[0].z(),
+      height(cap), 1e-15)
+      << options;
+  EXPECT_NEAR(refined(input, "--linear --scheme loop").points[0].z(), height(1), 1e-15);
+}
+
+// A cube has no separated vertices, its first round has.
+TEST_F(Pn_subdivide, Modified_schemes_are_modified_where_vertices_are_separated)
+{
+  const std::string input = folder.write("cube.off", cube);
+  const auto points = [&](const std::string& options) { return refined(input, options).points; };
+  EXPECT_EQ(points("--scheme modified-catmull-clark"), points("--scheme catmull-clark"));
+  const auto half = points("--levels 2 --scheme modified-catmull-clark");
+  EXPECT_NE(half, points("--levels 2 --scheme catmull-clark"));
+  EXPECT_EQ(half, points("--levels 2 --scheme modified-catmull-clark --cap 0.5"));
+  EXPECT_NE(half, points("--levels 2 --scheme modified-catmull-clark --cap 0.4"));
+  const auto normals = points("--levels 2 --scheme catmull-clark --normal-scheme "
+                              "modified-catmull-clark --cap 0.4");
+  EXPECT_NE(normals, points("--levels 2 --scheme catmull-clark"));
+  EXPECT_NE(normals, points("--levels 2 --scheme catmull-clark --normal-scheme "
+                            "modified-catmull-clark"));
+}
+
 TEST_F(Pn_subdivide, Spheres_stay_spheres)
 {
   const struct
   {
     const char *content, *scheme;
-  } cases[] = {{cube, "catmull-clark"}, {octahedron, "loop"}, {octahedron, "catmull-clark"}};
+  } cases[] = {{cube, "catmull-clark"},
+               {octahedron, "loop"},
+               {octahedron, "catmull-clark"},
+               {cube, "modified-catmull-clark"},
+               {octahedron, "modified-loop --cap 1/4"}};
   for (const auto& c : cases) {
     const std::string input = folder.write("sphere.off", c.content);
     const Mesh_data mesh =
@@ -326,17 +371,6 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
   expect_one_line(run("surface"), 2, "required");
 }
 
-TEST_F(Pn_subdivide, What_later_versions_bring_is_refused_by_name)
-{
-  const std::string input = folder.write("cube.off", cube);
-  for (const char* option : {"--cap 0.5"})
-    expect_failure(input, std::string("--scheme catmull-clark ") + option, 2,
-                   std::string(option).substr(0, std::string(option).find(' ')) +
-                     " is not available yet");
-  for (const char* scheme : {"modified-catmull-clark", "modified-loop"})
-    expect_failure(input, std::string("--scheme ") + scheme, 2, "is not available yet");
-}
-
 TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)
 {
   const std::string input = folder.write("cube.off", cube);
@@ -346,6 +380,13 @@ TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)
   expect_failure(input, "--scheme catmull-clark --tension 1/16", 2, "kobbelt");
   for (const char* tension : {"x", "1/", "1/0", "1/16x", "0.5", "-1"})
     expect_failure(input, std::string("--scheme kobbelt --tension ") + tension, 2, "--tension");
+  expect_failure(input, "--scheme catmull-clark --cap 1/2", 2, "modified-catmull-clark");
+  expect_failure(input, "--scheme kobbelt --cap 1/2 --tension 0", 2, "--cap belongs");
+  for (const char* cap : {"x", "1/", "1/0", "1/2x", "0", "-0.5", "1.01", "3/2"})
+    expect_failure(input, std::string("--scheme modified-catmull-clark --cap ") + cap, 2, "--cap");
+  expect_failure(input, "--scheme modified-loop --normal-scheme modified-catmull-clark", 2,
+                 "split");
+  expect_failure(input, "--scheme modified-loop", 1, "triangle");
   expect_failure(input, "--scheme sqrt3", 1, "triangles");
   expect_failure(input, "--scheme butterfly", 1, "triangles");
 }

@@ -6,7 +6,7 @@
 // What holds for every scheme: invariance, reduction to the linear scheme, single rounds, rows that
 // sum to 1 and rows that copy, any number of threads.
 
-#include "Scheme_runs.h"
+#include "Scheme_rows.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/subdivision_matrix.h>
@@ -177,25 +177,6 @@ TYPED_TEST(Scheme_property, SingleRoundsGiveBitForBitWhatOneCallGives)
 
 // --- rows ---
 
-// Calls f(new vertex, begin, end) with the entries of every row of round k in the number type FT.
-template <class FT, class Description, class Function>
-void for_each_row(Surface_mesh& mesh, unsigned k, const Function& f)
-{
-  const PN::internal::Surface_mesh_access<Surface_mesh> access(mesh);
-  const PN::Level_connectivity level = PN::internal::checked_level(access);
-  const auto scheme = Description::scheme();
-  using Host = typename decltype(scheme)::Host;
-  const Host host(level, k);
-  const auto mask = scheme.template mask<FT>(level, k);
-  const std::uint64_t size = Host::refined_size(level.size(), k).vertices;
-  for (PN::Level_connectivity::Index v = 0; v < size; ++v) {
-    PN::Stencil<FT> row;
-    host.stencil(mask, v, row);
-    row.close_row();
-    f(v, row.begin(0), row.end(0));
-  }
-}
-
 // of valences and degrees beyond the tables of weights, too
 template <class Description>
 std::vector<Control_mesh> meshes_of_any_valence()
@@ -215,8 +196,8 @@ void expect_rows_that_sum_to_one()
   for (const Control_mesh& control : meshes_of_any_valence<Description>()) {
     Surface_mesh mesh = to_surface_mesh(control);
     for (unsigned k = 1; k <= 2; ++k) {
-      for_each_row<FT, Description>(
-        mesh, k, [&](std::size_t v, const auto* begin, const auto* end) {
+      for_each_row<FT>(
+        mesh, Description::scheme(), k, [&](std::size_t v, const auto* begin, const auto* end) {
           FT sum(0);
           for (const auto* e = begin; e != end; ++e) sum += e->weight;
           EXPECT_TRUE(sum == FT(1)) << control.name << ", round " << k << ", vertex " << v;
@@ -245,8 +226,8 @@ TYPED_TEST(Scheme_property, RowsEqualReferenceWeights)
     const reference::Face_list list = face_list(mesh);
     const reference::Refined expected = TypeParam::refine(list, 1);
     std::size_t number_of_rows = 0;
-    for_each_row<double, TypeParam>(
-      mesh, 1, [&](std::size_t v, const auto* begin, const auto* end) {
+    for_each_row<double>(
+      mesh, TypeParam::scheme(), 1, [&](std::size_t v, const auto* begin, const auto* end) {
         ++number_of_rows;
         reference::Row row = list.zero();
         for (const auto* e = begin; e != end; ++e) row[e->vertex] += e->weight;
@@ -287,14 +268,15 @@ TYPED_TEST(Scheme_property, RowsOfOneEntryCopyBitForBit)
     refine<TypeParam>(mesh, 1);
     const Normal_map old_normals = normal_map(old), normals = normal_map(mesh);
     std::set<std::size_t> copies;
-    for_each_row<double, TypeParam>(old, 1, [&](std::size_t i, const auto* begin, const auto* end) {
-      if (end - begin != 1) return;
-      copies.insert(i);
-      const Surface_mesh::Vertex_index v(static_cast<Surface_mesh::size_type>(i)),
-        source(begin->vertex);
-      EXPECT_EQ(mesh.point(v), old.point(source)) << control.name << ", vertex " << i;
-      EXPECT_EQ(normals[v], old_normals[source]) << control.name << ", vertex " << i;
-    });
+    for_each_row<double>(
+      old, TypeParam::scheme(), 1, [&](std::size_t i, const auto* begin, const auto* end) {
+        if (end - begin != 1) return;
+        copies.insert(i);
+        const Surface_mesh::Vertex_index v(static_cast<Surface_mesh::size_type>(i)),
+          source(begin->vertex);
+        EXPECT_EQ(mesh.point(v), old.point(source)) << control.name << ", vertex " << i;
+        EXPECT_EQ(normals[v], old_normals[source]) << control.name << ", vertex " << i;
+      });
     if (!TypeParam::is_primal) continue;
     for (auto v : old.vertices())
       if (TypeParam::is_interpolatory || old.is_isolated(v)) {

@@ -1,0 +1,96 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The two modified schemes, and the weights that they give about an extraordinary vertex.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_MODIFIED_RINGS_H
+#define CGAL_PN_SUBDIVISION_3_TEST_MODIFIED_RINGS_H
+
+#include "Scheme_rows.h"
+
+// What the two schemes have in common in these tests. A ring is the extraordinary vertex, its
+// neighbors, then (quads) the vertices between them.
+struct Quads
+{
+  using Modified = CGAL::PN_subdivision_3::modified_CatmullClark_scheme;
+  using Description = Modified_CatmullClark_description;
+  static constexpr test_meshes::Cells cells = test_meshes::Cells::quads;
+  static constexpr int regular_valence = 4;
+  static constexpr int groups = 2;
+  static CGAL::PN_subdivision_3::CatmullClark_scheme unmodified() { return {}; }
+  static reference::Matrix plain_ring(int n) { return reference::catmull_clark_ring(n); }
+  static reference::Matrix ring(int n, reference::Real cap)
+  {
+    return reference::modified_catmull_clark_ring(n, cap);
+  }
+  // the left eigenvector of the eigenvalue 1: v, a neighbor, a vertex between them
+  static std::vector<reference::Real> limit_weights(reference::Real n)
+  {
+    return {n / (n + 5), 4 / (n * (n + 5)), 1 / (n * (n + 5))};
+  }
+};
+
+struct Triangles
+{
+  using Modified = CGAL::PN_subdivision_3::modified_Loop_scheme;
+  using Description = Modified_Loop_description;
+  static constexpr test_meshes::Cells cells = test_meshes::Cells::triangles;
+  static constexpr int regular_valence = 6;
+  static constexpr int groups = 1;
+  static CGAL::PN_subdivision_3::Loop_scheme unmodified() { return {}; }
+  static reference::Matrix plain_ring(int n) { return reference::loop_ring(n); }
+  static reference::Matrix ring(int n, reference::Real cap)
+  {
+    return reference::modified_loop_ring(n, cap);
+  }
+  static std::vector<reference::Real> limit_weights(reference::Real n)
+  {
+    const reference::Real root = 3 + 2 * reference::cosine(1 / n), alpha = (40 - root * root) / 64;
+    return {3 / (3 + 8 * alpha), 8 * alpha / (n * (3 + 8 * alpha))};
+  }
+};
+
+// The new vertices of the 1-ring about the vertex 0 of test_meshes::star(n, 1).
+template <class Kind>
+std::vector<std::size_t> ring_rows(const reference::Face_list& list)
+{
+  std::vector<std::size_t> rows{0};
+  const std::vector<int> neighbors = list.ring(0);
+  for (int u : neighbors) rows.push_back(reference::edge_point(list, 0, u));
+  if (Kind::groups == 2)
+    for (int u : neighbors) rows.push_back(reference::face_point(list, list.face(0, u)));
+  return rows;
+}
+template <class Kind>
+std::vector<int> ring_columns(const reference::Face_list& list)
+{
+  std::vector<int> columns{0};
+  const std::vector<int> neighbors = list.ring(0);
+  columns.insert(columns.end(), neighbors.begin(), neighbors.end());
+  if (Kind::groups == 2)
+    for (int u : neighbors) columns.push_back(list.after(0, u));
+  return columns;
+}
+
+// The matrix that the scheme's mask gives from 1-ring to 1-ring, in the number type FT.
+template <class FT, class Kind, class Scheme>
+std::vector<std::vector<FT>> ring_of(int n, const Scheme& scheme)
+{
+  Surface_mesh mesh = to_surface_mesh(test_meshes::star(n, 1, Kind::cells));
+  const reference::Face_list list = face_list(mesh);
+  std::vector<std::vector<FT>> all;
+  for_each_row<FT>(mesh, scheme, 1, [&](std::size_t, const auto* begin, const auto* end) {
+    all.emplace_back(std::size_t(list.number_of_vertices()), FT(0));
+    for (const auto* e = begin; e != end; ++e) all.back()[e->vertex] += e->weight;
+  });
+  std::vector<std::vector<FT>> ring;
+  for (std::size_t r : ring_rows<Kind>(list)) {
+    ring.emplace_back();
+    for (int c : ring_columns<Kind>(list)) ring.back().push_back(all[r][std::size_t(c)]);
+  }
+  return ring;
+}
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_MODIFIED_RINGS_H

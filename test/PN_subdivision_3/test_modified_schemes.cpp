@@ -1,0 +1,425 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The modified schemes: where they differ from the unmodified ones, the eigenvalues and eigenvectors
+// of the 1-ring, rows known from hand, all valences and caps.
+
+#include "Modified_rings.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
+
+#include <Eigen/Eigenvalues>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using reference::Matrix;
+using reference::Real;
+using test_meshes::Cells;
+using test_meshes::Control_mesh;
+using test_meshes::star;
+
+template <class Kind>
+class Modified_scheme : public testing::Test
+{};
+using Kinds = testing::Types<Quads, Triangles>;
+TYPED_TEST_SUITE(Modified_scheme, Kinds);
+
+template <class Kind, class Scheme>
+Matrix ring_matrix(int n, const Scheme& scheme)
+{
+  const auto rows = ring_of<double, Kind>(n, scheme);
+  Matrix m(Eigen::Index(rows.size()), Eigen::Index(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows.size(); ++j) m(Eigen::Index(i), Eigen::Index(j)) = rows[i][j];
+  return m;
+}
+
+double largest(const Matrix& m)
+{
+  return double(m.cwiseAbs().maxCoeff());
+}
+
+// --- where the rules differ ---
+
+// The new vertices whose rows are not those of the unmodified scheme. (With the cap 1/2, Loop's row
+// of a vertex of valence 3 is.)
+template <class Kind>
+std::set<std::size_t> modified_rows(const Surface_mesh& mesh)
+{
+  const Eigen::MatrixXd plain = PN::subdivision_matrix(mesh, Kind::unmodified()),
+                        modified = PN::subdivision_matrix(mesh, typename Kind::Modified(0.2));
+  std::set<std::size_t> rows;
+  for (Eigen::Index i = 0; i < plain.rows(); ++i)
+    if (plain.row(i) != modified.row(i)) rows.insert(std::size_t(i));
+  return rows;
+}
+
+template <class Kind>
+void expect_modified_about(Control_mesh control, unsigned rounds_before,
+                           const std::set<int>& vertices)
+{
+  control.normals.assign(control.points.size(), {0, 0, 0});
+  Surface_mesh mesh = to_surface_mesh(control);
+  PN::subdivide(mesh, PN::linear(Kind::unmodified()),
+                CGAL::parameters::number_of_iterations(rounds_before));
+  const reference::Face_list list = face_list(mesh);
+  std::set<std::size_t> expected;
+  for (int v : vertices) {
+    expected.insert(std::size_t(v));
+    for (int u : list.ring(v)) {
+      expected.insert(reference::edge_point(list, v, u));
+      if (Kind::groups == 2) expected.insert(reference::face_point(list, list.face(v, u)));
+    }
+  }
+  EXPECT_EQ(modified_rows<Kind>(mesh), expected)
+    << control.name << " after " << rounds_before << " rounds";
+}
+
+TYPED_TEST(Modified_scheme, ModifiesVertexEdgesAndFacesOfASeparatedVertex)
+{
+  for (int n : {3, 4, 5, 6, 7, 12})
+    for (int rings : {1, 2}) // one ring: all neighbors are on the border
+      for (unsigned rounds : {0u, 1u, 2u}) {
+        const bool regular = n == TypeParam::regular_valence;
+        expect_modified_about<TypeParam>(star(n, rings, TypeParam::cells), rounds,
+                                         regular ? std::set<int>{} : std::set<int>{0});
+      }
+}
+
+TYPED_TEST(Modified_scheme, IsTheUnmodifiedOneOnRegularMeshesAndBorders)
+{
+  for (const bool closed : {false, true})
+    expect_modified_about<TypeParam>(test_meshes::grid(5, 4, closed, closed, TypeParam::cells), 0,
+                                     {});
+  expect_modified_about<TypeParam>(test_meshes::single_polygon(TypeParam::groups == 2 ? 4 : 3), 0,
+                                   {});
+}
+
+// Closed meshes full of extraordinary vertices: first none is separated, then all are.
+TYPED_TEST(Modified_scheme, ModifiesAllVerticesOnceTheyAreSeparated)
+{
+  for (int n : {3, 5, 7, 9}) {
+    Control_mesh control = test_meshes::bipyramid(n);
+    if (TypeParam::groups == 2) control = test_meshes::in_quads(control);
+    expect_modified_about<TypeParam>(control, 0, {});
+    std::set<int> extraordinary;
+    const reference::Face_list list = test_meshes::face_list(control);
+    for (int v = 0; v < list.number_of_vertices(); ++v)
+      if (list.is_interior_of_valence_other_than(TypeParam::regular_valence, v))
+        extraordinary.insert(v);
+    ASSERT_GT(extraordinary.size(), 4u);
+    expect_modified_about<TypeParam>(control, 1, extraordinary);
+  }
+}
+
+// Neighbors along an edge, and opposite corners of a quad.
+TEST(Separated_vertex, HasNoExtraordinaryNeighbor)
+{
+  Control_mesh cube{
+    "cube",
+    {},
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  for (int z : {-1, 1})
+    for (auto [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+      cube.points.push_back({double(x), double(y), double(z)});
+  expect_modified_about<Quads>(cube, 0, {});
+  expect_modified_about<Quads>(cube, 1, {0, 1, 2, 3, 4, 5, 6, 7});
+}
+
+// A polygon at the vertex: its first quads have an extraordinary corner in their midst.
+TEST(Separated_vertex, HasQuadsOnly)
+{
+  for (int n : {4, 5, 7}) {
+    Control_mesh control = star(n, 1, Cells::quads);
+    const int added = int(control.points.size());
+    control.points.push_back({3, 3, 0});
+    reference::Face& face = control.faces[0]; // 0, e, f, e
+    face.insert(face.begin() + 3, added);
+    const reference::Face_list list = test_meshes::face_list(control);
+    const std::set<int> vertex = n == 4 ? std::set<int>{} : std::set<int>{0};
+    expect_modified_about<Quads>(control, 0, {});
+    const int pentagon = int(reference::face_point(list, 0));
+    if (n == 4) { // only the midst of the pentagon is extraordinary
+      expect_modified_about<Quads>(control, 1, {pentagon});
+      continue;
+    }
+    expect_modified_about<Quads>(control, 1, {});
+    expect_modified_about<Quads>(control, 2, {0, pentagon});
+  }
+}
+
+// A vertex of valence 2 within a quad at the vertex 0, whose valence becomes 5.
+TEST(Separated_vertex, HasNoNeighborOfValenceTwo)
+{
+  Control_mesh control = star(4, 1, Cells::quads);
+  const int added = int(control.points.size());
+  control.points.push_back({0.4, 0.6, 0});
+  const reference::Face face = control.faces[0];
+  control.faces[0] = {face[0], face[1], face[2], added};
+  control.faces.push_back({face[0], added, face[2], face[3]});
+  ASSERT_EQ(test_meshes::face_list(control).ring(0).size(), 5u);
+  expect_modified_about<Quads>(control, 0, {});
+  // then the one of valence 5 is separated, that of valence 2 is never modified
+  expect_modified_about<Quads>(control, 1, {0});
+  expect_modified_about<Quads>(control, 2, {0});
+  expect_modified_about<Quads>(star(2, 2, Cells::quads), 0, {});
+}
+
+// --- weights ---
+
+TYPED_TEST(Modified_scheme, EqualsTheReferenceForAllCapsAndValences)
+{
+  double difference = 0;
+  for (int n : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 20, 31, 32, 33, 64}) {
+    if (n == TypeParam::regular_valence) continue;
+    for (double cap : {0.5, 1., 0.9, 0.25, 1e-3}) {
+      if (n > 20 && cap != 0.5) continue;
+      const Matrix m = ring_matrix<TypeParam>(n, typename TypeParam::Modified(cap));
+      const double d = largest(m - TypeParam::ring(n, Real(cap)));
+      EXPECT_LE(d, 1e-15) << "valence " << n << ", cap " << cap;
+      difference = (std::max)(difference, d);
+    }
+  }
+  std::cout << "largest difference " << difference << '\n';
+}
+
+// Rows of more than 32 entries in the point-normal average, one round and two.
+TYPED_TEST(Modified_scheme, EqualsTheReferenceAtHighValences)
+{
+  for (int n : {31, 64, 90}) {
+    Control_mesh control = star(n, 1, TypeParam::cells);
+    test_meshes::set_uneven_normals(control, unsigned(n));
+    Surface_mesh mesh = to_surface_mesh(control);
+    const Result expected = reference_result<typename TypeParam::Description>(mesh, 1, Rule::pn);
+    refine<typename TypeParam::Description>(mesh, 1);
+    EXPECT_TRUE(is_within(difference_by_index(result_of(mesh), expected), 1e-13)) << n;
+  }
+}
+
+// No eigenvalue of Loop's matrix exceeds the bound for valence 5 and cap 1.
+TEST(Modified_Loop, IsTheUnmodifiedOneIfTheCapBindsNothing)
+{
+  EXPECT_LE(largest(ring_matrix<Triangles>(5, PN::modified_Loop_scheme(1)) -
+                    ring_matrix<Triangles>(5, PN::Loop_scheme())),
+            2e-16);
+  EXPECT_GT(largest(ring_matrix<Triangles>(5, PN::modified_Loop_scheme(0.99)) -
+                    ring_matrix<Triangles>(5, PN::Loop_scheme())),
+            1e-4);
+}
+
+// Printed values, ten digits.
+TEST(Modified_CatmullClark, HasTheKnownRowsForValence5)
+{
+  const Matrix m = ring_matrix<Quads>(5, PN::modified_CatmullClark_scheme());
+  const double expected[3][11] = {
+    {0.5722399175, 0.0696454244, 0.0696454244, 0.0696454244, 0.0696454244, 0.0696454244,
+     0.0159065921, 0.0159065921, 0.0159065921, 0.0159065921, 0.0159065921},
+    {0.4352839028, 0.3184706230, 0.0947060041, -0.0226354775, -0.0226354775, 0.0947060041,
+     0.0531463091, 0.0079208842, -0.0200299655, 0.0079208842, 0.0531463091},
+    {0.3976648015, 0.2125852363, 0.2125852363, 0.0316835369, -0.0801198620, 0.0316835369,
+     0.1992809409, 0.0207417468, -0.0234234601, -0.0234234601, 0.0207417468}};
+  for (int j = 0; j < 11; ++j) {
+    EXPECT_NEAR(double(m(0, j)), expected[0][j], 6e-11) << j;
+    EXPECT_NEAR(double(m(1, j)), expected[1][j], 6e-11) << j;
+    EXPECT_NEAR(double(m(6, j)), expected[2][j], 6e-11) << j;
+  }
+}
+
+TEST(Modified_Loop, HasTheKnownRowsForValence7)
+{
+  const Matrix m = ring_matrix<Triangles>(7, PN::modified_Loop_scheme());
+  const double expected[8] = {0.4485786311,  0.3109739125,  0.1281114780, 0.0338514585,
+                              -0.0417392082, -0.0417392082, 0.0338514585, 0.1281114780};
+  EXPECT_NEAR(double(m(0, 0)), 0.5894914104, 6e-11);
+  for (int j = 0; j < 8; ++j) {
+    EXPECT_NEAR(double(m(1, j)), expected[j], 6e-11) << j;
+    if (j > 0) {
+      EXPECT_NEAR(double(m(0, j)), 0.0586440842, 6e-11) << j;
+    }
+  }
+}
+
+// Fractions by hand: kappa = 1 for n = 3, 56/55 for n = 4; A_0' = (7 A_0 + 3 A_0^2) / 10 for n = 3.
+TEST(Modified_Loop, HasExactRationalRowsForValences3And4)
+{
+  using Q = CGAL::Gmpq;
+  using Rows = std::vector<std::vector<Q>>;
+  const Rows three = ring_of<Q, Triangles>(3, PN::modified_Loop_scheme());
+  EXPECT_EQ(three[0], (std::vector<Q>{Q(7, 16), Q(3, 16), Q(3, 16), Q(3, 16)}));
+  EXPECT_EQ(three[1], (std::vector<Q>{Q(3, 8), Q(13, 24), Q(1, 24), Q(1, 24)}));
+  const Rows four = ring_of<Q, Triangles>(4, PN::modified_Loop_scheme());
+  const Q neighbor = Q(31, 64) * Q(56, 55) / Q(4);
+  EXPECT_EQ(four[0],
+            (std::vector<Q>{Q(1) - Q(4) * neighbor, neighbor, neighbor, neighbor, neighbor}));
+  const Q rest = Q(1) - Q(3, 8) * Q(56, 55), eighth(1, 8);
+  EXPECT_EQ(four[1], (std::vector<Q>{Q(3, 8) * Q(56, 55), (rest + Q(1) + eighth) / Q(4),
+                                     (rest - eighth) / Q(4), (rest - Q(1) + eighth) / Q(4),
+                                     (rest - eighth) / Q(4)}));
+}
+
+TEST(Modified_CatmullClark, HasAnExactRationalMeanForValence3)
+{
+  using Q = CGAL::Gmpq;
+  const auto rows = ring_of<Q, Quads>(3, PN::modified_CatmullClark_scheme());
+  EXPECT_EQ(rows[0],
+            (std::vector<Q>{Q(13, 32), Q(1, 6), Q(1, 6), Q(1, 6), Q(1, 32), Q(1, 32), Q(1, 32)}));
+  for (std::size_t i : {1u, 2u, 3u})
+    EXPECT_LE(std::abs(CGAL::to_double(rows[i][0] - Q(3, 8))), 1e-17);
+  for (std::size_t i : {4u, 5u, 6u})
+    EXPECT_LE(std::abs(CGAL::to_double(rows[i][0] - Q(9, 32))), 1e-17);
+}
+
+// --- eigenvalues and eigenvectors ---
+
+// For cap 1/2: lambda', how many eigenvalues become lambda'^2 / 2, which are kept.
+struct Spectrum
+{
+  int n;
+  double lambda;
+  int bounded;
+  std::vector<double> kept;
+};
+
+const std::vector<Spectrum> catmull_clark_spectra = {
+  {3, 0.5, 3, {0}},
+  {5, 0.549988354518, 5, {0.077526, 0.113639, 0.113639}},
+  {6, 0.579682326102, 5, {0.083333, 0.107818, 0.107818, 0.152403, 0.152403}},
+  {7, 0.598510283482, 7, {0.086337, 0.104426, 0.104426, 0.135321, 0.135321}},
+  {8, 0.611116526695, 7, {0.088159, 0.102272, 0.102272, 0.125, 0.125, 0.170899, 0.170899}},
+  {9, 0.619939220626, 9, {0.089380, 0.100816, 0.100816, 0.118275, 0.118275, 0.152403, 0.152403}},
+  {10,
+   0.626341267547,
+   9,
+   {0.090253, 0.099786, 0.099786, 0.113639, 0.113639, 0.140025, 0.140025, 0.183765, 0.183765}}};
+
+const std::vector<Spectrum> loop_spectra = {
+  {3, 0.5, 0, {0.0625}},           {4, 0.5, 1, {0.125}},
+  {5, 0.452254248594, 3, {}},      {7, 0.530872450465, 5, {}},
+  {8, 0.551776695297, 5, {0.125}}, {9, 0.566511110780, 5, {0.140077, 0.140077}},
+  {10, 0.577254248594, 7, {0.125}}};
+
+template <class Kind>
+void expect_spectrum(const Spectrum& s)
+{
+  const Matrix m = ring_matrix<Kind>(s.n, typename Kind::Modified());
+  std::vector<double> values, expected(std::size_t(s.bounded), s.lambda * s.lambda / 2);
+  for (const reference::Complex& x : Matrix(m).eigenvalues()) {
+    EXPECT_NEAR(double(x.imag()), 0, 1e-14);
+    values.push_back(double(x.real()));
+  }
+  expected.insert(expected.end(), {1, s.lambda, s.lambda});
+  expected.insert(expected.end(), s.kept.begin(), s.kept.end());
+  ASSERT_EQ(values.size(), expected.size()) << s.n;
+  std::sort(values.begin(), values.end());
+  std::sort(expected.begin(), expected.end());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_NEAR(values[i], expected[i], 6e-7) << "valence " << s.n << ", eigenvalue " << i;
+  for (std::size_t i = 1; i <= 2; ++i)
+    EXPECT_NEAR(values[values.size() - 1 - i], s.lambda, 1e-12) << s.n;
+  EXPECT_NEAR(values.back(), 1, 1e-14);
+}
+
+TEST(Modified_CatmullClark, HasTheTabulatedEigenvalues)
+{
+  for (const Spectrum& s : catmull_clark_spectra) expect_spectrum<Quads>(s);
+}
+
+TEST(Modified_Loop, HasTheTabulatedEigenvalues)
+{
+  for (const Spectrum& s : loop_spectra) expect_spectrum<Triangles>(s);
+}
+
+// The unmodified matrix and the modified one commute, the weights of the limit point stay, and the
+// two eigenvectors of frequency 1, the characteristic map, have the eigenvalue lambda'.
+TYPED_TEST(Modified_scheme, KeepsTheEigenvectors)
+{
+  for (int n : {3, 4, 5, 6, 7, 8, 9, 12, 20}) {
+    if (n == TypeParam::regular_valence) continue;
+    const Matrix plain = TypeParam::plain_ring(n),
+                 m = ring_matrix<TypeParam>(n, typename TypeParam::Modified());
+    EXPECT_LE(largest(plain * m - m * plain), 1e-15) << n;
+
+    const std::vector<Real> weights = TypeParam::limit_weights(n);
+    reference::Row limit(m.rows());
+    limit[0] = weights[0];
+    for (int g = 0; g < TypeParam::groups; ++g)
+      for (int i = 0; i < n; ++i) limit[1 + g * n + i] = weights[std::size_t(1 + g)];
+    EXPECT_NEAR(double(limit.sum()), 1, 1e-15);
+    EXPECT_LE(largest(limit * m - limit), 1e-15) << n;
+
+    // columns cos, sin on the ring, and for quads a radius of the outer vertices
+    const auto circles = [&](Real radius) {
+      Matrix map = Matrix::Zero(m.rows(), 2);
+      for (int g = 0; g < TypeParam::groups; ++g)
+        for (int i = 0; i < n; ++i) {
+          const Real turn = (Real(i) + Real(g) / 2) / n;
+          map(1 + g * n + i, 0) = (g == 0 ? 1 : radius) * reference::cosine(turn);
+          map(1 + g * n + i, 1) = (g == 0 ? 1 : radius) * reference::cosine(turn - Real(0.25));
+        }
+      return map;
+    };
+    Real radius = 1;
+    if (TypeParam::groups == 2)
+      for (int power = 0; power < 200; ++power) {
+        const Matrix next = plain * circles(radius);
+        radius = next(1 + n, 0) / reference::cosine(Real(0.5) / n) / next(1, 0);
+      }
+    const Matrix map = circles(radius);
+    const Real lambda = (plain * map)(1, 0);
+    const bool raised = n == 3 || (TypeParam::groups == 1 && n == 4);
+    EXPECT_LE(largest(m * map - (raised ? Real(0.5) : lambda) * map), 1e-15) << n;
+  }
+}
+
+// --- sums ---
+
+template <class FT, class Kind>
+void expect_rows_that_sum_to_one(const std::vector<int>& valences)
+{
+  for (int n : valences) {
+    Surface_mesh mesh = to_surface_mesh(star(n, 1, Kind::cells));
+    for (double cap : {0.5, 0.3})
+      for_each_row<FT>(mesh, typename Kind::Modified(cap), 1,
+                       [&](std::size_t v, const auto* begin, const auto* end) {
+                         FT sum(0);
+                         for (const auto* e = begin; e != end; ++e) sum += e->weight;
+                         EXPECT_TRUE(sum == FT(1)) << "valence " << n << ", vertex " << v;
+                       });
+  }
+}
+
+TYPED_TEST(Modified_scheme, RowsSumToOneForAllValences)
+{
+  std::vector<int> valences;
+  for (int n = 3; n <= 70; ++n) valences.push_back(n);
+  valences.insert(valences.end(), {127, 256, 1000});
+  expect_rows_that_sum_to_one<double, TypeParam>(valences);
+  expect_rows_that_sum_to_one<float, TypeParam>(valences);
+  expect_rows_that_sum_to_one<long double, TypeParam>(valences);
+  expect_rows_that_sum_to_one<CGAL::Gmpq, TypeParam>({3, 4, 5, 7, 8, 13, 64});
+}
+
+// --- interface ---
+
+TEST(Modified_schemes, RefuseACapOutsideOfZeroToOne)
+{
+  for (double cap : {0., -0.5, 1.0001, std::numeric_limits<double>::quiet_NaN(),
+                     std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(PN::modified_CatmullClark_scheme{cap}, std::invalid_argument) << cap;
+    EXPECT_THROW(PN::modified_Loop_scheme{cap}, std::invalid_argument) << cap;
+  }
+  try {
+    PN::modified_Loop_scheme scheme(2);
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("cap"), std::string::npos) << e.what();
+  }
+  EXPECT_NO_THROW(PN::modified_Loop_scheme(1));
+  EXPECT_NO_THROW(PN::modified_CatmullClark_scheme(1e-300));
+}
+
+} // namespace

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The modified schemes in all number types, and their functions on other meshes and kernels.
+
+#include "Modified_rings.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#ifdef CGAL_USE_CORE
+#  include <CGAL/CORE_Expr.h>
+#endif
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using reference::Matrix;
+using reference::Real;
+using test_meshes::Cells;
+using test_meshes::Control_mesh;
+using test_meshes::star;
+
+template <class Kind>
+class Modified_scheme_numbers : public testing::Test
+{};
+using Kinds = testing::Types<Quads, Triangles>;
+TYPED_TEST_SUITE(Modified_scheme_numbers, Kinds);
+
+template <class FT>
+double as_double(const FT& x)
+{
+  return CGAL::to_double(x);
+}
+using Big = boost::multiprecision::cpp_bin_float_50;
+double as_double(const Big& x)
+{
+  return x.convert_to<double>();
+}
+
+template <class FT, class Kind>
+void expect_weights_of_reference(double tolerance)
+{
+  for (int n : {3, 4, 5, 6, 7, 8, 12}) {
+    if (n == Kind::regular_valence) continue;
+    const auto rows = ring_of<FT, Kind>(n, typename Kind::Modified(0.25));
+    const Matrix expected = Kind::ring(n, Real(0.25));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows.size(); ++j)
+        EXPECT_NEAR(as_double(rows[i][j]), double(expected(Eigen::Index(i), Eigen::Index(j))),
+                    tolerance)
+          << n;
+  }
+}
+
+TYPED_TEST(Modified_scheme_numbers, ServesAllNumberTypes)
+{
+  expect_weights_of_reference<float, TypeParam>(2e-7);
+  expect_weights_of_reference<double, TypeParam>(4e-16);
+  expect_weights_of_reference<long double, TypeParam>(2e-16);
+  expect_weights_of_reference<CGAL::Gmpq, TypeParam>(4e-16);
+  expect_weights_of_reference<CGAL::Epeck::FT, TypeParam>(4e-16);
+  expect_weights_of_reference<CGAL::Interval_nt<>, TypeParam>(4e-16);
+  expect_weights_of_reference<Big, TypeParam>(2e-16);
+#ifdef CGAL_USE_CORE
+  expect_weights_of_reference<CORE::Expr, TypeParam>(4e-16);
+#endif
+}
+
+// More digits than long double has: S' S = S S' needs the cosines and roots of the type itself.
+TYPED_TEST(Modified_scheme_numbers, UsesTheCosinesOfTheNumberType)
+{
+  for (int n : {5, 7, 9}) {
+    const auto plain = ring_of<Big, TypeParam>(n, TypeParam::unmodified()),
+               m = ring_of<Big, TypeParam>(n, typename TypeParam::Modified());
+    for (std::size_t i = 0; i < m.size(); ++i)
+      for (std::size_t j = 0; j < m.size(); ++j) {
+        Big commutator = 0;
+        for (std::size_t k = 0; k < m.size(); ++k)
+          commutator += plain[i][k] * m[k][j] - m[i][k] * plain[k][j];
+        EXPECT_LE(std::abs(as_double(commutator)), 1e-47) << n;
+      }
+  }
+}
+
+// --- other meshes and kernels ---
+
+template <class Mesh>
+Mesh mesh_from(const Control_mesh& control)
+{
+  Mesh mesh;
+  CGAL::copy_face_graph(to_surface_mesh(control), mesh);
+  return mesh;
+}
+
+// Other meshes number their edges in other orders.
+template <class Mesh>
+void expect_same_points(const Mesh& mesh, const Surface_mesh& expected, double tolerance)
+{
+  ASSERT_EQ(num_vertices(mesh), num_vertices(expected));
+  const auto points = get(CGAL::vertex_point, mesh);
+  std::set<std::size_t> found;
+  for (auto v : vertices(mesh)) {
+    const auto& p = get(points, v);
+    const Kernel::Point_3 q(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+    for (auto w : expected.vertices())
+      if (CGAL::squared_distance(q, expected.point(w)) <= tolerance * tolerance)
+        found.insert(w.idx());
+  }
+  EXPECT_EQ(found.size(), num_vertices(expected));
+}
+
+// The functions, on other meshes and kernels, with normals estimated.
+template <class Subdivide>
+void expect_same_on_other_meshes(const Control_mesh& control, const Subdivide& subdivide)
+{
+  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+  Surface_mesh expected = to_surface_mesh(control);
+  auto polyhedron = mesh_from<CGAL::Polyhedron_3<Kernel>>(control);
+  auto exact = mesh_from<CGAL::Surface_mesh<Epeck::Point_3>>(control);
+  subdivide(expected);
+  subdivide(polyhedron);
+  subdivide(exact);
+  expect_same_points(polyhedron, expected, 1e-14);
+  expect_same_points(exact, expected, 1e-14);
+}
+
+TEST(Modified_schemes, HaveFunctionsForAllMeshesAndKernels)
+{
+  expect_same_on_other_meshes(star(5, 2, Cells::quads),
+                              [](auto& mesh) { PN::modified_CatmullClark_subdivision(mesh); });
+  expect_same_on_other_meshes(star(7, 2, Cells::triangles),
+                              [](auto& mesh) { PN::modified_Loop_subdivision(mesh); });
+}
+
+} // namespace
