@@ -73,3 +73,5 @@ draw kobbelt quads 4 Kobbelt
 draw loop triangles 4 Loop
 draw butterfly triangles 4 Butterfly
 draw sqrt3 triangles 6 "sqrt(3)"
+draw modified-catmull-clark quads 4 "modified Catmull-Clark"
+draw modified-loop triangles 4 "modified Loop"

@@ -19,7 +19,6 @@
 #include <new>
 #include <sstream>
 #include <string>
-#include <vector>
 
 using namespace pn_subdivide;
 
@@ -66,7 +65,7 @@ void add_verify_options(CLI::App& command, Verify_options& options, const std::s
     ->needs(verify);
 }
 
-CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
+void add_surface_command(CLI::App& app, Surface_options& options)
 {
   CLI::App* surface = app.add_subcommand("surface", "Subdivide a mesh");
   surface->footer(footer);
@@ -108,7 +107,6 @@ CLI::App* add_surface_command(CLI::App& app, Surface_options& options)
                     "Orient the faces and duplicate non-manifold edges and vertices");
   surface->add_flag("--ascii", options.ascii, "PLY and VTP as text");
   surface->add_flag("--quiet", options.quiet, "No progress on standard error");
-  return surface;
 }
 
 CLI::App* add_curve_command(CLI::App& app, Curve_options& options)
@@ -154,7 +152,7 @@ int run(int argc, char** argv)
   app.footer(footer);
 
   Surface_options options;
-  const CLI::App* surface = add_surface_command(app, options);
+  add_surface_command(app, options);
   Curve_options curve_options;
   const CLI::App* curve = add_curve_command(app, curve_options);
   try {
