@@ -435,6 +435,21 @@ TEST(Errors, NameThePoint)
                std::invalid_argument);
 }
 
+TEST(Errors, WhatHasNoMeaning)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Double::Point_3 p(1, 2, 3);
+  const Double::Sphere_3 sphere = Shapes<Double>().sphere;
+  for (const double tolerance : {-1e-9, nan, std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(PN::is_on(p, sphere, tolerance), std::invalid_argument) << tolerance;
+  EXPECT_THROW(PN::squared_normal_deviation(Double::Vector_3(0, 0, 0), p, sphere),
+               std::invalid_argument);
+  EXPECT_THROW(PN::is_on(p, Double::Sphere_3(Double::Point_3(nan, 0, 0), 1)),
+               std::invalid_argument);
+  EXPECT_THROW(PN::is_on(p, Double::Sphere_3(p, std::numeric_limits<double>::infinity())),
+               std::invalid_argument);
+}
+
 TEST(Errors, DegenerateShapes)
 {
   const Double::Point_3 p(1, 2, 3);

@@ -19,7 +19,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -75,6 +77,14 @@ struct Point_itself
   std::string operator()() const { return "the point"; }
 };
 
+inline double checked_tolerance(double tolerance)
+{
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
+    throw std::invalid_argument(
+      "PN_subdivision_3: the tolerance must be a finite number that is not negative");
+  return tolerance;
+}
+
 } // namespace internal
 
 /*!
@@ -95,7 +105,8 @@ roots and without rounding:
 \returns a `Deviation_number<FT>` for the number type `FT` of the point; an interval number type
   gives an interval around the deviation
 \throws std::invalid_argument if the point is not finite, if a floating point coordinate is out of
-  the range of `double`, if the squared radius is not positive, or if a direction is zero
+  the range of `double`, if the shape is not finite, if its squared radius is not positive, or if its
+  direction is zero
 */
 template <class Point, class Shape>
 auto squared_deviation(const Point& p, const Shape& shape)
@@ -116,14 +127,18 @@ direction have the same deviation; the length of the vector does not matter.
 
 \returns a number of the type that `squared_deviation()` returns; 1 if the point is the center or on
   the axis
-\pre `n` is not the zero vector.
+\throws std::invalid_argument also if `n` is the zero vector
 */
 template <class Vector, class Point, class Shape>
 auto squared_normal_deviation(const Vector& n, const Point& p, const Shape& shape)
 {
-  return internal::shape_for<Point>(shape).squared_sine(
-    internal::checked_coordinates<Point>(n, "normal", internal::Point_itself()),
-    internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
+  const auto measure = internal::shape_for<Point>(shape);
+  const auto normal = internal::checked_coordinates<Point>(n, "normal", internal::Point_itself());
+  if (certainly(measure.squared_length(normal) == internal::Number_of_point<Point>(0)))
+    throw std::invalid_argument("PN_subdivision_3: the normal is the zero vector, whose deviation "
+                                "is undefined: give another one");
+  return measure.squared_sine(
+    normal, internal::checked_coordinates<Point>(p, "position", internal::Point_itself()));
 }
 
 /*!
@@ -172,7 +187,7 @@ For `double`, `5 * std::numeric_limits<double>::epsilon()` as tolerance asks for
 2<sup>-52</sup>.
 
 \tparam Point, Shape as for `squared_deviation()`
-\pre `tolerance >= 0`
+\throws std::invalid_argument also if `tolerance` is negative or not finite
 */
 template <class Point, class Shape>
 Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
@@ -181,7 +196,7 @@ Uncertain<bool> is_on(const Point& p, const Shape& shape, double tolerance)
   const auto measure = internal::shape_for<Point>(shape);
   return measure.is_near(
     measure.residual(internal::checked_coordinates<Point>(p, "position", internal::Point_itself())),
-    Number(tolerance));
+    Number(internal::checked_tolerance(tolerance)));
 }
 
 /// \name The same for one kind of shape

@@ -41,7 +41,7 @@ void check_range(const FT& rest, double head)
 {
   if (!std::isfinite(head) || (head == 0 && rest != FT(0)))
     throw std::invalid_argument(
-      "PN_subdivision_3: a number is out of the range of double, in which "
+      "PN_subdivision_3: a number is not finite or out of the range of double, in which "
       "deviations are measured: scale the data");
 }
 
@@ -51,9 +51,10 @@ Number measure_number(const FT& x)
 {
   if constexpr (std::is_same_v<Number, FT>)
     return x;
-  else if constexpr (std::is_same_v<FT, float> || std::is_same_v<FT, double>)
+  else if constexpr (std::is_same_v<FT, float> || std::is_same_v<FT, double>) {
+    check_range(x, static_cast<double>(x));
     return Number(static_cast<double>(x));
-  else if constexpr (is_rounded_v<FT>) {
+  } else if constexpr (is_rounded_v<FT>) {
     Number sum(0);
     for (FT rest = x; rest != FT(0);) {
       const auto head = static_cast<double>(CGAL::to_double(rest));
