@@ -262,6 +262,21 @@ TEST(Extraordinary_zoom, Fits_the_rate)
   EXPECT_EQ(curvature.rate(), 0);
 }
 
+TEST(Extraordinary_zoom, Shows_what_is_not_a_number)
+{
+  for_plain_schemes({5}, [](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    data::Values values = data::sampled(zoom.net(), data::cubic);
+    values.back().point[2] = std::numeric_limits<double>::quiet_NaN();
+    const auto ring = zoom.ring_curvature(values);
+    EXPECT_FALSE(std::isfinite(ring.oscillation()));
+    EXPECT_FALSE(std::isfinite(ring.mean_max));
+    PN::Extraordinary_curvature<double> curvature{};
+    curvature.rings = {ring, ring};
+    EXPECT_FALSE(std::isfinite(curvature.rate()));
+  });
+}
+
 TEST(Extraordinary_zoom, Finds_one_half_at_regular_vertices)
 {
   const auto check = [](const auto& scheme, Index n) {

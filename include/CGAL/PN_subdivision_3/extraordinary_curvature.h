@@ -29,7 +29,10 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Curvature
-The extent of the curvatures on one ring about an extraordinary vertex.
+The extent of the curvatures on one ring about an extraordinary vertex. Mean curvature is positive where
+the surface bends towards its normal, as graphs z of positive second derivatives do; that of
+`Vertex_curvature` has the opposite sign. Both ends are NaN if a curvature on the ring is, as where the
+surface degenerates.
 */
 template <class FT>
 struct Ring_curvature
@@ -55,8 +58,8 @@ struct Ring_curvature
 
 /*!
 \ingroup PkgPNSubdivision3Curvature
-The second order data that a PN scheme with tuned rules tends to at an extraordinary vertex, see
-`Extraordinary_vertex_zoom::limit()`.
+The second order data that is predicted for a PN scheme with tuned rules at an extraordinary vertex, see
+`Extraordinary_vertex_zoom::limit()`. The sign of the mean curvature is that of `Ring_curvature`.
 */
 template <class FT>
 struct Limit_curvature
@@ -87,14 +90,14 @@ struct Extraordinary_curvature
 
   /// returns the factor per ring by which the extent of the mean curvature changes on the last six
   /// rings, by a least squares fit of its logarithm; rings below ten times the noise are left out,
-  /// and if less than two remain, the result is 0.
+  /// and if less than two remain, the result is 0; NaN if a curvature is.
   FT rate() const
   {
     FT n(0), x(0), y(0), xx(0), xy(0);
     for (std::size_t m = rings.size() - (std::min)(rings.size(), std::size_t(6)); m < rings.size();
          ++m) {
       const FT extent = rings[m].mean_max - rings[m].mean_min;
-      if (!(extent > 10 * rings[m].noise)) continue;
+      if (extent <= 10 * rings[m].noise) continue;
       const FT k = static_cast<FT>(m), l = std::log(extent);
       n += 1;
       x += k;
@@ -204,16 +207,14 @@ public:
     Ring_curvature<FT> ring{infinity, -infinity, infinity, -infinity, noise(values)};
     for (std::size_t i = 0; i < stencils_.size(); i += jet_.size()) {
       const internal::Curvatures<FT> c = jet_(&stencils_[i], fine.data());
-      ring.gaussian_min = (std::min)(ring.gaussian_min, c.gaussian);
-      ring.gaussian_max = (std::max)(ring.gaussian_max, c.gaussian);
-      ring.mean_min = (std::min)(ring.mean_min, c.mean);
-      ring.mean_max = (std::max)(ring.mean_max, c.mean);
+      extend(ring.gaussian_min, ring.gaussian_max, c.gaussian);
+      extend(ring.mean_min, ring.mean_max, c.mean);
     }
     return ring;
   }
 
   /*!
-  returns the curvature that the rings tend to, predicted from a net. With the limit point o, the
+  returns the curvature that is predicted for the vertex, from a net. With the limit point o, the
   limit control normal N and the left eigenvector T of the subdominant eigenvalue, all on the 1-ring,
   and with u, g and w as above in the frame of o and N,
 
@@ -222,8 +223,9 @@ public:
    - K = det sym(H) / (1 + |a|<sup>2</sup>)<sup>2</sup>, mean curvature tr(I<sup>-1</sup> II) / 2.
 
   It is meant for schemes whose eigenvalues besides 1 and the subdominant ones are less than the
-  square of the latter; the curvature of others does not converge at extraordinary vertices. The
-  error falls from level to level as the square of the size of the net.
+  square of the latter; the curvature of others need not settle at extraordinary vertices. That the
+  rings tend to it is measured, not proved. The error falls from level to level as the square of the
+  size of the net.
   */
   Limit_curvature<FT> limit(const Values& control) const
   {
@@ -282,6 +284,13 @@ private:
   }
 
   static bool has_no_normal(const Value& v) { return PN_average<FT, 3>::is_zero(v.normal); }
+
+  static void extend(FT& least, FT& greatest, const FT& x)
+  {
+    if (std::isnan(x)) least = greatest = x;
+    least = (std::min)(least, x); // of NaN and a number: NaN, the first
+    greatest = (std::max)(greatest, x);
+  }
 
   // Unit normals have an absolute error, their derivatives thus one inverse to the size of the net.
   // The factor was measured on spheres and cylinders.
