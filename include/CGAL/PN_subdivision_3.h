@@ -8,7 +8,9 @@
 
 /*!
 \file PN_subdivision_3.h
-Everything of the package but `PN_mask_3`, which needs the package `Subdivision_method_3`.
+Schemes and the functions that subdivide meshes and curves. Not included are what needs other packages or
+libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and what measures results
+(`reproduction.h`, `extraordinary_curvature.h`, `extraordinary_eigenvalues.h`).
 */
 
 #include <CGAL/PN_subdivision_3/Butterfly_scheme.h>

@@ -99,8 +99,7 @@ public:
     return 1 + (s % valence_) * per_sector + before + j;
   }
 
-  /// the net as a mesh. Half-edge k of a face leads from its corner k to the next one, and begins
-  /// with k = 0.
+  /// the net as a mesh. The half-edge of a face leads from its corner 0 to its corner 1.
   Level_connectivity level() const
   {
     Level_size size;

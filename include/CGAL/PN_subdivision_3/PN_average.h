@@ -138,6 +138,8 @@ and W = &sum; a<sub>j</sub>&chi;<sub>j</sub>, the sum of heights becomes (&sum;
 a<sub>j</sub>&chi;<sub>j</sub>h<sub>j</sub>)/W, or 0 if W < 1/64.
 
 A row with a single entry is a copy.
+
+The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.
 */
 template <class FT_, int dimension>
 struct PN_average

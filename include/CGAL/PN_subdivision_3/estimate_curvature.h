@@ -22,7 +22,7 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-the curvatures of a surface at a vertex.
+The curvatures of a surface at a vertex.
 
 A curvature is positive where the surface bends away from its normal: a sphere of radius R with
 outward normals has the principal curvatures 1/R. Reversing the normals (or the orientation of the

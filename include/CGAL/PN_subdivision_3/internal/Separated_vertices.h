@@ -9,7 +9,6 @@
 #include <CGAL/PN_subdivision_3/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/valences.h>
 
-#include <algorithm>
 #include <map>
 #include <vector>
 
