@@ -10,23 +10,29 @@
 
 #include "Scheme_rows.h"
 
+#include <gtest/gtest.h>
+
+namespace PN = CGAL::PN_subdivision_3;
+using reference::Matrix;
+using reference::Real;
+using test_meshes::Cells;
+using test_meshes::Control_mesh;
+using test_meshes::star;
+
 // What the two schemes have in common in these tests. A ring is the extraordinary vertex, its
 // neighbors, then (quads) the vertices between them.
 struct Quads
 {
-  using Modified = CGAL::PN_subdivision_3::modified_CatmullClark_scheme;
+  using Modified = PN::modified_CatmullClark_scheme;
   using Description = Modified_CatmullClark_description;
-  static constexpr test_meshes::Cells cells = test_meshes::Cells::quads;
+  static constexpr Cells cells = Cells::quads;
   static constexpr int regular_valence = 4;
   static constexpr int groups = 2;
-  static CGAL::PN_subdivision_3::CatmullClark_scheme unmodified() { return {}; }
-  static reference::Matrix plain_ring(int n) { return reference::catmull_clark_ring(n); }
-  static reference::Matrix ring(int n, reference::Real cap)
-  {
-    return reference::modified_catmull_clark_ring(n, cap);
-  }
+  static PN::CatmullClark_scheme unmodified() { return {}; }
+  static Matrix plain_ring(int n) { return reference::catmull_clark_ring(n); }
+  static Matrix ring(int n, Real cap) { return reference::modified_catmull_clark_ring(n, cap); }
   // the left eigenvector of the eigenvalue 1: v, a neighbor, a vertex between them
-  static std::vector<reference::Real> limit_weights(reference::Real n)
+  static std::vector<Real> limit_weights(Real n)
   {
     return {n / (n + 5), 4 / (n * (n + 5)), 1 / (n * (n + 5))};
   }
@@ -34,23 +40,22 @@ struct Quads
 
 struct Triangles
 {
-  using Modified = CGAL::PN_subdivision_3::modified_Loop_scheme;
+  using Modified = PN::modified_Loop_scheme;
   using Description = Modified_Loop_description;
-  static constexpr test_meshes::Cells cells = test_meshes::Cells::triangles;
+  static constexpr Cells cells = Cells::triangles;
   static constexpr int regular_valence = 6;
   static constexpr int groups = 1;
-  static CGAL::PN_subdivision_3::Loop_scheme unmodified() { return {}; }
-  static reference::Matrix plain_ring(int n) { return reference::loop_ring(n); }
-  static reference::Matrix ring(int n, reference::Real cap)
+  static PN::Loop_scheme unmodified() { return {}; }
+  static Matrix plain_ring(int n) { return reference::loop_ring(n); }
+  static Matrix ring(int n, Real cap) { return reference::modified_loop_ring(n, cap); }
+  static std::vector<Real> limit_weights(Real n)
   {
-    return reference::modified_loop_ring(n, cap);
-  }
-  static std::vector<reference::Real> limit_weights(reference::Real n)
-  {
-    const reference::Real root = 3 + 2 * reference::cosine(1 / n), alpha = (40 - root * root) / 64;
+    const Real root = 3 + 2 * reference::cosine(1 / n), alpha = (40 - root * root) / 64;
     return {3 / (3 + 8 * alpha), 8 * alpha / (n * (3 + 8 * alpha))};
   }
 };
+
+using Kinds_of_faces = testing::Types<Quads, Triangles>;
 
 // The new vertices of the 1-ring about the vertex 0 of test_meshes::star(n, 1).
 template <class Kind>
@@ -78,7 +83,7 @@ std::vector<int> ring_columns(const reference::Face_list& list)
 template <class FT, class Kind, class Scheme>
 std::vector<std::vector<FT>> ring_of(int n, const Scheme& scheme)
 {
-  Surface_mesh mesh = to_surface_mesh(test_meshes::star(n, 1, Kind::cells));
+  Surface_mesh mesh = to_surface_mesh(star(n, 1, Kind::cells));
   const reference::Face_list list = face_list(mesh);
   std::vector<std::vector<FT>> all;
   for_each_row<FT>(mesh, scheme, 1, [&](std::size_t, const auto* begin, const auto* end) {

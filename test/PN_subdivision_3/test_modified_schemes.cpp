@@ -15,18 +15,10 @@
 
 namespace {
 
-namespace PN = CGAL::PN_subdivision_3;
-using reference::Matrix;
-using reference::Real;
-using test_meshes::Cells;
-using test_meshes::Control_mesh;
-using test_meshes::star;
-
 template <class Kind>
 class Modified_scheme : public testing::Test
 {};
-using Kinds = testing::Types<Quads, Triangles>;
-TYPED_TEST_SUITE(Modified_scheme, Kinds);
+TYPED_TEST_SUITE(Modified_scheme, Kinds_of_faces, );
 
 template <class Kind, class Scheme>
 Matrix ring_matrix(int n, const Scheme& scheme)
