@@ -27,16 +27,15 @@ namespace {
 const char* const footer =
   "Reads .ply .off .obj .stl, writes .ply .off .obj .vtp; messages count vertices and faces from "
   "0.\nExit code: 0 success, 1 failure, 2 wrong command line; a failure prints one line on "
-  "standard\n"
-  "error and leaves OUTPUT as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
+  "standard\nerror and leaves OUTPUT as it was. 3 the deviation exceeds --tolerance; OUTPUT is "
+  "written.";
 
 const char* const curve_footer =
   "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
   "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. In "
   "the\nplane missing normals are estimated. Messages count lines from 1.\nExit code: 0 success, 1 "
   "failure, 2 wrong command line; a failure prints one line on standard\nerror and leaves OUTPUT "
-  "as "
-  "it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
+  "as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
 // A number or a fraction such as 1/16.
 double parse_fraction(const char* option, const std::string& text)
