@@ -9,6 +9,7 @@
 #include "Extraordinary_checks.h"
 
 #include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/Loop_scheme.h>
 
 #include <gtest/gtest.h>
@@ -315,6 +316,11 @@ TEST(Extraordinary_eigenvalues, Are_those_of_the_plain_schemes)
     const double frequency_2 = n == 3 ? 0 : .375 + .25 * cosine(2);
     EXPECT_NEAR(triangles.largest_other, (std::max)(lambda * lambda, frequency_2), 1e-14) << n;
   }
+}
+
+TEST(Extraordinary_eigenvalues, Need_stencils_in_the_1_ring)
+{
+  EXPECT_THROW(PN::extraordinary_eigenvalues(PN::Kobbelt_scheme(), 5), std::invalid_argument);
 }
 
 // Negative control: the plain schemes' curvature oscillates more from ring to ring.

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -64,6 +65,7 @@ public:
       rows_[a].clear();
       host.stencil(mask, child[level_.net().vertex(0, a > 0, a > 1)], rows_[a]);
       rows_[a].close_row();
+      check_row(rows_[a]);
     }
   }
 
@@ -81,6 +83,15 @@ public:
   }
 
 private:
+  void check_row(const Stencil<FT>& row) const
+  {
+    for (auto e = row.begin(0); e != row.end(0); ++e)
+      if (level_.net().norm(e->vertex) > 1)
+        throw std::invalid_argument(
+          "PN_subdivision_3: the stencils of the scheme leave the 1-ring, so "
+          "that its eigenvalues are not those of a matrix on the 1-ring");
+  }
+
   Index valence_;
   Zoom_level<Scheme, FT> level_;
   std::array<Stencil<FT>, kinds> rows_;
@@ -106,7 +117,7 @@ returns the eigenvalues of a scheme at a vertex whose 1-ring is surrounded by re
 \tparam FT `float`, `double` or `long double`
 \tparam Scheme a model of `PNSubdivisionScheme_3` on `PQQ_host` or `PTQ_host`, whose stencils in the
   1-ring do not leave the 1-ring and are symmetric, as those of Catmull-Clark and Loop subdivision
-\throws std::invalid_argument if the valence is less than 3
+\throws std::invalid_argument if the valence is less than 3, or if a stencil leaves the 1-ring
 \cost the square of the valence
 */
 template <class FT = double, class Scheme>
