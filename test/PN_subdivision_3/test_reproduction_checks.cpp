@@ -205,6 +205,29 @@ TEST(Tolerance, InUnitsOfTheLastPlace)
   EXPECT_FALSE(PN::is_on_sphere(Double::Point_3(0, 1 + ulp, 0), unit));
 }
 
+template <class Kernel>
+void expect_ulps(typename Kernel::FT x, double expected)
+{
+  using FT = typename Kernel::FT;
+  const typename Kernel::Point_3 far(7 + 8 * x, 0, 0); // from the middle of a sphere of radius 8
+  const typename Kernel::Sphere_3 sphere({-1, 0, 0}, FT(64));
+  const CGAL::Interval_nt<> d = PN::distance_in_ulps(far, sphere);
+  EXPECT_LE(d.inf(), expected);
+  EXPECT_GE(d.sup(), expected);
+  EXPECT_LE(d.sup() - d.inf(), 1e-14 * expected);
+}
+
+TEST(Tolerance, DistancesInUnitsOfTheLastPlace)
+{
+  expect_ulps<Double>(3 * std::numeric_limits<double>::epsilon(), 3);
+  expect_ulps<CGAL::Simple_cartesian<float>>(3 * std::numeric_limits<float>::epsilon(), 3);
+  expect_ulps<CGAL::Simple_cartesian<long double>>(3 * std::numeric_limits<long double>::epsilon(),
+                                                   3);
+  expect_ulps<Rational>(Rational::FT(ulp) / 4, 0.25);
+  const Double::Plane_3 plane(0, 0, 1, 0);
+  EXPECT_EQ(PN::distance_in_ulps(Double::Point_3(5, 5, 2 * ulp), plane).sup(), 2);
+}
+
 TEST(Tolerance, IntervalsMayNotDecide)
 {
   using I = CGAL::Interval_nt<>;

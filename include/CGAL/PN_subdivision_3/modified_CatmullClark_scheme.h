@@ -138,6 +138,7 @@ and (3n - 7 &plusmn; (5n<sup>2</sup> - 30n + 49)<sup>1/2</sup>)/(8n). Then
 <li> &lambda;, of frequencies 1 and n-1, becomes &lambda;', which is 1/2 if n = 3, and &lambda;
 otherwise; 1 remains,
 <li> the absolute values of all others are bounded by C&lambda;'<sup>2</sup>; C is the cap.
+With C = 1 curvature is only bounded.
 </ul>
 The matrices A<sub>k</sub>' with the new eigenvalues give the weights
 <ul>

@@ -33,7 +33,8 @@ With the eigenvalues &mu;<sub>k</sub> = 3/8 + cos(2&pi;k/n)/4 of frequency k = 1
 &lambda; = &mu;<sub>1</sub> and that of frequency 0, &lambda;<sup>2</sup>:
 <ul>
 <li> &mu;<sub>1</sub>' = &mu;<sub>n-1</sub>' = &lambda;', which is 1/2 if n is 3 or 4, and &lambda; otherwise,
-<li> all others are bounded by C&lambda;'<sup>2</sup>; C is the cap.
+<li> all others are bounded by C&lambda;'<sup>2</sup>; C is the cap. With C = 1
+curvature is only bounded.
 </ul>
 With &alpha; = 5/8 - &lambda;<sup>2</sup> and &kappa; = (1 - (&lambda;<sup>2</sup>)')/(1 - &lambda;<sup>2</sup>),
 <ul>

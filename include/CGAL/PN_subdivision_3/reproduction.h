@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -34,7 +35,7 @@ namespace PN_subdivision_3 {
 
 The number type of the deviations of coordinates in `FT`: `FT` itself for exact numbers and
 intervals; `CGAL::Exact_rational` for floating point types and `Gmpfr`, whose numbers it holds as
-they are. So deviations are never rounded.
+they are. So deviations are never rounded, unless `FT` is a number type of the user's own that rounds.
 */
 #ifdef DOXYGEN_RUNNING
 template <class FT>
@@ -156,6 +157,25 @@ Interval_nt<> distance_interval(const Point& p, const Shape& shape)
   const auto measure = internal::shape_for<Point>(shape);
   return measure.distance(measure.residual(
     internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+}
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
+returns an interval around the distance of a point from a shape in units of the last place: relative to
+the radius, for planes and lines as it is, and divided by the epsilon of the point's number type if that
+is `float`, `double` or `long double`, by 2<sup>-52</sup> otherwise.
+
+\tparam Point, Shape as for `squared_deviation()`
+*/
+template <class Point, class Shape>
+Interval_nt<> distance_in_ulps(const Point& p, const Shape& shape)
+{
+  using FT = internal::FT_of<Point>;
+  using Floating = std::conditional_t<std::is_floating_point_v<FT>, FT, double>;
+  const auto measure = internal::shape_for<Point>(shape);
+  const Interval_nt<> ulp(static_cast<double>(std::numeric_limits<Floating>::epsilon()));
+  return distance_interval(p, shape) / (measure.is_round() ? measure.radius() * ulp : ulp);
 }
 
 /*!

@@ -27,7 +27,7 @@ inline bool is_separated(const Level_connectivity& level, Level_connectivity::In
   do {
     if (!level.has_degree(h, degree)) return false;
     for (Level_connectivity::Index g = level.next(h); g != h; g = level.next(g))
-      if (level.target(g) != v && irregular_valence[level.target(g)] != 0) return false;
+      if (irregular_valence[level.target(g)] != 0) return false; // v again counts, too
     h = level.next_around_target(h);
   } while (h != first);
   return true;

@@ -120,12 +120,13 @@ struct Shape_measure
   {
     const Interval_nt<> flat = interval_around(r.squared_distance);
     if (!is_round()) return CGAL::sqrt(flat);
-    const Interval_nt<> radius = CGAL::sqrt(interval_around(squared_radius));
     const Interval_nt<> far = CGAL::sqrt(interval_around(Number(r.radial + squared_radius)));
-    const Interval_nt<> d = CGAL::abs(interval_around(r.radial)) / (far + radius);
+    const Interval_nt<> d = CGAL::abs(interval_around(r.radial)) / (far + radius());
     if (kind != Shape_kind::circle) return d;
     return CGAL::sqrt(CGAL::square(d) + flat);
   }
+
+  Interval_nt<> radius() const { return CGAL::sqrt(interval_around(squared_radius)); }
 
   // whether the distance is at most t R, or t from flat shapes; no roots
   Uncertain<bool> is_near(const Residual<Number>& r, const Number& t) const
