@@ -145,7 +145,8 @@ struct Cubic
     const double a = h.x + c * laplacian[0], b = h.y + c * laplacian[1], s = 1 + a * a + b * b;
     const auto [xx, xy, yy] = second(x, y);
     gaussian.add((xx * yy - xy * xy) / (s * s));
-    mean.add(((1 + b * b) * xx - 2 * a * b * xy + (1 + a * a) * yy) / (2 * s * std::sqrt(s)));
+    // positive where the graph bends away from the normal, which points up
+    mean.add(-((1 + b * b) * xx - 2 * a * b * xy + (1 + a * a) * yy) / (2 * s * std::sqrt(s)));
   }
 };
 
@@ -199,17 +200,17 @@ void check_sphere_and_cylinder(const Scheme& scheme, Index valence)
     const auto& s = on_sphere.rings[m];
     const auto& c = on_cylinder.rings[m];
     const double tolerance = 2e-3 * std::pow(fall, static_cast<double>(m)) + s.noise;
-    for (const double h : {s.mean_min, s.mean_max}) EXPECT_NEAR(h, -1 / r, tolerance) << m;
+    for (const double h : {s.mean_min, s.mean_max}) EXPECT_NEAR(h, 1 / r, tolerance) << m;
     for (const double k : {s.gaussian_min, s.gaussian_max})
       EXPECT_NEAR(k, 1 / (r * r), 2 * tolerance) << m;
-    for (const double h : {c.mean_min, c.mean_max}) EXPECT_NEAR(h, -.5 / r, tolerance) << m;
+    for (const double h : {c.mean_min, c.mean_max}) EXPECT_NEAR(h, .5 / r, tolerance) << m;
     for (const double k : {c.gaussian_min, c.gaussian_max}) EXPECT_NEAR(k, 0, tolerance) << m;
   }
   const double noise = on_sphere.rings.back().noise;
   EXPECT_NEAR(on_sphere.limit.gaussian, 1 / (r * r), noise);
-  EXPECT_NEAR(on_sphere.limit.mean, -1 / r, noise);
+  EXPECT_NEAR(on_sphere.limit.mean, 1 / r, noise);
   EXPECT_NEAR(on_cylinder.limit.gaussian, 0, noise);
-  EXPECT_NEAR(on_cylinder.limit.mean, -.5 / r, noise);
+  EXPECT_NEAR(on_cylinder.limit.mean, .5 / r, noise);
 }
 
 TEST(Extraordinary_zoom, Finds_the_curvature_of_spheres_and_cylinders)
@@ -237,7 +238,7 @@ TEST(Extraordinary_zoom, Predicts_from_the_slopes)
     const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
     const auto limit = zoom.limit(data::turned(data::with_slopes(zoom.net(), nullptr, twisted)));
     EXPECT_NEAR(limit.gaussian, .8 * .2 - .3 * .3, 1e-2);
-    EXPECT_NEAR(limit.mean, .5, 1e-2);
+    EXPECT_NEAR(limit.mean, -.5, 1e-2);
   });
 }
 

@@ -29,10 +29,9 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Curvature
-The extent of the curvatures on one ring about an extraordinary vertex. Mean curvature is positive where
-the surface bends towards its normal, as graphs z of positive second derivatives do; that of
-`Vertex_curvature` has the opposite sign. Both ends are NaN if a curvature on the ring is, as where the
-surface degenerates.
+The extent of the curvatures on one ring about an extraordinary vertex. The sign of the mean curvature is
+that of `Vertex_curvature`: positive where the surface bends away from its normal, as spheres with outward
+normals do. Both ends are NaN if a curvature on the ring is, as where the surface degenerates.
 */
 template <class FT>
 struct Ring_curvature
@@ -220,7 +219,7 @@ public:
 
    - U = T u, a = U<sup>-1</sup> T w, H<sup>T</sup> = U<sup>-1</sup> T g,
    - II = sym(H) / (1 + |a|<sup>2</sup>)<sup>1/2</sup>, I = 1 + a a<sup>T</sup>,
-   - K = det sym(H) / (1 + |a|<sup>2</sup>)<sup>2</sup>, mean curvature tr(I<sup>-1</sup> II) / 2.
+   - K = det sym(H) / (1 + |a|<sup>2</sup>)<sup>2</sup>, mean curvature -tr(I<sup>-1</sup> II) / 2.
 
   It is meant for schemes whose eigenvalues besides 1 and the subdominant ones are less than the
   square of the latter; the curvature of others need not settle at extraordinary vertices. That the
@@ -333,7 +332,7 @@ private:
             a,
             h,
             (xx * yy - xy * xy) / (s * s),
-            trace / (2 * std::sqrt(s))};
+            -trace / (2 * std::sqrt(s))};
   }
 
   Level level_, fine_level_;

@@ -55,7 +55,8 @@ struct Curvatures
   FT gaussian, mean;
 };
 
-// of the surface (u, z), seen from the side that z points to
+// of the surface (u, z) with the normal on the side that z points to; mean curvature is positive where
+// the surface bends away from it
 template <class FT>
 Curvatures<FT> curvatures(const Jet_2<FT>& x, const Jet_2<FT>& y, const Jet_2<FT>& z)
 {
@@ -70,7 +71,7 @@ Curvatures<FT> curvatures(const Jet_2<FT>& x, const Jet_2<FT>& y, const Jet_2<FT
   const FT l = dot<FT, 3>({x.aa, y.aa, z.aa}, n) / length;
   const FT m = dot<FT, 3>({x.ab, y.ab, z.ab}, n) / length;
   const FT k = dot<FT, 3>({x.bb, y.bb, z.bb}, n) / length;
-  return {(l * k - m * m) / area, (e * k - 2 * f * m + g * l) / (2 * area)};
+  return {(l * k - m * m) / area, -(e * k - 2 * f * m + g * l) / (2 * area)};
 }
 
 // Value and derivatives of a regular spline surface at a vertex from the vertex and its 1-ring:
