@@ -258,6 +258,16 @@ inline std::vector<Data_set> flat()
 
 using Curvature = CGAL::PN_subdivision_3::Extraordinary_curvature<double>;
 
+// What is not a number is the worst, and remains so.
+inline void raise(double& x, double y)
+{
+  if (std::isnan(y) || y > x) x = y;
+}
+inline void lower(double& x, double y)
+{
+  if (std::isnan(y) || y < x) x = y;
+}
+
 // how much of the mean curvature on ring 0 is left on ring 19
 inline double remaining_mean_curvature(const Curvature& c)
 {
@@ -280,7 +290,6 @@ template <class Zoom>
 Figures figures(const Zoom& zoom)
 {
   Figures f;
-  const auto raise = [](double& x, double y) { x = (std::max)(x, y); };
   for (const Data_set& set : curved()) {
     const Curvature c = zoom.measure(set.values(zoom.net()));
     raise(f.oscillation_12, c.rings[12].oscillation());
@@ -292,7 +301,7 @@ Figures figures(const Zoom& zoom)
     const auto& last = c.rings[20];
     const bool changes_sign = last.gaussian_min * last.gaussian_max <= 0;
     const double least = (std::min)(std::abs(last.gaussian_min), std::abs(last.gaussian_max));
-    f.least_gaussian = (std::min)(f.least_gaussian, changes_sign ? 0 : least / last.scale());
+    lower(f.least_gaussian, changes_sign ? 0 : least / last.scale());
   }
   return f;
 }
@@ -303,7 +312,7 @@ double remaining_mean_curvature(const Zoom& zoom, const std::vector<Data_set>& s
 {
   double largest = 0;
   for (const Data_set& set : sets)
-    largest = (std::max)(largest, remaining_mean_curvature(zoom.measure(set.values(zoom.net()))));
+    raise(largest, remaining_mean_curvature(zoom.measure(set.values(zoom.net()))));
   return largest;
 }
 
