@@ -280,6 +280,31 @@ TEST(Extraordinary_zoom, Shows_what_is_not_a_number)
   });
 }
 
+// Without a tangent plane there is no curvature, not even zero. The normals are those of a saddle.
+TEST(Extraordinary_zoom, Predicts_no_curvature_where_the_net_has_collapsed)
+{
+  const data::Vector corner{.3, -.7, 1.1}, direction = data::unit({2, 1, -3});
+  for_plain_schemes({3, 5, 8, 12}, [&](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    data::Values values = data::sampled(zoom.net(), data::saddle);
+    EXPECT_LT(zoom.limit(values).gaussian, -1); // as long as it has not
+    for (const double length : {1., 0.}) {      // of the line that is left
+      SCOPED_TRACE(length);
+      for (Index v = 0; v < values.size(); ++v)
+        for (std::size_t c = 0; c < 3; ++c)
+          values[v].point[c] = corner[c] + length * data::layout(zoom.net(), v)[0] * direction[c];
+      const auto limit = zoom.limit(values);
+      EXPECT_TRUE(std::isnan(limit.gaussian)) << limit.gaussian;
+      EXPECT_TRUE(std::isnan(limit.mean)) << limit.mean;
+      for (std::size_t c = 0; c < 2; ++c) {
+        EXPECT_TRUE(std::isnan(limit.slope[c]));
+        for (const double h : limit.derivative_of_slopes[c]) EXPECT_TRUE(std::isnan(h));
+      }
+      if (length == 0) EXPECT_EQ(limit.point, corner);
+    }
+  });
+}
+
 // Measures as a zoom does, but for one data set, whose curvatures are not numbers.
 struct Zoom_with_a_hole
 {

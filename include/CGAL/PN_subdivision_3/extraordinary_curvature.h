@@ -225,10 +225,16 @@ public:
   square of the latter; the curvature of others need not settle at extraordinary vertices. That the
   rings tend to it is measured, not proved. The error falls from level to level as the square of the
   size of the net.
+
+  Slope, derivative and curvatures are NaN if U is singular but for rounding, as where the 1-ring has
+  collapsed to a line or to a point: then there is no tangent plane to speak of.
   */
   Limit_curvature<FT> limit(const Values& control) const
   {
-    const Values values = checked(control);
+    Values values = checked(control);
+    // moved to the origin, so that equal points are exactly zero
+    const Vector middle = values.front().point;
+    for (Value& v : values) internal::add_multiple<FT, 3>(v.point, FT(-1), middle);
     const Value o = limit_.limit(values);
     const Frame frame(o.point, has_no_normal(o) ? tangent_plane_normal(values) : o.normal);
     std::array<Pair, 2> size; // U: row r is the r-th part of T u
@@ -247,8 +253,11 @@ public:
       const auto h = internal::pn_height<FT, 3>(v, o.point, frame.normal());
       return h.numerator / (std::max)(h.denominator, FT(1) / FT(1024));
     };
-    return curvature_at(frame, internal::solve(size, limit_.tangent(values, height)),
-                        {internal::solve(size, slopes[0]), internal::solve(size, slopes[1])});
+    Limit_curvature<FT> result =
+      curvature_at(frame, internal::solve(size, limit_.tangent(values, height)),
+                   {internal::solve(size, slopes[0]), internal::solve(size, slopes[1])});
+    internal::add_multiple<FT, 3>(result.point, FT(1), middle);
+    return result;
   }
 
   /*!

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -79,12 +81,16 @@ private:
   Vector origin_, normal_, e1_, e2_;
 };
 
-// the x with m x = b, zero if m is singular
+// the x with m x = b; NaN if m is singular but for rounding
 template <class FT>
 Pair<FT> solve(const std::array<Pair<FT>, 2>& m, const Pair<FT>& b)
 {
   const FT det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-  if (det == FT(0)) return {FT(0), FT(0)};
+  const FT size = m[0][0] * m[0][0] + m[0][1] * m[0][1] + m[1][0] * m[1][0] + m[1][1] * m[1][1];
+  if (!(std::abs(det) > 64 * std::numeric_limits<FT>::epsilon() * size)) {
+    const FT nan = std::numeric_limits<FT>::quiet_NaN();
+    return {nan, nan};
+  }
   return {(b[0] * m[1][1] - b[1] * m[0][1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det};
 }
 
