@@ -300,7 +300,9 @@ TEST(Extraordinary_zoom, Predicts_no_curvature_where_the_net_has_collapsed)
         EXPECT_TRUE(std::isnan(limit.slope[c]));
         for (const double h : limit.derivative_of_slopes[c]) EXPECT_TRUE(std::isnan(h));
       }
-      if (length == 0) EXPECT_EQ(limit.point, corner);
+      if (length == 0) {
+        EXPECT_EQ(limit.point, corner);
+      }
     }
   });
 }
