@@ -146,18 +146,6 @@ TYPED_TEST(Exact_scheme, EqualOrNoNormalsReduceToTheLinearScheme)
 
 // --- against CGAL ---
 
-template <class Description>
-constexpr bool has_cgal_peer = !std::is_void_v<typename Description::Cgal>;
-
-template <class Description>
-std::vector<Control_mesh> meshes_for_cgal()
-{
-  std::vector<Control_mesh> result;
-  for (const Control_mesh& mesh : meshes_for<Description>())
-    if (!test_meshes::has_isolated_vertex(mesh)) result.push_back(mesh);
-  return result;
-}
-
 // The values at the same vertices: by index, or by position where CGAL has an order of its own.
 template <class Any_mesh>
 Result rounded_result(const Any_mesh& mesh)

@@ -18,19 +18,6 @@ class Scheme : public testing::Test
 {};
 TYPED_TEST_SUITE(Scheme, Schemes, Scheme_names);
 
-template <class Description>
-constexpr bool has_cgal_peer = !std::is_void_v<typename Description::Cgal>;
-
-// CGAL's hosts turn vertices without edges into NaN.
-template <class Description>
-std::vector<Control_mesh> meshes_for_cgal()
-{
-  std::vector<Control_mesh> result;
-  for (const Control_mesh& mesh : meshes_for<Description>())
-    if (!test_meshes::has_isolated_vertex(mesh)) result.push_back(mesh);
-  return result;
-}
-
 // What the other tests rest on: each scheme meets every kind of mesh that it takes.
 TYPED_TEST(Scheme, MeetsMeshesOfAllClasses)
 {
