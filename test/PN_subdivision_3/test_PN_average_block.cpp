@@ -80,14 +80,29 @@ PN::Stencil<FT> some_rows(std::size_t rows, std::size_t length, bool any_length,
   return stencil;
 }
 
-template <class FT>
+// what processors without wide registers compute
+struct Not_wide
+{
+  static constexpr std::size_t maximum_length = 0;
+};
+template <class FT, int dimension>
+using Narrow_block = PN::internal::Staged_PN_average_block<FT, dimension, Not_wide>;
+
+template <class Block>
+std::vector<typename Block::Value> block_of_rows(const PN::Stencil<typename Block::FT>& rows,
+                                                 const std::vector<typename Block::Value>& old)
+{
+  const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
+  std::vector<typename Block::Value> result(rows.number_of_rows());
+  Block()(rows, stored.data(), result.data());
+  return result;
+}
+
+template <class Block, class FT>
 void compare_block_with_rows(const PN::Stencil<FT>& rows,
                              const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)
 {
-  using Block = typename PN::internal::Block_of<PN::PN_average<FT, 3>>::type;
-  const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
-  std::vector<PN::Point_normal<FT, 3>> result(rows.number_of_rows());
-  Block()(rows, stored.data(), result.data());
+  const auto result = block_of_rows<Block>(rows, old);
   for (std::size_t r = 0; r < result.size(); ++r) {
     const auto expected = PN::PN_average<FT, 3>()(rows.begin(r), rows.end(r), old.data());
     for (std::size_t k = 0; k < 3; ++k) {
@@ -107,11 +122,14 @@ void compare_block_with_rows(const PN::Stencil<FT>& rows,
 template <class FT>
 void compare_blocks(const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)
 {
+  using Block = typename PN::internal::Block_of<PN::PN_average<FT, 3>>::type;
   for (std::size_t length = 1; length <= 20; ++length)
-    for (std::size_t rows : {std::size_t(1), std::size_t(5), PN::internal::block_size_v<FT>})
-      for (bool any_length : {false, true})
-        compare_block_with_rows(some_rows<FT>(rows, length, any_length, old.size()), old,
-                                tolerance);
+    for (std::size_t number : {std::size_t(1), std::size_t(5), PN::internal::block_size_v<FT>})
+      for (bool any_length : {false, true}) {
+        const auto rows = some_rows<FT>(number, length, any_length, old.size());
+        compare_block_with_rows<Block>(rows, old, tolerance);
+        compare_block_with_rows<Narrow_block<FT, 3>>(rows, old, tolerance);
+      }
 }
 
 TYPED_TEST(PN_average_block, BlocksAreRowsOneByOne)
@@ -123,6 +141,68 @@ TYPED_TEST(PN_average_block, BlocksAreRowsOneByOne)
 TYPED_TEST(PN_average_block, BlocksWithOppositeAndMissingNormalsAreRowsOneByOne)
 {
   compare_blocks<TypeParam>(some_values<TypeParam>(40, 6), 65536 * this->epsilon);
+}
+
+template <int dimension>
+std::vector<PN::Point_normal<double, dimension>> some_values_of(std::size_t n, std::size_t wild)
+{
+  std::vector<PN::Point_normal<double, dimension>> values;
+  for (const auto& v : some_values<double>(n, wild)) {
+    values.emplace_back();
+    for (std::size_t c = 0; c < dimension; ++c) {
+      values.back().point[c] = v.point[c];
+      values.back().normal[c] = v.normal[3 - dimension + c];
+    }
+  }
+  return values;
+}
+
+// The wide block against the narrow one: rows of any length and number, runs that end anywhere.
+template <int dimension>
+void expect_same_bits(std::size_t wild)
+{
+  using Block = typename PN::internal::Block_of<PN::PN_average<double, dimension>>::type;
+  const auto old = some_values_of<dimension>(40, wild);
+  for (std::size_t length = 1; length <= 64; ++length)
+    for (std::size_t number = 1; number <= PN::internal::block_size_v<double>; ++number)
+      for (bool any_length : {false, true}) {
+        // of few lengths, so that there are runs
+        const std::size_t longest = any_length ? 1 + length % 3 : length;
+        const auto rows = some_rows<double>(number, longest, any_length, old.size());
+        const auto wide = block_of_rows<Block>(rows, old);
+        const auto narrow = block_of_rows<Narrow_block<double, dimension>>(rows, old);
+        for (std::size_t r = 0; r < number; ++r) {
+          ASSERT_EQ(wide[r].point, narrow[r].point) << r << " of " << number << " x " << length;
+          ASSERT_EQ(wide[r].normal, narrow[r].normal) << r << " of " << number << " x " << length;
+        }
+      }
+}
+
+bool differs_by_design()
+{
+#if defined(__FMA__) // the compiler fuses operations as it likes
+  return true;
+#else
+  using Wide = PN::internal::Wide_PN_average<double, 3>;
+  if constexpr (Wide::maximum_length == 0)
+    return true;
+  else
+    return !Wide::is_available();
+#endif
+}
+
+TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOne)
+{
+  if (differs_by_design()) GTEST_SKIP() << "no wide registers, or fused operations";
+  expect_same_bits<2>(0);
+  expect_same_bits<3>(0);
+}
+
+TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOneWithOppositeAndMissingNormals)
+{
+  if (differs_by_design()) GTEST_SKIP() << "no wide registers, or fused operations";
+  expect_same_bits<2>(6);
+  expect_same_bits<3>(6);
 }
 
 TYPED_TEST(PN_average_block, EqualsTheMatrixForm)

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_UNIT_NORMAL_TRAITS_H
 
 #include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -9,12 +9,14 @@
 #include <CGAL/PN_subdivision_3/PN_average.h>
 #include <CGAL/PN_subdivision_3/Stencil.h>
 #include <CGAL/PN_subdivision_3/internal/Lanes.h>
+#include <CGAL/PN_subdivision_3/internal/Wide_PN_average.h>
 
 #include <boost/config.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
@@ -84,8 +86,9 @@ struct Interleaved_point_normal
 // The PN average in hardware floating point, in three passes over a block: sums, normalization,
 // heights. It is PN_average but for the order in which heights are added and for normals that are
 // multiplied by 1/|N|, not divided by |N|; a row that fades or whose normal may vanish is left to
-// PN_average itself.
-template <class FT_, int dimension>
+// PN_average itself. Rows of the same length are left to Wide, where the processor has the
+// registers for it; it changes no bit of the result.
+template <class FT_, int dimension, class Wide = Wide_PN_average<FT_, dimension>>
 class Staged_PN_average_block
 {
 public:
@@ -96,9 +99,10 @@ public:
 
   void operator()(const Stencil<FT>& rows, const Stored_value* old, Value* result) const
   {
+    if (rows.uniform_length() == 1) return copy(rows, old, result);
+    if constexpr (Wide::maximum_length != 0)
+      if (Wide::is_available()) return wide(rows, old, result);
     switch (rows.uniform_length()) { // the lengths that regular meshes have
-    case 1:
-      return copy(rows, old, result);
     case 2:
       return staged(Row<2>(rows), Row<2>(rows), old, result);
     case 3:
@@ -163,19 +167,53 @@ private:
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r) result[r] = old[rows.begin(r)->vertex];
   }
 
+  static void wide(const Stencil<FT>& rows, const Stored_value* old, Value* result)
+  {
+    const Row<0> any(rows);
+    for (std::size_t first = 0, end; first < rows.number_of_rows(); first = end) {
+      const std::size_t length = any.length(first);
+      end = end_of_run(any, first);
+      // one or two rows fill too little of the registers
+      if (end - first < 3 || length == 1 || length > Wide::maximum_length) {
+        staged(any, any, first, end, old, result);
+        continue;
+      }
+      std::uint32_t fails =
+        Wide::average(rows.begin(first), length, end - first, old, result + first);
+      for (std::size_t r = first; r < end && fails != 0; ++r, fails >>= 1)
+        if ((fails & 1) != 0) result[r] = careful_row(any, any, r, old);
+    }
+  }
+
+  // the end of the rows from `first` on that have the same length and are averaged together
+  static std::size_t end_of_run(const Row<0>& rows, std::size_t first)
+  {
+    const std::size_t most =
+      (std::min)(rows.rows.number_of_rows(), first + Wide::maximum_number_of_rows);
+    std::size_t end = first + 1;
+    while (end < most && rows.length(end) == rows.length(first)) ++end;
+    return end;
+  }
+
   template <class Rows, class Normal_rows>
   static void staged(const Rows& rows, const Normal_rows& normal_rows, const Stored_value* old,
                      Value* result)
   {
-    const std::size_t size = rows.rows.number_of_rows();
+    staged(rows, normal_rows, 0, rows.rows.number_of_rows(), old, result);
+  }
+
+  template <class Rows, class Normal_rows>
+  static void staged(const Rows& rows, const Normal_rows& normal_rows, std::size_t begin,
+                     std::size_t end, const Stored_value* old, Value* result)
+  {
     FT scale[capacity];
-    for (std::size_t r = 0; r < size; ++r) {
+    for (std::size_t r = begin; r < end; ++r) {
       result[r] = sums(rows, normal_rows, r, old);
       scale[r] = dot<FT, dimension>(result[r].normal, result[r].normal);
     }
-    for (std::size_t r = 0; r < size; ++r) scale[r] = std::sqrt(scale[r]);
-    for (std::size_t r = 0; r < size; ++r) scale[r] = FT(1) / scale[r];
-    for (std::size_t r = 0; r < size; ++r) {
+    for (std::size_t r = begin; r < end; ++r) scale[r] = std::sqrt(scale[r]);
+    for (std::size_t r = begin; r < end; ++r) scale[r] = FT(1) / scale[r];
+    for (std::size_t r = begin; r < end; ++r) {
       for (int c = 0; c < dimension; ++c) result[r].normal[c] *= scale[r];
       FT least_denominator(2);
       const FT h = height(rows, r, old, result[r], least_denominator);
