@@ -307,6 +307,33 @@ TEST(Extraordinary_zoom, Predicts_no_curvature_where_the_net_has_collapsed)
   });
 }
 
+template <class Zoom>
+void expect_no_curvature_at(const Zoom& zoom, data::Values values, const data::Vector& place)
+{
+  for (data::Value& v : values) v.point = place;
+  const auto curvature = zoom.measure(values);
+  for (std::size_t m = 0; m < curvature.rings.size(); ++m) {
+    const auto& ring = curvature.rings[m];
+    for (const double c : {ring.gaussian_min, ring.gaussian_max, ring.mean_min, ring.mean_max})
+      EXPECT_TRUE(std::isnan(c)) << "ring " << m << ": " << c;
+  }
+  EXPECT_TRUE(std::isnan(curvature.limit.gaussian)) << curvature.limit.gaussian;
+  EXPECT_TRUE(std::isnan(curvature.rate())) << curvature.rate();
+  EXPECT_TRUE(std::isnan(curvature.prediction_error())) << curvature.prediction_error();
+}
+
+// On a line, normals may still spread the points of later rounds; at one point, nothing does.
+TEST(Extraordinary_zoom, Finds_no_curvature_where_the_net_has_collapsed_to_a_point)
+{
+  for_plain_schemes({3, 5, 12}, [&](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    for (const data::Vector& place : {data::Vector{0, 0, 0}, data::Vector{.3, -.7, 1.1}}) {
+      expect_no_curvature_at(zoom, data::sampled(zoom.net(), data::saddle), place);
+      expect_no_curvature_at(zoom, data::Values(zoom.net().number_of_vertices()), place);
+    }
+  });
+}
+
 // Measures as a zoom does, but for one data set, whose curvatures are not numbers.
 struct Zoom_with_a_hole
 {

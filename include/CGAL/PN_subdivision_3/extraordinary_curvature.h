@@ -184,10 +184,10 @@ public:
   /// to `origin`.
   Values refined(const Values& values, Vector& origin) const
   {
-    Values result = level_.refined(checked(values), cropped_);
-    const Vector middle = result.front().point;
-    internal::add_multiple<FT, 3>(origin, FT(1), middle);
-    for (Value& v : result) internal::add_multiple<FT, 3>(v.point, FT(-1), middle);
+    Values control = checked(values);
+    move_to_origin(control, origin);
+    Values result = level_.refined(control, cropped_);
+    move_to_origin(result, origin);
     return result;
   }
 
@@ -198,10 +198,13 @@ public:
     return fine_level_.refined(level_.refined(checked(values), fine_), finest_);
   }
 
-  /// returns the curvatures on ring m, given the net of level m.
+  /// returns the curvatures on ring m, given the net of level m; NaN if it has collapsed to a point.
   Ring_curvature<FT> ring_curvature(const Values& values) const
   {
-    const Values fine = twice_refined(values);
+    Values control = checked(values);
+    Vector origin{};
+    move_to_origin(control, origin);
+    const Values fine = twice_refined(control);
     const FT infinity = std::numeric_limits<FT>::infinity();
     Ring_curvature<FT> ring{infinity, -infinity, infinity, -infinity, noise(values)};
     for (std::size_t i = 0; i < stencils_.size(); i += jet_.size()) {
@@ -232,9 +235,8 @@ public:
   Limit_curvature<FT> limit(const Values& control) const
   {
     Values values = checked(control);
-    // moved to the origin, so that equal points are exactly zero
-    const Vector middle = values.front().point;
-    for (Value& v : values) internal::add_multiple<FT, 3>(v.point, FT(-1), middle);
+    Vector middle{};
+    move_to_origin(values, middle);
     const Value o = limit_.limit(values);
     const Frame frame(o.point, has_no_normal(o) ? tangent_plane_normal(values) : o.normal);
     std::array<Pair, 2> size; // U: row r is the r-th part of T u
@@ -289,6 +291,15 @@ private:
     if constexpr (internal::Is_linear<Scheme>::value)
       for (Value& v : values) v.normal = Vector{};
     return values;
+  }
+
+  // Moves the middle vertex to the origin and adds its point to `origin`. Points that are equal become
+  // exactly zero, and remain so in every round: elsewhere rounding would spread them.
+  static void move_to_origin(Values& values, Vector& origin)
+  {
+    const Vector middle = values.front().point;
+    internal::add_multiple<FT, 3>(origin, FT(1), middle);
+    for (Value& v : values) internal::add_multiple<FT, 3>(v.point, FT(-1), middle);
   }
 
   static bool has_no_normal(const Value& v) { return PN_average<FT, 3>::is_zero(v.normal); }
