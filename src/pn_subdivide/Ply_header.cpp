@@ -21,7 +21,7 @@ Ply_type read_type(Text_reader& in)
   const std::string word(in.word());
   for (const auto& t : types)
     if (word == t.name || word == t.other_name) return t.type;
-  in.fail("not a PLY type: '" + word.substr(0, 40) + "'");
+  in.fail("not a PLY type: '" + Text_reader::printable(word) + "'");
 }
 
 Ply_format read_format(Text_reader& in)
@@ -30,13 +30,16 @@ Ply_format read_format(Text_reader& in)
   if (word == "ascii") return Ply_format::ascii;
   if (word == "binary_little_endian") return Ply_format::little_endian;
   if (word == "binary_big_endian") return Ply_format::big_endian;
-  in.fail("not a PLY format: '" + std::string(word.substr(0, 40)) + "'");
+  in.fail("not a PLY format: '" + Text_reader::printable(word) + "'");
 }
 
-Ply_element read_element(Text_reader& in)
+Ply_element read_element(Text_reader& in, const std::vector<Ply_element>& others)
 {
   Ply_element element;
   element.name = in.word();
+  for (const Ply_element& other : others)
+    if (other.name == element.name)
+      in.fail("a second element '" + Text_reader::printable(element.name) + "'");
   const std::int64_t size = in.integer("the number of elements");
   if (size < 0) in.fail("the number of elements is negative");
   element.size = static_cast<std::size_t>(size);
@@ -82,7 +85,7 @@ Ply_header read_ply_header(Text_reader& in)
       header.format = read_format(in);
       has_format = true;
     } else if (keyword == "element") {
-      header.elements.push_back(read_element(in));
+      header.elements.push_back(read_element(in, header.elements));
     } else if (keyword == "property") {
       if (header.elements.empty()) in.fail("a property before the first element");
       header.elements.back().properties.push_back(read_property(in));
@@ -90,7 +93,7 @@ Ply_header read_ply_header(Text_reader& in)
       if (!has_format) in.fail("the header says nothing about the format");
       return header;
     } else if (keyword != "comment" && keyword != "obj_info") {
-      in.fail("'" + std::string(keyword.substr(0, 40)) + "' does not belong into a PLY header");
+      in.fail("'" + Text_reader::printable(keyword) + "' does not belong into a PLY header");
     }
   }
   in.fail("truncated: the header has no 'end_header'");

@@ -20,20 +20,23 @@ bool is_blank(char c)
 }
 
 // Damaged files hold anything; an error message is one short line.
-std::string printable(std::string_view word)
-{
-  std::string s(word.substr(0, 40));
-  std::replace_if(
-    s.begin(), s.end(), [](unsigned char c) { return c < 32 || c == 127; }, '?');
-  return s;
-}
-
 } // namespace
 
 Text_reader::Text_reader(const std::string& text, char comment_sign)
   : text_(text)
   , comment_sign_(comment_sign)
-{}
+{
+  const std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors put it in front
+  if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0) next_ = byte_order_mark.size();
+}
+
+std::string Text_reader::printable(std::string_view word)
+{
+  std::string s(word.substr(0, 40));
+  std::replace_if(
+    s.begin(), s.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  return s;
+}
 
 bool Text_reader::next_line()
 {

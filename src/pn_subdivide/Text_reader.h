@@ -48,6 +48,9 @@ public:
   // Where the next line begins.
   std::size_t offset() const { return next_; }
 
+  // The word as a message may show it: not too long, and '?' for what is not ASCII, which may be
+  // anything in a damaged file.
+  static std::string printable(std::string_view word);
   // Throws Error naming the line.
   [[noreturn]] void fail(const std::string& what) const;
 

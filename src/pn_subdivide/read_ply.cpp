@@ -17,7 +17,8 @@ namespace {
 
 std::string name_of(const Ply_element& element, std::size_t i)
 {
-  return element.name + " " + std::to_string(i) + " of " + std::to_string(element.size);
+  return Text_reader::printable(element.name) + " " + std::to_string(i) + " of " +
+         std::to_string(element.size);
 }
 
 // The positions of three properties; `none` three times if the element has none of them.
@@ -51,10 +52,10 @@ public:
   {
     bool has_vertices = false, has_faces = false;
     for (const Ply_element& element : header_.elements) {
-      if (element.name == "vertex" && !has_vertices) {
+      if (element.name == "vertex") {
         has_vertices = true;
         read_vertices(element);
-      } else if (element.name == "face" && !has_faces) {
+      } else if (element.name == "face") {
         has_faces = true;
         read_faces(element);
       } else {

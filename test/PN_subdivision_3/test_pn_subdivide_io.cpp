@@ -19,6 +19,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 
 using namespace pn_subdivide;
@@ -228,6 +229,9 @@ TEST_F(Mesh_io, Ply_damage)
   expect_error("a.ply", "ply\nend_header\n", "format");
   expect_error("a.ply", "ply\nformat binary_middle_endian 1.0\n", "binary_middle_endian");
   expect_error("a.ply", head + "property quaternion q\nend_header\n", "line 7: not a PLY type");
+  expect_error("a.ply", head + "property \x1b[2J\xe4 q\nend_header\n", "'?[2J?'");
+  expect_error("a.ply", head + faces + faces + "end_header\n" + points + "3 0 1 2\n3 0 2 1\n",
+               "line 9: a second element 'face'");
   expect_error("a.ply", head + "end_header\n" + points, "no element 'face'");
   expect_error("a.ply", "ply\nformat ascii 1.0\n" + faces + "end_header\n3 0 1 2\n",
                "no element 'vertex'");
@@ -422,7 +426,50 @@ TEST_F(Mesh_io, Stl_text_and_binary_merge_equal_points)
   expect_error("a.stl", binary + "12", "truncated");
 }
 
+// No facet may get lost.
+TEST_F(Mesh_io, Stl_damage)
+{
+  const std::string corners = "outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+  const std::string facet = "facet normal 0 0 -nan(ind)\n" + corners + "endfacet\n";
+  EXPECT_EQ(read("a.stl", "\nsolid\n" + facet + facet + "endsolid\nsolid vertex facet\r\n" + facet +
+                            "endsolid vertex facet\n\n")
+              .number_of_faces(),
+            3u);
+  const auto damaged = [&](std::size_t at, char c) {
+    std::string text = "solid a\n" + facet + facet + "endsolid a\n";
+    text[at] = c;
+    return text;
+  };
+  const std::size_t second = 8 + facet.size();
+  expect_error("a.stl", damaged(second + 4, 'x'), "line 9: damaged or truncated STL file: 'facex'");
+  expect_error("a.stl", damaged(second - 2, 'x'), "line 8: damaged");
+  expect_error("a.stl", damaged(second + facet.find("vertex 1") + 7, 'x'), "'x' stands");
+  expect_error("a.stl", damaged(second + facet.find("vertex 1") + 8, '7'), "stands where a coord");
+  expect_error("a.stl", "solid a\n" + facet, "it ends where 'facet' or 'endsolid'");
+  expect_error("a.stl", "solid a\n" + facet + "endsolid a\n" + facet, "'solid' is expected");
+  expect_error("a.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 inf\nvertex 0 1 0\n",
+               "finite");
+
+  std::string binary = std::string(80, ' ') + raw(std::uint32_t(2), false);
+  for (int f = 0; f < 2; ++f) {
+    for (const float x : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+      binary += raw(x, false);
+    binary += std::string(2, '\0');
+  }
+  EXPECT_EQ(read("b.stl", binary).number_of_faces(), 2u);
+  binary.replace(84 + 50 + 24, 4, raw(std::numeric_limits<float>::quiet_NaN(), false));
+  expect_error("b.stl", binary, "triangle 1 has a coordinate that is not finite");
+}
+
 // --- files ---
+
+TEST_F(Mesh_io, Byte_order_marks_are_skipped)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(read("a.off", mark + "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").points.size(), 3u);
+  EXPECT_EQ(read("a.obj", mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").points.size(), 3u);
+  expect_error("a.off", "\xFF\xFEO", "not an OFF file");
+}
 
 TEST_F(Mesh_io, Missing_files_folders_and_unknown_formats)
 {
