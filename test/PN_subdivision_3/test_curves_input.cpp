@@ -10,8 +10,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
 #include <functional>
+#include <numeric>
 #include <stdexcept>
 
 using namespace curve_cases;
@@ -155,6 +160,47 @@ TEST(CurveInput, NumbersThatAreNotFinite)
   }
 }
 
+TEST(CurveInput, PointsThatOverflowAreRefusedInTheEnd)
+{
+  const double x = 1.7e308;
+  const Curve polygon = {{Point(x, x), Vector(1, 0)},
+                         {Point(-x, x), Vector(0, 1)},
+                         {Point(-x, -x), Vector(-1, 0)},
+                         {Point(x, -x), Vector(0, -1)}};
+  for (bool linear : {false, true})
+    for (unsigned rounds : {1u, 2u}) {
+      const auto refuse = [&] {
+        const PN::Dubuc_Deslauriers_mask mask(4);
+        const auto np = CGAL::parameters::number_of_iterations(rounds);
+        if (linear)
+          PN::subdivide_curve(polygon, PN::linear(mask), Curve_end::closed, np);
+        else
+          PN::subdivide_curve(polygon, mask, Curve_end::closed, np);
+      };
+      const std::string message = message_of<std::overflow_error>(refuse);
+      EXPECT_NE(message.find("point 1 of the curve"), std::string::npos) << message;
+    }
+  // near the end of the range is not beyond it
+  Curve half;
+  for (const auto& [p, n] : polygon) half.emplace_back(Point(p.x() / 8, p.y() / 8), n);
+  EXPECT_EQ(refined(half, {false, 3}, Curve_end::closed, 1).size(), 8u);
+}
+
+// Maps need not be default constructible: those of lambdas are not.
+TEST(CurveInput, MapsMadeOfLambdas)
+{
+  const auto polygon = circle_2<>(uneven_angles(6, 1, Real(1), false, 1), 1);
+  std::vector<std::size_t> items(polygon.size());
+  std::iota(items.begin(), items.end(), std::size_t(0));
+  const auto points = boost::make_function_property_map<std::size_t>(
+    [&polygon](std::size_t i) { return polygon[i].first; });
+  const auto normals = boost::make_function_property_map<std::size_t>(
+    [&polygon](std::size_t i) { return polygon[i].second; });
+  EXPECT_EQ(PN::subdivide_curve(items, PN::B_spline_mask(3), Curve_end::closed,
+                                CGAL::parameters::normal_map(normals).point_map(points)),
+            refined(polygon, {false, 3}, Curve_end::closed, 1));
+}
+
 TEST(CurveInput, CoefficientsThatDoNotSumToOne)
 {
   const auto polygon = circle_2<>(uneven_angles(6, 1, Real(1), false, 1), 1);
@@ -210,6 +256,52 @@ TEST(CurveInput, NoNormalsAreTheLinearScheme)
   for (auto& item : polygon) item.second = Vector(0, 0);
   EXPECT_EQ(refined(polygon, {true, 2}, Curve_end::closed, 3),
             linearly_refined(polygon, {true, 2}, Curve_end::closed, 3));
+}
+
+// --- intervals ---
+
+using Interval = CGAL::Interval_nt<>;
+using Interval_kernel = CGAL::Simple_cartesian<Interval>;
+
+Curve_2<Interval_kernel> interval_triangle(const Interval_kernel::Vector_2& third_normal)
+{
+  using P = Interval_kernel::Point_2;
+  using V = Interval_kernel::Vector_2;
+  return {{P(1, 0), V(1, 0)}, {P(0, 1), V(0, 1)}, {P(-1, 0), third_normal}};
+}
+
+TEST(CurveIntervals, NormalThatMayBeZeroIsNamed)
+{
+  const Interval near_zero(-1e-3, 1e-3);
+  const auto polygon = interval_triangle(Interval_kernel::Vector_2(near_zero, near_zero));
+  const std::string message = message_of<std::domain_error>(
+    [&] { PN::subdivide_curve(polygon, PN::B_spline_mask(3), Curve_end::closed); });
+  EXPECT_NE(message.find("point 2"), std::string::npos) << message;
+}
+
+// 1/3 is no double
+TEST(CurveIntervals, CoefficientsThatAreIntervals)
+{
+  const Interval third = Interval(1) / 3, rest = Interval(1) - third;
+  const auto polygon = interval_triangle(Interval_kernel::Vector_2(-1, 0));
+  const auto curve = [&](const std::vector<Interval>& a) {
+    return PN::subdivide_curve(polygon, PN::linear(PN::Univariate_mask<Interval>(0, a)),
+                               Curve_end::closed);
+  };
+  std::vector<Interval_kernel::Point_2> points;
+  for (const auto& item : curve({third, rest, rest, third})) points.push_back(item.first);
+  ASSERT_EQ(points.size(), 6u);
+  // corners are cut at thirds: the six points of those of the triangle, each once
+  const std::vector<Point> expected = {{2. / 3, 1. / 3},  {1. / 3, 2. / 3}, {-1. / 3, 2. / 3},
+                                       {-2. / 3, 1. / 3}, {-1. / 3, 0},     {1. / 3, 0}};
+  for (const Point& e : expected)
+    EXPECT_EQ(std::count_if(points.begin(), points.end(),
+                            [&](const auto& p) {
+                              return CGAL::abs(p.x() - e.x()).sup() < 1e-15 &&
+                                     CGAL::abs(p.y() - e.y()).sup() < 1e-15;
+                            }),
+              1);
+  expect_refused([&] { curve({third, rest, third, rest}); }, {"even", "sum to 1"});
 }
 
 // --- kernels ---

@@ -48,13 +48,13 @@ struct Curve_parameters
   }
   static Point_map point_map(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::point_map),
-                                        Point_map());
+    return parameters::choose_parameter<Point_map>(
+      parameters::get_parameter(np, internal_np::point_map));
   }
   static Normal_map normal_map(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::normal_map),
-                                        Normal_map());
+    return parameters::choose_parameter<Normal_map>(
+      parameters::get_parameter(np, internal_np::normal_map));
   }
 };
 
@@ -119,6 +119,8 @@ here"; vectors of other lengths are normalized once.
   for each parity, or if the masks of points and normals are not both primal or both dual with the
   same center
 \throws std::length_error if there would be more than 2<sup>32</sup> - 2 points
+\throws std::overflow_error if a new point is out of the range of a floating point type
+\throws std::domain_error if an interval number type leaves a comparison undecided
 
 \cost linear in the size of the curve, in time and memory
 */

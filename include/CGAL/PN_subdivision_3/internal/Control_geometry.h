@@ -13,6 +13,7 @@
 #include <CGAL/utils.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -43,6 +44,28 @@ void check_finite(const Coordinates<FT, dimension>& x, const char* what, const N
     if (!is_finite_number(c))
       throw std::invalid_argument("PN_subdivision_3: the " + std::string(what) + " of " + name() +
                                   " is not finite: give it finite coordinates");
+}
+
+// Coordinates near the end of the range of a floating point type may overflow in between. Below the
+// root of the largest number new points are not looked at: they grow by small factors only.
+template <class FT, int dimension>
+bool is_near_overflow([[maybe_unused]] const Coordinates<FT, dimension>& p)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    for (const FT& x : p)
+      if (x * x > (std::numeric_limits<FT>::max)()) return true;
+  return false;
+}
+
+template <class FT, int dimension, class Name>
+void check_in_range([[maybe_unused]] const Coordinates<FT, dimension>& p,
+                    [[maybe_unused]] const Name& name)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    for (const FT& x : p)
+      if (!std::isfinite(x))
+        throw std::overflow_error("PN_subdivision_3: " + name() +
+                                  " is out of the range of the number type: scale the input down");
 }
 
 // Normals of any length become unit vectors once; unit vectors and zero are taken as they are.

@@ -85,8 +85,9 @@ public:
     Point_normal<FT, dimension> value{coordinates(point), coordinates(normal)};
     check_finite<FT, dimension>(value.point, "position", name);
     check_finite<FT, dimension>(value.normal, "normal", name);
+    if (is_near_overflow<FT, dimension>(value.point)) is_near_overflow_ = true;
     if constexpr (is_pn) {
-      normalize_control_normal<FT, dimension>(value.normal);
+      normalize_control_normal<FT, dimension>(value.normal, name);
       values_.push_back(value);
     } else
       values_.push_back(value.point);
@@ -106,7 +107,13 @@ public:
   {
     std::vector<Item> curve;
     const auto append = [&](const Value* values, std::size_t n) {
-      for (std::size_t i = 0; i < n; ++i) curve.push_back(make_item(values[i]));
+      for (std::size_t i = 0; i < n; ++i) {
+        if (is_near_overflow_)
+          check_in_range<FT, dimension>(point_of(values[i]), [&] {
+            return "point " + std::to_string(curve.size()) + " of the curve";
+          });
+        curve.push_back(make_item(values[i]));
+      }
     };
     if (iterations == 0 || values_.empty()) {
       curve.reserve(values_.size());
@@ -232,6 +239,7 @@ private:
   Normal_rows<FT, Mask> normal_rows_;
   Curve_end end_;
   Values values_;
+  bool is_near_overflow_ = false;
 };
 
 } // namespace internal

@@ -19,6 +19,13 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// approximate, since intervals may have no order
+template <class FT>
+double magnitude(const FT& x)
+{
+  return std::abs(double(CGAL::to_double(x)));
+}
+
 // Gathers the weights of a row whose vertices occur many times.
 template <class FT>
 class Merged_row
@@ -49,9 +56,6 @@ public:
   }
 
 private:
-  // approximate, since intervals may have no order
-  static double magnitude(const FT& x) { return std::abs(double(CGAL::to_double(x))); }
-
   boost::container::small_vector<std::pair<Index, FT>, 64> entries_;
 };
 

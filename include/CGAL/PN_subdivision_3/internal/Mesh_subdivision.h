@@ -20,10 +20,8 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -143,7 +141,7 @@ private:
     old_points_.reserve(n);
     for (Index v = 0; v < n; ++v) {
       point_of(values[v]) = checked_point<FT>(access_, points_, v);
-      note_range(point_of(values[v]));
+      if (is_near_overflow<FT, 3>(point_of(values[v]))) is_near_overflow_ = true;
       old_points_.push_back(get(points_, access_.vertex(v)));
     }
     if constexpr (has_normal_map)
@@ -242,7 +240,9 @@ private:
     for (Index i = 0; i < n; ++i) {
       const auto v = access_.vertex(first + i);
       const Coordinates<FT, 3>& p = point_of(values[i]);
-      if (is_near_overflow_) check_range(p, first + i);
+      if (is_near_overflow_)
+        check_in_range<FT, 3>(
+          p, [&] { return "the point of the new vertex " + std::to_string(first + i); });
       put(points_, v, Point(p[0], p[1], p[2]));
       if constexpr (has_normal_map) {
         using Normal = typename boost::property_traits<Normal_map>::value_type;
@@ -250,24 +250,6 @@ private:
         put(normals_, v, Normal(m[0], m[1], m[2]));
       }
     }
-  }
-
-  // Coordinates near the end of the range of a floating point type may overflow in between. Below the
-  // root of the largest number new points are not looked at: they grow by small factors only.
-  void note_range([[maybe_unused]] const Coordinates<FT, 3>& p)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      for (const FT& x : p)
-        if (x * x > (std::numeric_limits<FT>::max)()) is_near_overflow_ = true;
-  }
-
-  static void check_range([[maybe_unused]] const Coordinates<FT, 3>& p, [[maybe_unused]] Index v)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
-        throw std::overflow_error("PN_subdivision_3: the point of the new vertex " +
-                                  std::to_string(v) +
-                                  " is out of the range of the number type: scale the mesh down");
   }
 
   // a map that throws here too keeps what it has

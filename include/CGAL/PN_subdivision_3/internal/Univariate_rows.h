@@ -8,11 +8,13 @@
 
 #include <CGAL/PN_subdivision_3/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/Merged_row.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -46,7 +48,7 @@ public:
     twice_center_ = 2 * first + static_cast<Index>(a.size()) - 1;
     for (std::size_t k = 0; k < a.size(); ++k) {
       const Index index = first + static_cast<Index>(k);
-      if (a[k] == FT(0)) continue;
+      if (CGAL::certainly(a[k] == FT(0))) continue;
       // index = i - 2j with i = parity: j = (parity - index) / 2
       const Index parity = index & 1;
       rows_[parity].emplace_back((parity - index) / 2, a[k]);
@@ -102,13 +104,14 @@ private:
     for (const auto& entry : row) sum += entry.second;
     const FT tolerance =
       FT(4) * machine_epsilon<FT>() * FT(static_cast<int>((std::max)(row.size(), std::size_t(1))));
-    if (row.empty() || !(sum - FT(1) <= tolerance) || !(FT(1) - sum <= tolerance)) // NaN is none
+    if (row.empty() || !CGAL::possibly(sum - FT(1) <= tolerance) ||
+        !CGAL::possibly(FT(1) - sum <= tolerance)) // NaN is none
       throw std::invalid_argument("PN_subdivision_3: the mask's coefficients of " +
                                   std::string(parity == 0 ? "even" : "odd") +
                                   " index do not sum to 1");
     auto largest = row.begin();
     for (auto e = row.begin(); e != row.end(); ++e)
-      if (CGAL::abs(e->second) > CGAL::abs(largest->second)) largest = e;
+      if (magnitude(e->second) > magnitude(largest->second)) largest = e;
     std::iter_swap(largest, std::prev(row.end()));
     sum = FT(0);
     for (std::size_t k = 0; k + 1 < row.size(); ++k) sum += row[k].second;
