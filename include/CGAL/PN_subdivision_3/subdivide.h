@@ -79,7 +79,8 @@ back, and what such a map stores for vertices that exist no longer.
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads. The
   maps of `Surface_mesh` are then written by several threads, other maps by one.
-\tparam PolygonMesh a model of `MutableFaceGraph`
+\tparam PolygonMesh a model of `MutableFaceGraph` with hashable descriptors; a `Polyhedron_3` needs its
+  default `HalfedgeDS_list`, since elements of a `HalfedgeDS_vector` cannot be removed
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

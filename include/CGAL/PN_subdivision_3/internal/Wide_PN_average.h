@@ -31,8 +31,9 @@ struct Wide_PN_average
 
 #ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
 // Four doubles to a register. Whether the processor has AVX2 is asked at run time, so that programs
-// built for any x86-64 gain a third. No operation is fused, and every row is summed in the order of
-// Staged_PN_average_block: the results are the same bit by bit.
+// built for any x86-64 gain a third. Every row is summed in the order of Staged_PN_average_block:
+// the results are the same bit by bit, unless the whole program is built for processors with FMA and
+// the compiler fuses operations as it likes.
 template <int dimension>
 class Wide_PN_average<double, dimension>
 {
