@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 using namespace curve_cases;
@@ -150,6 +151,8 @@ TEST(CurveNormals, VerticesThatAreNotThere)
   EXPECT_THROW(PN::every_kth_vertex(polygon, 0), std::invalid_argument);
   EXPECT_EQ(PN::every_kth_vertex(polygon, 2), (std::vector<std::size_t>{0, 2, 4}));
   EXPECT_EQ(PN::every_kth_vertex(polygon, 2, 1), (std::vector<std::size_t>{1, 3}));
+  const auto largest_step = (std::numeric_limits<std::size_t>::max)();
+  EXPECT_EQ(PN::every_kth_vertex(polygon, largest_step, 2), (std::vector<std::size_t>{2}));
 }
 
 // --- curvature ---

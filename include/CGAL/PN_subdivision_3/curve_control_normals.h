@@ -10,6 +10,7 @@
 #include <CGAL/PN_subdivision_3/internal/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/planar_polygon_normals.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -79,7 +80,7 @@ std::vector<std::size_t> every_kth_vertex(const Range& polygon, std::size_t k,
     throw std::invalid_argument("PN_subdivision_3: every 0th vertex: give a step of 1 or more");
   const auto size = static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon)));
   std::vector<std::size_t> positions;
-  for (std::size_t i = first; i < size; i += k) positions.push_back(i);
+  for (std::size_t i = first; i < size; i += (std::min)(k, size - i)) positions.push_back(i);
   return positions;
 }
 
