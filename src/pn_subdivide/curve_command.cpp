@@ -140,13 +140,14 @@ void run_curve_command(const Curve_options& options)
     if (verification) verification->measure(refined);
     return refined;
   });
+  if (verification) verification->print();
   write_files(options, rule, polygon, curve);
   if (!options.quiet && curve.size() >= points_worth_a_report) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::fprintf(stderr, "%s: %zu points, %.2f s\n", options.output.c_str(), curve.size(),
                  seconds.count());
   }
-  if (verification) verification->report();
+  if (verification) verification->require_tolerance();
 }
 
 } // namespace pn_subdivide

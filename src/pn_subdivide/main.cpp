@@ -14,6 +14,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <new>
@@ -38,6 +39,19 @@ const char* const curve_footer =
   "as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
 // A number or a fraction such as 1/16.
+// Alone CLI11 takes an empty word, as of a shell variable that is not set, for 0, and words that
+// begin with 0 for octal or hexadecimal numbers.
+CLI::Validator whole_number()
+{
+  const auto check = [](std::string& word) {
+    if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos)
+      return "'" + word + "' is not a whole number";
+    word.erase(0, (std::min)(word.find_first_not_of('0'), word.size() - 1));
+    return std::string();
+  };
+  return CLI::Validator(check, "");
+}
+
 double parse_fraction(const char* option, const std::string& text)
 {
   std::istringstream in(text);
@@ -61,6 +75,7 @@ void add_verify_options(CLI::App& command, Verify_options& options, const std::s
   command
     .add_option("--tolerance", options.tolerance,
                 "With --verify: exit with 3, OUTPUT written, if D is more than this times R")
+    ->check([](const std::string& word) { return word.empty() ? "a number is expected" : ""; })
     ->needs(verify);
 }
 
@@ -91,6 +106,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     "0 < C <= 1, default 1/2");
   surface
     ->add_option("--levels", options.levels, "Rounds of subdivision; 0 copies the control data")
+    ->transform(whole_number())
     ->capture_default_str();
   surface->add_flag("--linear", options.linear, "The linear scheme, without normals");
   surface->add_option("--normals", options.normals,
@@ -100,6 +116,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                       "Add gaussian or mean curvature to the vertices, and colors for it, "
                       "symmetric about 0 (.ply, .vtp)");
   surface->add_option("--threads", options.threads, "Number of threads; 0 for all cores")
+    ->transform(whole_number())
     ->capture_default_str();
   add_verify_options(*surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   surface->add_flag("--repair", options.repair,
@@ -123,6 +140,7 @@ CLI::App* add_curve_command(CLI::App& app, Curve_options& options)
                     "Another scheme for the normals; both primal (odd degrees, N-point) or both "
                     "dual (even degrees)");
   curve->add_option("--levels", options.levels, "Rounds of subdivision; 0 copies the control data")
+    ->transform(whole_number())
     ->capture_default_str();
   curve->add_flag("--linear", options.linear, "The linear scheme, without normals");
   curve->add_flag("--closed", options.closed,

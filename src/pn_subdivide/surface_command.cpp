@@ -29,6 +29,9 @@ void require_consistent(const Surface_options& options)
   require_readable_format(options.input);
   require_writable_format(options.output);
   require_surface_schemes(options.scheme);
+  if (options.normals == "none" && options.scheme.normal_scheme)
+    throw Usage_error("--normal-scheme and --normals none exclude each other: there are no normals "
+                      "for it to average");
   if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
   throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
                     " and --linear exclude each other: in linear schemes normals take no part");
@@ -117,8 +120,9 @@ void run_surface_command(const Surface_options& options)
   } catch (const std::exception& e) {
     throw Error(options.input + ": " + e.what());
   }
+  if (verification) verification->print();
   write_mesh(options.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
-  if (verification) verification->report();
+  if (verification) verification->require_tolerance();
 }
 
 } // namespace pn_subdivide

@@ -32,6 +32,14 @@ const Curve_kernel::Point_3& point_of(const Curve_kernel::Point_3& p)
   return p;
 }
 
+// Scaled by a power of two: its square neither overflows nor vanishes then. Exact, but for
+// coordinates beside which others are far greater.
+Curve_kernel::Vector_3 of_size_one(const Curve_kernel::Vector_3& d)
+{
+  const int e = -std::ilogb((std::max)({std::abs(d.x()), std::abs(d.y()), std::abs(d.z())}));
+  return {std::scalbn(d.x(), e), std::scalbn(d.y(), e), std::scalbn(d.z(), e)};
+}
+
 std::string short_number(double x)
 {
   char text[32];
@@ -61,7 +69,7 @@ Verification::Parts Verification::parse_parts(const std::string& text)
   if (!(x.back() > 0)) throw Usage_error(option + ": the radius must be positive");
   if (x.size() == 7) require_direction(&x[3], option);
   Parts parts{{x[0], x[1], x.size() > 3 ? x[2] : 0}, {0, 0, 0}, x.back()};
-  if (x.size() == 7) parts.direction = Curve_kernel::Vector_3(x[3], x[4], x[5]);
+  if (x.size() == 7) parts.direction = of_size_one(Curve_kernel::Vector_3(x[3], x[4], x[5]));
   return parts;
 }
 
@@ -148,11 +156,16 @@ void Verification::measure(const Curve_data& curve)
   std::visit([this](const auto& points) { measure_points(points); }, curve.points);
 }
 
-void Verification::report() const
+void Verification::print() const
 {
   std::printf("deviation %s (D/R in 2^-52: %s) bound %s\n", short_number(deviation_).c_str(),
               short_number(deviation_ / parts_.radius / ulp).c_str(), short_number(bound_).c_str());
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    throw Error("--verify: the deviation cannot be printed to standard output");
+}
+
+void Verification::require_tolerance() const
+{
   if (tolerance_ && deviation_ > *tolerance_ * parts_.radius)
     throw Tolerance_error("the deviation " + short_number(deviation_) + " is more than " +
                           short_number(*tolerance_) + " times the radius " +

@@ -41,8 +41,10 @@ public:
   void measure(const std::vector<Curve_kernel::Point_3>& points);
   void measure(const Curve_data& curve);
 
-  // Prints what was measured; throws Tolerance_error if it is more than the tolerance.
-  void report() const;
+  // Prints what was measured; throws Error if that cannot be written. To be called before a file is.
+  void print() const;
+  // Throws Tolerance_error if what was measured is more than the tolerance.
+  void require_tolerance() const;
 
 private:
   // In exact numbers: the square of a double is not a double.

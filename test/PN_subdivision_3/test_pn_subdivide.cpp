@@ -358,6 +358,9 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
   expect_failure(input, "--scheme bezier", 2, "bezier");
   expect_failure(input, scheme + "--levels -1", 2, "--levels");
   expect_failure(input, scheme + "--levels two", 2, "--levels");
+  for (const char* levels : {"''", "0x2", "+1", "' 1'", "1e1", "4294967296"})
+    expect_failure(input, scheme + "--levels " + levels, 2, "--levels");
+  expect_failure(input, scheme + "--threads ''", 2, "--threads");
   expect_failure(input, scheme + "--colour red", 2, "--colour");
   expect_failure(input, scheme + "--linear --normals none", 2, "exclude each other");
   for (const char* normals : {"guess", "sphere", "sphere:1,2", "sphere:1,2,x", "sphere:1,2,nan",
@@ -371,12 +374,24 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
   expect_one_line(run("surface"), 2, "required");
 }
 
+TEST_F(Pn_subdivide, Numbers_with_zeros_in_front_are_decimal)
+{
+  const std::string input = folder.write("cube.off", cube), output = folder.file("o.ply");
+  EXPECT_EQ(surface(input, output, "--scheme doo-sabin --linear --levels 002 --threads 08").code,
+            0);
+  EXPECT_EQ(read_mesh(output).points.size(), 96u);
+  EXPECT_EQ(surface(input, output, "--scheme doo-sabin --linear --levels 00").code, 0);
+  EXPECT_EQ(read_mesh(output).points.size(), 8u);
+}
+
 TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)
 {
   const std::string input = folder.write("cube.off", cube);
   expect_failure(input, "--scheme catmull-clark --normal-scheme loop", 2, "split");
   expect_failure(input, "--scheme catmull-clark --normal-scheme spline", 2, "no such scheme");
   expect_failure(input, "--scheme catmull-clark --normal-scheme kobbelt --linear", 2, "exclude");
+  expect_failure(input, "--scheme catmull-clark --normal-scheme kobbelt --normals none", 2,
+                 "exclude");
   expect_failure(input, "--scheme catmull-clark --tension 1/16", 2, "kobbelt");
   for (const char* tension : {"x", "1/", "1/0", "1/16x", "0.5", "-1"})
     expect_failure(input, std::string("--scheme kobbelt --tension ") + tension, 2, "--tension");

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -92,6 +93,14 @@ TEST_F(Verify, Known_deviations_of_control_data)
   EXPECT_EQ(p.units, 0);
   // the axis beside the upper corners, not the point of it that was given
   EXPECT_NEAR(p.bound, (5 + 3 * std::sqrt(25 + 3.5 * 3.5)) * ulp, 1e-5 * p.bound);
+  // however long the direction
+  for (const char* length : {"1e-200", "5e-324", "-1e300"}) {
+    const std::string axis = std::string("0,0,") + length;
+    const Printed q =
+      verified(surface(file, "--levels 0 --verify cylinder:3,-4,100," + axis + ",1"));
+    EXPECT_EQ(q.deviation, 0) << length;
+    EXPECT_EQ(q.bound, p.bound) << length;
+  }
   p = verified(surface(file, "--levels 0 --verify cylinder:3,-4,0,0,0,1,0.75"));
   EXPECT_EQ(p.deviation, 0.25);
 
@@ -151,6 +160,23 @@ TEST_F(Verify, Beyond_the_tolerance_the_exit_code_is_3_and_the_file_is_there)
             0);
 }
 
+// A script that reads the deviation must not take silence for success.
+TEST_F(Verify, Deviation_that_cannot_be_printed_is_an_error)
+{
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const std::string file = folder.write("box.off", box), err = work.file("message");
+  const std::string command = "'" PN_SUBDIVIDE_COMMAND "' ";
+  for (const std::string& arguments : {surface(file, "--verify sphere:0,0,0,1"),
+                                       curve("1 0 1 0\n0 1 0 1\n", "--verify circle:0,0,1")}) {
+    EXPECT_NE(std::system((command + arguments + " >/dev/full 2>'" + err + "'").c_str()), 0);
+    const std::string message = Temporary_folder::content(err);
+    EXPECT_EQ(message.rfind("pn_subdivide: --verify", 0), 0u) << message;
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
+  }
+  EXPECT_FALSE(std::filesystem::exists(output));
+  EXPECT_FALSE(std::filesystem::exists(curve_output));
+}
+
 TEST_F(Verify, What_is_wrong_is_said_before_anything_is_written)
 {
   const std::string file = folder.write("box.off", box);
@@ -173,6 +199,7 @@ TEST_F(Verify, What_is_wrong_is_said_before_anything_is_written)
                          {"--verify circle:0,0,0,1", "X,Y,R or"},
                          {"--verify sphere:0,0,0,1 --tolerance -1", "not negative"},
                          {"--verify sphere:0,0,0,1 --tolerance nan", "not negative"},
+                         {"--verify sphere:0,0,0,1 --tolerance ''", "--tolerance"},
                          {"--verify sphere:0,0,0,1 --tolerance low", "--tolerance"},
                          {"--tolerance 1e-9", "--verify"}}) {
     SCOPED_TRACE(c.options);
