@@ -47,7 +47,8 @@ double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
   const double diameter = std::hypot(box.x_span(), box.y_span(), box.z_span());
   const double least = kind == Curvature_kind::mean ? flat / diameter : flat / diameter / diameter;
   const double end = sizes[static_cast<std::size_t>(rank)];
-  return end > least ? end : std::isfinite(least) ? least : 1;
+  if (end > least) return end;
+  return least > 0 && std::isfinite(least) ? least : 1;
 }
 
 } // namespace
@@ -71,7 +72,7 @@ std::string Curvature_range::description(Curvature_kind kind) const
                 kind == Curvature_kind::gaussian ? "Gaussian" : "mean", least, greatest, -end, end);
   if (without_estimate == 0) return text;
   return text + ("; " + std::to_string(without_estimate)) +
-         " vertices have too few neighbors and get 0";
+         " vertices allow no estimate (too few neighbors, no area or out of range) and get 0";
 }
 
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, unsigned threads)
