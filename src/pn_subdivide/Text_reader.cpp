@@ -19,7 +19,6 @@ bool is_blank(char c)
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-// Damaged files hold anything; an error message is one short line.
 } // namespace
 
 Text_reader::Text_reader(const std::string& text, char comment_sign)

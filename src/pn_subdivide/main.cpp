@@ -38,7 +38,6 @@ const char* const curve_footer =
   "failure, 2 wrong command line; a failure prints one line on standard\nerror and leaves OUTPUT "
   "as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
 
-// A number or a fraction such as 1/16.
 // Alone CLI11 takes an empty word, as of a shell variable that is not set, for 0, and words that
 // begin with 0 for octal or hexadecimal numbers.
 CLI::Validator whole_number()
@@ -52,6 +51,7 @@ CLI::Validator whole_number()
   return CLI::Validator(check, "");
 }
 
+// A number or a fraction such as 1/16.
 double parse_fraction(const char* option, const std::string& text)
 {
   std::istringstream in(text);
