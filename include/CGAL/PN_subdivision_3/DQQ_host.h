@@ -155,7 +155,7 @@ private:
   }
   Index polygon(Index v) const
   {
-    const Index interior_edges = static_cast<Index>(level_.size().corners - level_.size().edges);
+    const auto interior_edges = static_cast<Index>(level_.size().corners - level_.size().edges);
     return level_.number_of_faces() + interior_edges + (vertex_rank_.empty() ? v : vertex_rank_[v]);
   }
 

@@ -60,7 +60,7 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
     internal::check_scheme(scheme, level, access);
     const typename Scheme::Host host(level, round);
     const auto mask = scheme.template mask<FT>(level, round);
-    const Index rows = static_cast<Index>(Scheme::Host::refined_size(level.size(), round).vertices);
+    const auto rows = static_cast<Index>(Scheme::Host::refined_size(level.size(), round).vertices);
     if (rows > static_cast<Index>((std::numeric_limits<int>::max)()))
       throw std::length_error("PN_subdivision_3: a matrix of " + std::to_string(rows) +
                               " rows is more than Eigen's int can number");

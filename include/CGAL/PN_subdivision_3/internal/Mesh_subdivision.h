@@ -213,7 +213,7 @@ private:
   {
     last_round_.emplace(scheme_, level_, k);
     const Level_size& size = last_round_->refined_size();
-    const Index new_vertices = static_cast<Index>(size.vertices);
+    const auto new_vertices = static_cast<Index>(size.vertices);
     const Index old_vertices = (std::min)(new_vertices, static_cast<Index>(old_points_.size()));
     put_range(*last_round_, old_vertices, new_vertices);
     old_values_put_ = true;
