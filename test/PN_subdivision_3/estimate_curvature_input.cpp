@@ -22,7 +22,7 @@ namespace params = CGAL::parameters;
 // --- degenerate input ---
 
 // What has no neighbors is not estimated, what has, is.
-TEST(Estimate_curvature, components_and_vertices_without_faces)
+TEST(Estimate_curvature, ComponentsAndVerticesWithoutFaces)
 {
   Sampled_surface s = lay(square(6, Faces::quads, 0), waves);
   const Curvatures alone = from_points(s.soup);
@@ -50,7 +50,7 @@ TEST(Estimate_curvature, components_and_vertices_without_faces)
   EXPECT_TRUE(from_points(Soup{}).empty());
 }
 
-TEST(Estimate_curvature, too_few_vertices)
+TEST(Estimate_curvature, TooFewVertices)
 {
   Soup triangle{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}}};
   for (const Curvature& c : from_points(triangle)) EXPECT_FALSE(c.is_estimated);
@@ -75,7 +75,7 @@ TEST(Estimate_curvature, too_few_vertices)
 }
 
 // Three rows determine a quadric, not a cubic: the error is of first order, the cylinder of any.
-TEST(Estimate_curvature, three_rows_give_a_quadric)
+TEST(Estimate_curvature, ThreeRowsGiveAQuadric)
 {
   double last = 0;
   for (double h : {0.1, 0.05, 0.025}) {
@@ -95,7 +95,7 @@ TEST(Estimate_curvature, three_rows_give_a_quadric)
   }
 }
 
-TEST(Estimate_curvature, edges_without_length_and_faces_without_area)
+TEST(Estimate_curvature, EdgesWithoutLengthAndFacesWithoutArea)
 {
   Sampled_surface s = lay(square(16, Faces::triangles, 0), waves);
   const double before = error(from_points(s.soup), s);
@@ -123,7 +123,7 @@ TEST(Estimate_curvature, edges_without_length_and_faces_without_area)
 }
 
 // In a thin plate the vertices of the other side are near, but no neighbors.
-TEST(Estimate_curvature, other_side_of_a_plate_is_left_out)
+TEST(Estimate_curvature, OtherSideOfAPlateIsLeftOut)
 {
   constexpr std::size_t n = 6, side = n + 1;
   Soup soup = square(n, Faces::quads, 0);
@@ -157,7 +157,7 @@ TEST(Estimate_curvature, other_side_of_a_plate_is_left_out)
 }
 
 // Where there is no normal, the point counts and the faces tell the side.
-TEST(Estimate_curvature, missing_normals)
+TEST(Estimate_curvature, MissingNormals)
 {
   const Sampled_surface s = lay(square(12, Faces::mixed, 0.1), waves);
   const double from_all_normals = error(from_normals(s.soup, normals_of(s)), s);
@@ -169,7 +169,7 @@ TEST(Estimate_curvature, missing_normals)
 }
 
 // Gaussian curvatures of 1e400 and more
-TEST(Estimate_curvature, curvatures_out_of_range)
+TEST(Estimate_curvature, CurvaturesOutOfRange)
 {
   Sampled_surface s = lay(square(4, Faces::quads, 0), sphere);
   for (Triple& p : s.soup.points) p = {1e-200 * p[0], 1e-200 * p[1], 1e-200 * p[2]};
@@ -181,7 +181,7 @@ TEST(Estimate_curvature, curvatures_out_of_range)
     }
 }
 
-TEST(Estimate_curvature, numbers_that_are_not_finite_are_refused)
+TEST(Estimate_curvature, NumbersThatAreNotFiniteAreRefused)
 {
   const Sampled_surface s = lay(square(3, Faces::quads, 0), waves);
   for (double bad :
@@ -209,7 +209,7 @@ TEST(Estimate_curvature, numbers_that_are_not_finite_are_refused)
   }
 }
 
-TEST(Estimate_curvature, bow_ties_are_refused)
+TEST(Estimate_curvature, BowTiesAreRefused)
 {
   Mesh mesh = mesh_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}}});
   mesh.add_face(Vertex(0), Vertex(3), Vertex(4));
@@ -219,7 +219,7 @@ TEST(Estimate_curvature, bow_ties_are_refused)
 
 // --- types ---
 
-TEST(Estimate_curvature, scalar_maps)
+TEST(Estimate_curvature, ScalarMaps)
 {
   Mesh mesh = mesh_of(lay(square(4, Faces::quads, 0), waves).soup);
   const auto c = mesh.add_property_map<Vertex, Curvature>("c").first;
@@ -234,7 +234,7 @@ TEST(Estimate_curvature, scalar_maps)
   }
 }
 
-TEST(Estimate_curvature, other_meshes_kernels_and_maps)
+TEST(Estimate_curvature, OtherMeshesKernelsAndMaps)
 {
   const Sampled_surface s = lay(square(6, Faces::mixed, 0.2), waves);
   const Curvatures expected = from_points(s.soup);
@@ -285,7 +285,7 @@ TEST(Estimate_curvature, other_meshes_kernels_and_maps)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST(Estimate_curvature, is_the_same_in_parallel)
+TEST(Estimate_curvature, IsTheSameInParallel)
 {
   const Sampled_surface s = lay(square(70, Faces::mixed, 0.2), waves);
   const auto expect_same = [](const Curvatures& a, const Curvatures& b) {

@@ -125,7 +125,7 @@ void expect_refused(Mesh mesh, const std::vector<std::string>& words)
 
 // \name Faces
 
-TEST(Bad_input, loop_takes_triangles_only)
+TEST(Bad_input, LoopTakesTrianglesOnly)
 {
   Mesh mesh = mesh_of(mixed_with_border());
   const State before(mesh);
@@ -144,7 +144,7 @@ TEST(Bad_input, loop_takes_triangles_only)
 }
 
 // the only quad is the last face of many
-TEST(Bad_input, loop_names_the_face)
+TEST(Bad_input, LoopNamesTheFace)
 {
   Soup soup = triangles_with_border();
   soup.points.push_back({2.5, 1, 0});
@@ -155,7 +155,7 @@ TEST(Bad_input, loop_names_the_face)
                {"face 9 ", "4 corners"});
 }
 
-TEST(Bad_input, face_of_degree_two)
+TEST(Bad_input, FaceOfDegreeTwo)
 {
   // the edge 0-1 of a triangle doubled, with a face of two corners between
   Mesh mesh = mesh_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
@@ -178,7 +178,7 @@ TEST(Bad_input, face_of_degree_two)
 
 // \name Values
 
-TEST(Bad_input, points_that_are_not_finite)
+TEST(Bad_input, PointsThatAreNotFinite)
 {
   for (double x : {not_a_number, infinity, -infinity})
     for (int k = 0; k < 3; ++k) {
@@ -190,14 +190,14 @@ TEST(Bad_input, points_that_are_not_finite)
     }
 }
 
-TEST(Bad_input, a_point_without_edges_that_is_not_finite)
+TEST(Bad_input, APointWithoutEdgesThatIsNotFinite)
 {
   Mesh mesh = mesh_of(tetrahedron());
   mesh.add_vertex(Point(0, not_a_number, 0));
   expect_refused(mesh, {"point", "vertex 4", "not finite"});
 }
 
-TEST(Bad_input, normals_that_are_not_finite)
+TEST(Bad_input, NormalsThatAreNotFinite)
 {
   for (double x : {not_a_number, infinity, -infinity})
     for (int k = 0; k < 3; ++k) {
@@ -218,7 +218,7 @@ TEST(Bad_input, normals_that_are_not_finite)
     }
 }
 
-TEST(Bad_input, points_that_overflow_are_refused_in_the_end)
+TEST(Bad_input, PointsThatOverflowAreRefusedInTheEnd)
 {
   Soup large = cube();
   for (Triple& p : large.points)
@@ -231,7 +231,7 @@ TEST(Bad_input, points_that_overflow_are_refused_in_the_end)
   EXPECT_TRUE(State(mesh) == before);
 }
 
-TEST(Bad_input, float_values_that_are_not_finite)
+TEST(Bad_input, FloatValuesThatAreNotFinite)
 {
   using Float = CGAL::Simple_cartesian<float>;
   CGAL::Surface_mesh<Float::Point_3> mesh;
@@ -241,7 +241,7 @@ TEST(Bad_input, float_values_that_are_not_finite)
                {"point", "vertex 5", "not finite"});
 }
 
-TEST(Bad_input, a_polyhedron_names_vertices_by_their_position)
+TEST(Bad_input, APolyhedronNamesVerticesByTheirPosition)
 {
   Polyhedron mesh;
   build(cube(), mesh);
@@ -255,7 +255,7 @@ TEST(Bad_input, a_polyhedron_names_vertices_by_their_position)
 
 // A cube has 6 * 4^k faces, 24 * 4^k half-edges and 6 * 4^k + 2 vertices after k rounds; the
 // half-edges exceed 2^32 - 2 at k = 14 (24 * 4^13 = 1.6e9).
-TEST(Bad_input, more_elements_than_the_index_type_numbers)
+TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
 {
   Mesh mesh = mesh_of(cube());
   const State before(mesh);
@@ -269,7 +269,7 @@ TEST(Bad_input, more_elements_than_the_index_type_numbers)
 }
 
 // A tetrahedron has 4 * 4^k triangles with 12 * 4^k half-edges.
-TEST(Bad_input, more_elements_than_the_index_type_numbers_in_a_polyhedron)
+TEST(Bad_input, MoreElementsThanTheIndexTypeNumbersInAPolyhedron)
 {
   Polyhedron mesh;
   build(tetrahedron(), mesh);
@@ -281,7 +281,7 @@ TEST(Bad_input, more_elements_than_the_index_type_numbers_in_a_polyhedron)
 
 // \name Connectivity
 
-TEST(Bad_input, bow_tie_of_two_border_gaps)
+TEST(Bad_input, BowTieOfTwoBorderGaps)
 {
   // two triangles that share vertex 2 only, as any soup of theirs is read
   Mesh mesh =
@@ -290,7 +290,7 @@ TEST(Bad_input, bow_tie_of_two_border_gaps)
   expect_refused(mesh, {"vertex 2", "bow-tie", "duplicate"});
 }
 
-TEST(Bad_input, bow_tie_of_two_closed_fans)
+TEST(Bad_input, BowTieOfTwoClosedFans)
 {
   // vertex 7 of the second tetrahedron becomes vertex 3 of the first
   Mesh mesh = mesh_of(tetrahedron());
@@ -305,7 +305,7 @@ TEST(Bad_input, bow_tie_of_two_closed_fans)
   expect_refused(mesh, {"vertex 3", "bow-tie"});
 }
 
-TEST(Bad_input, edge_without_faces)
+TEST(Bad_input, EdgeWithoutFaces)
 {
   Mesh linked = mesh_of(tetrahedron());
   const Vertex v = linked.add_vertex(Point(5, 0, 0)), w = linked.add_vertex(Point(6, 0, 0));
@@ -319,7 +319,7 @@ TEST(Bad_input, edge_without_faces)
   expect_refused(unlinked, {"edge", "half-edge 12", "no face on either side"});
 }
 
-TEST(Bad_input, dangling_edge_inside_of_a_face)
+TEST(Bad_input, DanglingEdgeInsideOfAFace)
 {
   // from vertex 0 into the face 3 2 1 0 of a cube
   Mesh mesh = mesh_of(cube());
@@ -336,7 +336,7 @@ TEST(Bad_input, dangling_edge_inside_of_a_face)
   expect_refused(mesh, {"vertex 8", "dangling"});
 }
 
-TEST(Bad_input, broken_links)
+TEST(Bad_input, BrokenLinks)
 {
   const Mesh good = mesh_of(cube());
   const Halfedge h(5);
@@ -360,7 +360,7 @@ TEST(Bad_input, broken_links)
   expect_refused(mesh, {"half-edge 5 ", "broken"});
 }
 
-TEST(Bad_input, a_removed_face_that_half_edges_name)
+TEST(Bad_input, ARemovedFaceThatHalfEdgesName)
 {
   Mesh mesh = mesh_of(cube());
   mesh.remove_face(Face(2));
@@ -370,7 +370,7 @@ TEST(Bad_input, a_removed_face_that_half_edges_name)
   EXPECT_EQ(mesh.number_of_vertices(), 8u);
 }
 
-TEST(Bad_input, links_that_contradict_each_other)
+TEST(Bad_input, LinksThatContradictEachOther)
 {
   const Mesh good = mesh_of(cube());
   const Halfedge h(5);
@@ -403,7 +403,7 @@ TEST(Bad_input, links_that_contradict_each_other)
   expect_refused(mesh, {"vertex 4 ", "stores no half-edge"});
 }
 
-TEST(Bad_input, a_face_of_two_loops)
+TEST(Bad_input, AFaceOfTwoLoops)
 {
   // top and bottom of a cube as one face
   Mesh mesh = mesh_of(cube());
@@ -414,7 +414,7 @@ TEST(Bad_input, a_face_of_two_loops)
 }
 
 // the same check through BGL
-TEST(Bad_input, broken_links_of_a_polyhedron)
+TEST(Bad_input, BrokenLinksOfAPolyhedron)
 {
   using Traits = boost::graph_traits<Polyhedron>;
   const auto refused = [](const auto& breaks, const std::vector<std::string>& words) {
@@ -448,7 +448,7 @@ TEST(Bad_input, broken_links_of_a_polyhedron)
 
 // \name Defined results
 
-TEST(Limiting_cases, an_empty_mesh_stays_empty)
+TEST(Limiting_cases, AnEmptyMeshStaysEmpty)
 {
   Mesh mesh;
   auto n = add_normals(mesh);
@@ -463,7 +463,7 @@ TEST(Limiting_cases, an_empty_mesh_stays_empty)
 }
 
 // not even looked at
-TEST(Limiting_cases, zero_iterations_leave_any_mesh_as_it_is)
+TEST(Limiting_cases, ZeroIterationsLeaveAnyMeshAsItIs)
 {
   Mesh mesh = mesh_of(mixed_with_border());
   auto n = add_normals(mesh);
@@ -480,7 +480,7 @@ TEST(Limiting_cases, zero_iterations_leave_any_mesh_as_it_is)
   EXPECT_TRUE(before == after);
 }
 
-TEST(Limiting_cases, vertices_without_edges_stay_where_they_are)
+TEST(Limiting_cases, VerticesWithoutEdgesStayWhereTheyAre)
 {
   for (bool loop : {false, true}) {
     const Soup soup = loop ? tetrahedron() : cube();
@@ -514,7 +514,7 @@ TEST(Limiting_cases, vertices_without_edges_stay_where_they_are)
   }
 }
 
-TEST(Limiting_cases, vertices_alone)
+TEST(Limiting_cases, VerticesAlone)
 {
   Mesh mesh;
   mesh.add_vertex(Point(1, 2, 3));
@@ -528,7 +528,7 @@ TEST(Limiting_cases, vertices_alone)
 }
 
 // all points coincide: there are no normals, and all stays there
-TEST(Limiting_cases, a_mesh_without_area)
+TEST(Limiting_cases, AMeshWithoutArea)
 {
   Soup soup = cube();
   for (auto& p : soup.points) p = {0.1, 0.2, 0.3};
@@ -539,7 +539,7 @@ TEST(Limiting_cases, a_mesh_without_area)
     EXPECT_LT(CGAL::squared_distance(mesh.point(v), Point(0.1, 0.2, 0.3)), 1e-31);
 }
 
-TEST(Limiting_cases, zero_area_faces_add_nothing_to_an_estimate)
+TEST(Limiting_cases, ZeroAreaFacesAddNothingToAnEstimate)
 {
   // a flat square with a degenerate triangle (collinear: 0, 1, 4) along one edge
   const Soup soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}},

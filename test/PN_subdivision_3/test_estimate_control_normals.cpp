@@ -85,7 +85,7 @@ Soup fan()
 
 } // namespace
 
-TEST(Estimate_control_normals, cube_corners_are_diagonal)
+TEST(Estimate_control_normals, CubeCornersAreDiagonal)
 {
   const auto d = estimate<Double>(cube());
   const auto f = estimate<Float>(cube());
@@ -99,7 +99,7 @@ TEST(Estimate_control_normals, cube_corners_are_diagonal)
 }
 
 // however the square faces are cut into triangles: the weights are angles
-TEST(Estimate_control_normals, triangulated_cube_corners_are_diagonal)
+TEST(Estimate_control_normals, TriangulatedCubeCornersAreDiagonal)
 {
   Soup soup = cube();
   std::vector<Polygon> triangles;
@@ -115,7 +115,7 @@ TEST(Estimate_control_normals, triangulated_cube_corners_are_diagonal)
     expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
 }
 
-TEST(Estimate_control_normals, icosahedron_is_radial)
+TEST(Estimate_control_normals, IcosahedronIsRadial)
 {
   const Soup soup = icosahedron();
   const auto n = estimate<Double>(soup);
@@ -123,7 +123,7 @@ TEST(Estimate_control_normals, icosahedron_is_radial)
     expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
 }
 
-TEST(Estimate_control_normals, fan_of_known_angles)
+TEST(Estimate_control_normals, FanOfKnownAngles)
 {
   const auto n = estimate<Double>(fan());
   // vertex 0: right angles in both planes. Vertex 2: atan(2/3) and atan(5/3)
@@ -133,7 +133,7 @@ TEST(Estimate_control_normals, fan_of_known_angles)
   expect_near(n[3], {1, 0, 0}, 0);
 }
 
-TEST(Estimate_control_normals, obtuse_angles_count_as_they_are)
+TEST(Estimate_control_normals, ObtuseAnglesCountAsTheyAre)
 {
   // 150 degrees in the plane z = 0 and 90 in the plane x = 0
   const double c = std::cos(5 * pi / 6), s = std::sin(5 * pi / 6);
@@ -142,7 +142,7 @@ TEST(Estimate_control_normals, obtuse_angles_count_as_they_are)
 }
 
 // the area vector of a quad is half the cross product of its diagonals
-TEST(Estimate_control_normals, quad_that_is_not_planar)
+TEST(Estimate_control_normals, QuadThatIsNotPlanar)
 {
   const Soup soup{{{0, 0, 0}, {2, 0, 1}, {2.5, 3, -0.5}, {-0.5, 2, 1}}, {{0, 1, 2, 3}}};
   // diagonals (2.5, 3, -0.5) and (-2.5, 2, 0)
@@ -151,7 +151,7 @@ TEST(Estimate_control_normals, quad_that_is_not_planar)
   for (const Triple& n : estimate<Epeck>(soup)) expect_near(n, expected, std::ldexp(1., -47));
 }
 
-TEST(Estimate_control_normals, vertices_without_faces_get_zero)
+TEST(Estimate_control_normals, VerticesWithoutFacesGetZero)
 {
   Soup soup = fan();
   soup.points.push_back({1, 2, 3});
@@ -160,7 +160,7 @@ TEST(Estimate_control_normals, vertices_without_faces_get_zero)
 }
 
 // two triangles back to back, folded together: opposite unit normals, equal angles
-TEST(Estimate_control_normals, sums_that_vanish_are_zero)
+TEST(Estimate_control_normals, SumsThatVanishAreZero)
 {
   const Soup soup{{{0.1, 0.2, 0.3}, {1.7, 0.4, 0.9}, {0.3, 2.1, 0.2}}, {{0, 1, 2}, {1, 0, 2}}};
   for (const Triple& n : estimate<Double>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
@@ -170,7 +170,7 @@ TEST(Estimate_control_normals, sums_that_vanish_are_zero)
 
 // a triangle whose corners are on a line, with directions that no binary number has: only rounding
 // gives it an area
-TEST(Estimate_control_normals, faces_without_area_add_nothing)
+TEST(Estimate_control_normals, FacesWithoutAreaAddNothing)
 {
   for (const Triple& d : {Triple{1, 0, 0}, Triple{0.1, 0.7, -0.3}, Triple{1 / 3., 1 / 7., 1 / 11.}})
     for (double t : {0.3, 0.5, 0.9}) {
@@ -185,7 +185,7 @@ TEST(Estimate_control_normals, faces_without_area_add_nothing)
 }
 
 // but needles with an area of their own do
-TEST(Estimate_control_normals, needles_have_normals)
+TEST(Estimate_control_normals, NeedlesHaveNormals)
 {
   for (double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}}, {{0, 1, 2}}};
@@ -194,7 +194,7 @@ TEST(Estimate_control_normals, needles_have_normals)
   }
 }
 
-TEST(Estimate_control_normals, repeated_corners_are_harmless)
+TEST(Estimate_control_normals, RepeatedCornersAreHarmless)
 {
   // a quad with two equal neighboring corners is a triangle
   const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}};
@@ -205,7 +205,7 @@ TEST(Estimate_control_normals, repeated_corners_are_harmless)
 }
 
 // scaling by powers of two changes no bit
-TEST(Estimate_control_normals, do_not_depend_on_the_scale)
+TEST(Estimate_control_normals, DoNotDependOnTheScale)
 {
   for (const Soup& soup : {icosahedron(), mixed_with_border(), triangles_with_border()}) {
     const auto expected = estimate<Double>(soup);
@@ -219,7 +219,7 @@ TEST(Estimate_control_normals, do_not_depend_on_the_scale)
   }
 }
 
-TEST(Estimate_control_normals, do_not_depend_on_the_scale_in_other_kernels)
+TEST(Estimate_control_normals, DoNotDependOnTheScaleInOtherKernels)
 {
   const Soup soup = triangles_with_border();
   const auto expected = estimate<Double>(soup);
@@ -234,7 +234,7 @@ TEST(Estimate_control_normals, do_not_depend_on_the_scale_in_other_kernels)
 }
 
 // far from the origin the differences of points are exact, if the shift rounds nothing
-TEST(Estimate_control_normals, do_not_depend_on_the_place)
+TEST(Estimate_control_normals, DoNotDependOnThePlace)
 {
   const double shift = std::ldexp(1., 40);
   EXPECT_EQ(estimate<Double>(transformed(cube(), 1, {shift, -shift, shift})),
@@ -242,7 +242,7 @@ TEST(Estimate_control_normals, do_not_depend_on_the_place)
 }
 
 // the unit length is that of the kernel
-TEST(Estimate_control_normals, are_unit_vectors)
+TEST(Estimate_control_normals, AreUnitVectors)
 {
   CGAL::Surface_mesh<Epeck::Point_3> mesh;
   build(mixed_with_border(), mesh);
@@ -254,7 +254,7 @@ TEST(Estimate_control_normals, are_unit_vectors)
     EXPECT_NEAR(m[0] * m[0] + m[1] * m[1] + m[2] * m[2], 1, 4 * 2.3e-16);
 }
 
-TEST(Estimate_control_normals, polyhedron)
+TEST(Estimate_control_normals, Polyhedron)
 {
   for (const Soup& soup : {icosahedron(), mixed_with_border()}) {
     CGAL::Polyhedron_3<Double> mesh;
@@ -266,7 +266,7 @@ TEST(Estimate_control_normals, polyhedron)
   }
 }
 
-TEST(Estimate_control_normals, points_of_a_map_of_the_user)
+TEST(Estimate_control_normals, PointsOfAMapOfTheUser)
 {
   CGAL::Surface_mesh<Double::Point_3> mesh;
   const auto p = mesh.add_property_map<CGAL::SM_Vertex_index, Double::Point_3>("p").first;
@@ -278,7 +278,7 @@ TEST(Estimate_control_normals, points_of_a_map_of_the_user)
 }
 
 // what the subdivision takes when it gets no normals
-TEST(Estimate_control_normals, are_those_of_a_subdivision_without_normals)
+TEST(Estimate_control_normals, AreThoseOfASubdivisionWithoutNormals)
 {
   CGAL::Surface_mesh<Double::Point_3> without, with;
   build(mixed_with_border(), without);

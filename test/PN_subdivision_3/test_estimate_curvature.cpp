@@ -76,7 +76,7 @@ Sampled_surface read_sampled(const std::string& file, double gaussian, double me
 
 // --- accuracy ---
 
-TEST(Estimate_curvature, second_order_at_all_valences)
+TEST(Estimate_curvature, SecondOrderAtAllValences)
 {
   for (const Faces kind : {Faces::quads, Faces::triangles})
     for (int n : {3, 4, 5, 6, 7, 8, 10, 12})
@@ -86,7 +86,7 @@ TEST(Estimate_curvature, second_order_at_all_valences)
       }
 }
 
-TEST(Estimate_curvature, second_order_on_uneven_meshes_with_border)
+TEST(Estimate_curvature, SecondOrderOnUnevenMeshesWithBorder)
 {
   for (const Faces kind : {Faces::quads, Faces::triangles, Faces::mixed})
     for (double jitter : {0., 0.25})
@@ -97,7 +97,7 @@ TEST(Estimate_curvature, second_order_on_uneven_meshes_with_border)
       }
 }
 
-TEST(Estimate_curvature, second_order_on_a_closed_torus)
+TEST(Estimate_curvature, SecondOrderOnAClosedTorus)
 {
   for (const Faces kind : {Faces::quads, Faces::triangles, Faces::mixed}) {
     const auto mesh = [&](double h) { return torus_grid(std::size_t(16 / h), kind); };
@@ -111,7 +111,7 @@ TEST(Estimate_curvature, second_order_on_a_closed_torus)
 }
 
 // Rows of long and skew quads determine a cubic as well as those of squares.
-TEST(Estimate_curvature, second_order_on_long_and_skew_faces)
+TEST(Estimate_curvature, SecondOrderOnLongAndSkewFaces)
 {
   for (const double length : {1., 5., 30.})
     for (const double shear : {0., 1., 3.}) {
@@ -129,7 +129,7 @@ TEST(Estimate_curvature, second_order_on_long_and_skew_faces)
 }
 
 // A cubic over the plane of the fit is fitted exactly, however steep it is at the vertex.
-TEST(Estimate_curvature, steep_cubics_are_exact)
+TEST(Estimate_curvature, SteepCubicsAreExact)
 {
   const auto cubic = [](double x, double y) {
     const double z = 0.9 * x - 1.4 * y + x * x - 0.7 * x * y + 0.3 * y * y + 0.5 * x * x * y;
@@ -158,7 +158,7 @@ TEST(Estimate_curvature, steep_cubics_are_exact)
   }
 }
 
-TEST(Estimate_curvature, planes_are_flat)
+TEST(Estimate_curvature, PlanesAreFlat)
 {
   for (const Faces kind : {Faces::quads, Faces::triangles, Faces::mixed}) {
     const Errors e = errors(square(10, kind, 0.25), plane);
@@ -169,7 +169,7 @@ TEST(Estimate_curvature, planes_are_flat)
 
 // Closed and open, triangles, quads, mixed polygons, valences 3 to 12: with exact normals spheres
 // and cylinders are exact.
-TEST(Estimate_curvature, spheres_and_cylinders_are_exact_with_normals)
+TEST(Estimate_curvature, SpheresAndCylindersAreExactWithNormals)
 {
   for (const auto& [file, radius] :
        {std::pair("sphere_triangles.ply", 1.), std::pair("sphere_cap.ply", 2.5),
@@ -187,7 +187,7 @@ TEST(Estimate_curvature, spheres_and_cylinders_are_exact_with_normals)
 }
 
 // The coarsest nets: the faces of a tetrahedron are too steep, those of an octahedron are not.
-TEST(Estimate_curvature, coarse_spheres_are_exact_with_normals)
+TEST(Estimate_curvature, CoarseSpheresAreExactWithNormals)
 {
   Soup icosahedron;
   const double g = (1 + std::sqrt(5.)) / 2, l = std::sqrt(1 + g * g);
@@ -213,7 +213,7 @@ TEST(Estimate_curvature, coarse_spheres_are_exact_with_normals)
 
 // --- invariance ---
 
-TEST(Estimate_curvature, reversed_faces_change_the_sign_of_mean_curvature)
+TEST(Estimate_curvature, ReversedFacesChangeTheSignOfMeanCurvature)
 {
   const Sampled_surface s = lay(square(8, Faces::mixed, 0.2), waves);
   Soup reversed = s.soup;
@@ -232,7 +232,7 @@ TEST(Estimate_curvature, reversed_faces_change_the_sign_of_mean_curvature)
   expect_reversed(from_normals(s.soup, normals_of(s)), from_normals(s.soup, inward));
 }
 
-TEST(Estimate_curvature, rotation_and_scale)
+TEST(Estimate_curvature, RotationAndScale)
 {
   const Sampled_surface s = lay(square(8, Faces::mixed, 0.2), waves);
   const Curvatures points = from_points(s.soup), normals = from_normals(s.soup, normals_of(s));
@@ -264,7 +264,7 @@ TEST(Estimate_curvature, rotation_and_scale)
   }
 }
 
-TEST(Estimate_curvature, normals_may_have_any_length)
+TEST(Estimate_curvature, NormalsMayHaveAnyLength)
 {
   const Sampled_surface s = lay(square(6, Faces::mixed, 0.2), waves);
   std::vector<Triple> n = normals_of(s);

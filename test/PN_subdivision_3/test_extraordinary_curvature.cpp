@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(, Modified_scheme, testing::ValuesIn(cases), [](const a
   return (test.param.quads ? "Catmull_Clark_" : "Loop_") + std::to_string(test.param.valence);
 });
 
-TEST_P(Modified_scheme, Has_the_tuned_eigenvalues)
+TEST_P(Modified_scheme, HasTheTunedEigenvalues)
 {
   with_scheme(GetParam(), [&](const auto& scheme) {
     const auto e = PN::extraordinary_eigenvalues(scheme, GetParam().valence);
@@ -90,14 +90,14 @@ TEST_P(Modified_scheme, Has_the_tuned_eigenvalues)
 }
 
 // The limit mask and the tangent mask of the plain schemes are left eigenvectors of the tuned rules too.
-TEST_P(Modified_scheme, Has_the_left_eigenvectors_of_the_plain_scheme)
+TEST_P(Modified_scheme, HasTheLeftEigenvectorsOfThePlainScheme)
 {
   with_scheme(GetParam(), [](const auto& scheme) {
     extraordinary_checks::check_left_eigenvectors(scheme, GetParam().valence);
   });
 }
 
-TEST_P(Modified_scheme, Tends_to_the_predicted_curvature)
+TEST_P(Modified_scheme, TendsToThePredictedCurvature)
 {
   const Case& c = GetParam();
   with_scheme(c, [&](const auto& scheme) {
@@ -121,7 +121,7 @@ TEST_P(Modified_scheme, Tends_to_the_predicted_curvature)
 
 // From the control net itself the prediction is off by up to a tenth of the scale, and by the square of
 // the eigenvalue less from round to round.
-TEST_P(Modified_scheme, Predicts_the_limit_from_coarse_nets)
+TEST_P(Modified_scheme, PredictsTheLimitFromCoarseNets)
 {
   const Case& c = GetParam();
   with_scheme(c, [&](const auto& scheme) {
@@ -149,7 +149,7 @@ double flat_bound(const Case& c)
   return c.is_Loop_5() ? 3e-3 : 1e-3;
 }
 
-TEST_P(Modified_scheme, Is_flat_where_the_slopes_have_no_symmetric_derivative)
+TEST_P(Modified_scheme, IsFlatWhereTheSlopesHaveNoSymmetricDerivative)
 {
   const Case& c = GetParam();
   with_scheme(c, [&](const auto& scheme) {
@@ -163,7 +163,7 @@ TEST_P(Modified_scheme, Is_flat_where_the_slopes_have_no_symmetric_derivative)
   });
 }
 
-TEST_P(Modified_scheme, Linear_twin_is_flat)
+TEST_P(Modified_scheme, LinearTwinIsFlat)
 {
   const Case& c = GetParam();
   with_scheme(c, [&](const auto& scheme) {
@@ -177,7 +177,7 @@ TEST_P(Modified_scheme, Linear_twin_is_flat)
   });
 }
 
-TEST_P(Modified_scheme, Keeps_the_sphere)
+TEST_P(Modified_scheme, KeepsTheSphere)
 {
   with_scheme(GetParam(), [](const auto& scheme) {
     extraordinary_checks::check_sphere(scheme, GetParam().valence);
@@ -187,7 +187,7 @@ TEST_P(Modified_scheme, Keeps_the_sphere)
 
 // --- negative controls: what is not quite the scheme fails the bounds above ---
 
-TEST(Modified_scheme_controls, A_cap_of_nine_tenths_fails)
+TEST(Modified_scheme_controls, ACapOfNineTenthsFails)
 {
   for (const Case& c : cases) {
     if (c.valence < 5) continue;
@@ -200,7 +200,7 @@ TEST(Modified_scheme_controls, A_cap_of_nine_tenths_fails)
   }
 }
 
-TEST(Modified_scheme_controls, Tuned_points_with_plain_normals_fail)
+TEST(Modified_scheme_controls, TunedPointsWithPlainNormalsFail)
 {
   for (const Case& c : cases) {
     if (c.valence < 8) continue; // lower ones pass
@@ -214,7 +214,7 @@ TEST(Modified_scheme_controls, Tuned_points_with_plain_normals_fail)
   }
 }
 
-TEST(Modified_scheme_controls, Tuned_normals_with_plain_points_diverge)
+TEST(Modified_scheme_controls, TunedNormalsWithPlainPointsDiverge)
 {
   EXPECT_GT(
     figures(PN::with_normal_scheme(PN::CatmullClark_scheme(), modified_CatmullClark_scheme()), 8)

@@ -74,14 +74,14 @@ void check_net(const Extraordinary_net& net)
     EXPECT_EQ(level.degree(level.halfedge_of_face(f)), net.degree());
 }
 
-TEST(Extraordinary_net, Has_one_vertex_of_its_valence)
+TEST(Extraordinary_net, HasOneVertexOfItsValence)
 {
   for (const Index degree : {3u, 4u})
     for (const Index valence : {3u, 5u, 6u})
       for (const Index rings : {1u, 2u, 5u}) check_net(Extraordinary_net(degree, valence, rings));
 }
 
-TEST(Extraordinary_net, Refuses_what_is_no_net)
+TEST(Extraordinary_net, RefusesWhatIsNoNet)
 {
   EXPECT_THROW(Extraordinary_net(5, 5, 5), std::invalid_argument);
   EXPECT_THROW(Extraordinary_net(4, 2, 5), std::invalid_argument);
@@ -114,7 +114,7 @@ void check_places_are_kept(const Scheme& scheme, Index valence)
   }
 }
 
-TEST(Extraordinary_zoom, Keeps_the_places_of_vertices)
+TEST(Extraordinary_zoom, KeepsThePlacesOfVertices)
 {
   check_places_are_kept(CatmullClark_scheme(), 4);
   check_places_are_kept(Loop_scheme(), 6);
@@ -169,7 +169,7 @@ void check_cubic(const Scheme& scheme, Index valence, const Cubic& cubic)
   EXPECT_NEAR(ring.mean_max, mean.max, 1e-11);
 }
 
-TEST(Extraordinary_zoom, Finds_the_curvature_of_cubic_graphs)
+TEST(Extraordinary_zoom, FindsTheCurvatureOfCubicGraphs)
 {
   using Second = std::array<double, 3>;
   const Cubic saddle{data::saddle, {0, 0}, [](double, double) { return Second{0, 2, 0}; }};
@@ -214,13 +214,13 @@ void check_sphere_and_cylinder(const Scheme& scheme, Index valence)
   EXPECT_NEAR(on_cylinder.limit.mean, .5 / r, noise);
 }
 
-TEST(Extraordinary_zoom, Finds_the_curvature_of_spheres_and_cylinders)
+TEST(Extraordinary_zoom, FindsTheCurvatureOfSpheresAndCylinders)
 {
   for_plain_schemes({3, 4, 5, 6, 8, 12},
                     [](const auto& s, Index n) { check_sphere_and_cylinder(s, n); });
 }
 
-TEST(Extraordinary_zoom, Stays_on_the_sphere)
+TEST(Extraordinary_zoom, StaysOnTheSphere)
 {
   for_plain_schemes({3, 5, 12}, [](const auto& s, Index n) {
     extraordinary_checks::check_sphere(s, n);
@@ -230,7 +230,7 @@ TEST(Extraordinary_zoom, Stays_on_the_sphere)
 
 // The limit from a single net: on a graph its error falls with the square of the spacing. Here it is
 // the one of a regular vertex, whose quadratic parts the prediction does not hold: the slopes alone.
-TEST(Extraordinary_zoom, Predicts_from_the_slopes)
+TEST(Extraordinary_zoom, PredictsFromTheSlopes)
 {
   const auto twisted = [](double x, double y) -> std::array<double, 2> {
     return {.8 * x + .7 * y, -.1 * x + .2 * y}; // sym = (.8, .3; .3, .2)
@@ -243,7 +243,7 @@ TEST(Extraordinary_zoom, Predicts_from_the_slopes)
   });
 }
 
-TEST(Extraordinary_zoom, Has_left_eigenvectors)
+TEST(Extraordinary_zoom, HasLeftEigenvectors)
 {
   for_plain_schemes({3, 4, 5, 6, 7, 12}, [](const auto& s, Index n) {
     extraordinary_checks::check_left_eigenvectors(s, n);
@@ -252,7 +252,7 @@ TEST(Extraordinary_zoom, Has_left_eigenvectors)
 
 // --- rates ---
 
-TEST(Extraordinary_zoom, Fits_the_rate)
+TEST(Extraordinary_zoom, FitsTheRate)
 {
   PN::Extraordinary_curvature<double> curvature{};
   for (int m = 0; m <= 20; ++m)
@@ -265,7 +265,7 @@ TEST(Extraordinary_zoom, Fits_the_rate)
   EXPECT_EQ(curvature.rate(), 0);
 }
 
-TEST(Extraordinary_zoom, Shows_what_is_not_a_number)
+TEST(Extraordinary_zoom, ShowsWhatIsNotANumber)
 {
   for_plain_schemes({5}, [](const auto& scheme, Index n) {
     const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
@@ -281,7 +281,7 @@ TEST(Extraordinary_zoom, Shows_what_is_not_a_number)
 }
 
 // Without a tangent plane there is no curvature, not even zero. The normals are those of a saddle.
-TEST(Extraordinary_zoom, Predicts_no_curvature_where_the_net_has_collapsed)
+TEST(Extraordinary_zoom, PredictsNoCurvatureWhereTheNetHasCollapsed)
 {
   const data::Vector corner{.3, -.7, 1.1}, direction = data::unit({2, 1, -3});
   for_plain_schemes({3, 5, 8, 12}, [&](const auto& scheme, Index n) {
@@ -323,7 +323,7 @@ void expect_no_curvature_at(const Zoom& zoom, data::Values values, const data::V
 }
 
 // On a line, normals may still spread the points of later rounds; at one point, nothing does.
-TEST(Extraordinary_zoom, Finds_no_curvature_where_the_net_has_collapsed_to_a_point)
+TEST(Extraordinary_zoom, FindsNoCurvatureWhereTheNetHasCollapsedToAPoint)
 {
   for_plain_schemes({3, 5, 12}, [&](const auto& scheme, Index n) {
     const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
@@ -349,7 +349,7 @@ struct Zoom_with_a_hole
   }
 };
 
-TEST(Extraordinary_figures, Show_what_is_not_a_number)
+TEST(Extraordinary_figures, ShowWhatIsNotANumber)
 {
   const std::vector<data::Data_set> sets = data::curved();
   for (std::size_t hole = 0; hole < sets.size(); ++hole) {
@@ -367,7 +367,7 @@ TEST(Extraordinary_figures, Show_what_is_not_a_number)
   }
 }
 
-TEST(Extraordinary_zoom, Finds_one_half_at_regular_vertices)
+TEST(Extraordinary_zoom, FindsOneHalfAtRegularVertices)
 {
   const auto check = [](const auto& scheme, Index n) {
     const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
@@ -384,7 +384,7 @@ TEST(Extraordinary_zoom, Finds_one_half_at_regular_vertices)
 }
 
 // Published eigenvalues: Catmull-Clark at valence n has those of formulas with cos(2 pi / n).
-TEST(Extraordinary_eigenvalues, Are_those_of_the_plain_schemes)
+TEST(Extraordinary_eigenvalues, AreThoseOfThePlainSchemes)
 {
   for (Index n = 3; n <= 20; ++n) {
     const auto cosine = [n](int k) { return std::cos(2 * data::pi() * k / n); };
@@ -407,13 +407,13 @@ TEST(Extraordinary_eigenvalues, Are_those_of_the_plain_schemes)
   }
 }
 
-TEST(Extraordinary_eigenvalues, Need_stencils_in_the_1_ring)
+TEST(Extraordinary_eigenvalues, NeedStencilsInThe1Ring)
 {
   EXPECT_THROW(PN::extraordinary_eigenvalues(PN::Kobbelt_scheme(), 5), std::invalid_argument);
 }
 
 // Negative control: the plain schemes' curvature oscillates more from ring to ring.
-TEST(Extraordinary_zoom, Sees_that_plain_curvature_diverges)
+TEST(Extraordinary_zoom, SeesThatPlainCurvatureDiverges)
 {
   const auto check = [](const auto& scheme, Index n) {
     const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
@@ -431,14 +431,14 @@ TEST(Extraordinary_zoom, Sees_that_plain_curvature_diverges)
   for (const Index n : {7, 8, 9, 12}) check(Loop_scheme(), n); // lower ones converge, but for 3
 }
 
-TEST(Extraordinary_zoom, Sees_that_curvature_of_plain_Loop_doubles_at_valence_3)
+TEST(Extraordinary_zoom, SeesThatCurvatureOfPlainLoopDoublesAtValence3)
 {
   const Zoom_triangles zoom(Loop_scheme(), 3);
   for (const auto& set : data::curved())
     EXPECT_NEAR(zoom.measure(set.values(zoom.net())).rate(), 2, .01) << set.name;
 }
 
-TEST(Extraordinary_zoom, Leaves_normals_out_of_linear_schemes)
+TEST(Extraordinary_zoom, LeavesNormalsOutOfLinearSchemes)
 {
   const auto scheme = PN::linear(CatmullClark_scheme());
   const Extraordinary_vertex_zoom<decltype(PN::linear(CatmullClark_scheme()))> zoom(scheme, 5);

@@ -95,19 +95,19 @@ void expect_close_to_long_double(double tolerance, double unit, unsigned rounds)
 } // namespace
 
 // All coordinates are below 6. Soups are double numbers, which float rounds.
-TEST(Kernels, cartesian_double)
+TEST(Kernels, CartesianDouble)
 {
   expect_close_to_long_double<CGAL::Simple_cartesian<double>>(1e-14, 4 * 2.3e-16, 1);
   expect_close_to_long_double<CGAL::Simple_cartesian<double>>(2e-14, 4 * 2.3e-16, 3);
 }
 
-TEST(Kernels, cartesian_float)
+TEST(Kernels, CartesianFloat)
 {
   expect_close_to_long_double<CGAL::Simple_cartesian<float>>(4e-6, 4 * 1.2e-7, 1);
   expect_close_to_long_double<CGAL::Simple_cartesian<float>>(8e-6, 4 * 1.2e-7, 3);
 }
 
-TEST(Kernels, epick_is_double)
+TEST(Kernels, EpickIsDouble)
 {
   using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
   const Refined<Epick> r(mixed_with_border(), false, 3);
@@ -117,21 +117,21 @@ TEST(Kernels, epick_is_double)
 }
 
 // In an exact field without square root normals have unit length up to 2^-48, squared 2^-47.
-TEST(Kernels, epeck)
+TEST(Kernels, Epeck)
 {
   using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
   expect_close_to_long_double<Epeck>(2e-14, std::ldexp(1., -47), 1);
   expect_close_to_long_double<Epeck>(2e-14, std::ldexp(1., -47), 2);
 }
 
-TEST(Kernels, gmpq)
+TEST(Kernels, Gmpq)
 {
   using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
   expect_close_to_long_double<K>(2e-14, std::ldexp(1., -47), 1);
 }
 
 // The new normal is exactly parallel to the sum of the control normals as they were normalized.
-TEST(Kernels, exact_normals_keep_their_direction)
+TEST(Kernels, ExactNormalsKeepTheirDirection)
 {
   using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
   using Mesh = CGAL::Surface_mesh<K::Point_3>;
@@ -162,7 +162,7 @@ TEST(Kernels, exact_normals_keep_their_direction)
 // The linear twin in rational numbers, by hand.
 // opposite but for 2^-600: the square of the sum's length is below the range of double. The arc from
 // a to b is half a circle, whose normals point inwards.
-TEST(Kernels, exact_sums_of_any_length_have_a_direction)
+TEST(Kernels, ExactSumsOfAnyLengthHaveADirection)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;
   const K::FT tiny = K::FT(std::ldexp(1., -300)) * K::FT(std::ldexp(1., -300));
@@ -184,7 +184,7 @@ TEST(Kernels, exact_sums_of_any_length_have_a_direction)
   EXPECT_EQ(found, 1);
 }
 
-TEST(Kernels, linear_twin_is_exact)
+TEST(Kernels, LinearTwinIsExact)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<K::Point_3>;
@@ -206,7 +206,7 @@ TEST(Kernels, linear_twin_is_exact)
 
 #ifdef CGAL_USE_CORE
 // Exact with square root: from unit normals of a sphere, points stay on it exactly.
-TEST(Kernels, exact_with_sqrt_stays_on_the_sphere)
+TEST(Kernels, ExactWithSqrtStaysOnTheSphere)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
   using Mesh = CGAL::Surface_mesh<K::Point_3>;
@@ -224,7 +224,7 @@ TEST(Kernels, exact_with_sqrt_stays_on_the_sphere)
 #endif
 
 #ifdef CGAL_USE_MPFR
-TEST(Kernels, gmpfr)
+TEST(Kernels, Gmpfr)
 {
   using K = CGAL::Simple_cartesian<CGAL::Gmpfr>;
   CGAL::Gmpfr::set_default_precision(100);
@@ -271,7 +271,7 @@ std::vector<Interval_kernel::Vector_3> equal_normals(const Interval_kernel::Vect
 
 } // namespace
 
-TEST(Interval_kernel, contains_the_result_of_long_double)
+TEST(Interval_kernel, ContainsTheResultOfLongDouble)
 {
   using Reference = CGAL::Simple_cartesian<long double>;
   CGAL::Surface_mesh<Reference::Point_3> exact;
@@ -294,7 +294,7 @@ TEST(Interval_kernel, contains_the_result_of_long_double)
 }
 
 // The second call finds normals that may be unit vectors or not.
-TEST(Interval_kernel, serves_for_several_calls)
+TEST(Interval_kernel, ServesForSeveralCalls)
 {
   Interval_tetrahedron intervals(equal_normals({Interval(0.48), Interval(0.6), Interval(0.64)}));
   intervals.subdivide();
@@ -311,7 +311,7 @@ TEST(Interval_kernel, serves_for_several_calls)
 }
 
 // its weights at an irregular vertex are intervals that no comparison orders
-TEST(Interval_kernel, serves_for_the_scheme_of_kobbelt)
+TEST(Interval_kernel, ServesForTheSchemeOfKobbelt)
 {
   CGAL::Surface_mesh<Interval_kernel::Point_3> intervals;
   CGAL::Surface_mesh<CGAL::Simple_cartesian<long double>::Point_3> exact;
@@ -328,7 +328,7 @@ TEST(Interval_kernel, serves_for_the_scheme_of_kobbelt)
     }
 }
 
-TEST(Interval_kernel, undecided_comparisons_are_refused_by_name)
+TEST(Interval_kernel, UndecidedComparisonsAreRefusedByName)
 {
   // whether the sum at an edge vanishes depends on the interval
   const Interval around_zero(-1e-9, 1e-9);
@@ -346,7 +346,7 @@ TEST(Interval_kernel, undecided_comparisons_are_refused_by_name)
   EXPECT_EQ(points(opposite.mesh), points(old));
 }
 
-TEST(Interval_kernel, undecided_control_normals_are_refused_by_name)
+TEST(Interval_kernel, UndecidedControlNormalsAreRefusedByName)
 {
   auto control = equal_normals({0, 0, 1});
   control[2] = {0, 0, Interval(0, 1)}; // zero or not
@@ -356,7 +356,7 @@ TEST(Interval_kernel, undecided_control_normals_are_refused_by_name)
 
 // \name A number type of the user's own
 
-TEST(Own_number_type, gives_what_double_gives)
+TEST(Own_number_type, GivesWhatDoubleGives)
 {
   const Refined<CGAL::Simple_cartesian<Tracked_double>> r(mixed_with_border(), false, 2);
   const Refined<CGAL::Simple_cartesian<double>> d(mixed_with_border(), false, 2);
@@ -417,7 +417,7 @@ void expect_thresholds()
 
 } // namespace
 
-TEST(Kernels, thresholds_of_vanishing_normals)
+TEST(Kernels, ThresholdsOfVanishingNormals)
 {
   expect_thresholds<float>();
   expect_thresholds<double>();
@@ -425,7 +425,7 @@ TEST(Kernels, thresholds_of_vanishing_normals)
 }
 
 // Three normals up and one down on a border polygon's vertex: 1/8, 3/4, 1/8. The last one fades.
-TEST(Kernels, fade_in_float_is_that_of_long_double)
+TEST(Kernels, FadeInFloatIsThatOfLongDouble)
 {
   for (double degrees : {2.2, 2.6, 3., 3.5, 4., 4.5, 5., 5.2}) {
     const double a = degrees * 3.14159265358979 / 180;

@@ -101,7 +101,7 @@ double largest_curvature(const PN::Ring_curvature<double>& ring)
   return (std::max)(std::abs(ring.gaussian_min), std::abs(ring.gaussian_max));
 }
 
-TEST_P(Local_curvature, File_samples_its_surface)
+TEST_P(Local_curvature, FileSamplesItsSurface)
 {
   const auto normals = local_examples::normal_map(mesh);
   for (auto v : mesh.vertices()) {
@@ -125,7 +125,7 @@ TEST_P(Local_curvature, File_samples_its_surface)
   }
 }
 
-TEST_P(Local_curvature, Net_is_that_of_the_file)
+TEST_P(Local_curvature, NetIsThatOfTheFile)
 {
   const PN::Extraordinary_net net(4, valence, 2);
   const Values values = local_examples::values_around(mesh, Mesh::Vertex_index(0), net);
@@ -149,7 +149,7 @@ TEST_P(Local_curvature, Net_is_that_of_the_file)
 // the average of slopes but for weights that differ by a factor between 1 and sqrt(1 + G^2) <
 // 1 + G^2/2, with the largest slope G. Slopes fall by lambda from round to round, which makes a
 // relative error of G^2/2 / (1 - lambda^2), and the Gaussian curvature is of degree two in slopes.
-TEST_P(Local_curvature, Of_PN_modified_is_near_that_of_the_sampled_surface)
+TEST_P(Local_curvature, OfPNModifiedIsNearThatOfTheSampledSurface)
 {
   if (!GetParam().gaussian_curvature) GTEST_SKIP() << "no surface";
   const modified_CatmullClark_scheme scheme;
@@ -168,7 +168,7 @@ TEST_P(Local_curvature, Of_PN_modified_is_near_that_of_the_sampled_surface)
 }
 
 // The principal curvatures decay by the expected rate from ring to ring.
-TEST_P(Local_curvature, Of_linear_modified_vanishes)
+TEST_P(Local_curvature, OfLinearModifiedVanishes)
 {
   const modified_CatmullClark_scheme scheme;
   const Curvature c = curvature(PN::linear(scheme));
@@ -177,7 +177,7 @@ TEST_P(Local_curvature, Of_linear_modified_vanishes)
             std::pow(largest_rate, 2 * 8) * largest_curvature(c.rings[4]));
 }
 
-TEST_P(Local_curvature, Of_the_plain_schemes_does_not_settle)
+TEST_P(Local_curvature, OfThePlainSchemesDoesNotSettle)
 {
   if (valence < 5) GTEST_SKIP() << "only from valence 5 on";
   const modified_CatmullClark_scheme scheme;
@@ -206,7 +206,7 @@ double gaussian_at_vertex(const data::Graph& graph, double x, double y, unsigned
 // The relative error is of second order in the size, and what is left after extrapolation of fourth:
 // like its square. (For the Bezier patch at valence 3, where slopes quadratic in x and y are not
 // orthogonal to linear ones, the order is one less.)
-TEST(Local_curvature_order, Of_PN_modified_is_two)
+TEST(Local_curvature_order, OfPNModifiedIsTwo)
 {
   const auto check = [](const data::Graph& graph, double middle, unsigned valence, double exact) {
     SCOPED_TRACE(valence);

@@ -54,7 +54,7 @@ std::size_t hidden_borders(const Mesh& mesh)
 
 } // namespace
 
-TEST(Mesh_types, reference_has_the_right_sizes)
+TEST(Mesh_types, ReferenceHasTheRightSizes)
 {
   // 13 vertices, 9 + 7 edges, 5 faces with 20 corners; border edges are halved
   const Result r = reference(cases()[1]);
@@ -63,17 +63,17 @@ TEST(Mesh_types, reference_has_the_right_sizes)
   EXPECT_EQ(reference(cases()[2]).faces.size(), 64u);
 }
 
-TEST(Mesh_types, surface_mesh_with_epick)
+TEST(Mesh_types, SurfaceMeshWithEpick)
 {
   expect_same_as_surface_mesh<Epick, CGAL::Surface_mesh<Epick::Point_3>>();
 }
 
-TEST(Mesh_types, derived_from_surface_mesh)
+TEST(Mesh_types, DerivedFromSurfaceMesh)
 {
   expect_same_as_surface_mesh<Kernel, Named_mesh>();
 }
 
-TEST(Mesh_types, polyhedron)
+TEST(Mesh_types, Polyhedron)
 {
   expect_same_as_surface_mesh<Kernel, CGAL::Polyhedron_3<Kernel>>();
   expect_same_as_surface_mesh<Epick, CGAL::Polyhedron_3<Epick>>();
@@ -81,7 +81,7 @@ TEST(Mesh_types, polyhedron)
                               CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>();
 }
 
-TEST(Mesh_types, polyhedron_is_valid_after_normalizing_the_border)
+TEST(Mesh_types, PolyhedronIsValidAfterNormalizingTheBorder)
 {
   for (const Case& c : cases()) {
     CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3> mesh;
@@ -92,7 +92,7 @@ TEST(Mesh_types, polyhedron_is_valid_after_normalizing_the_border)
   }
 }
 
-TEST(Mesh_types, surface_mesh_keeps_its_border_convention)
+TEST(Mesh_types, SurfaceMeshKeepsItsBorderConvention)
 {
   for (const Case& c : cases())
     for (bool with_removed_elements : {false, true}) {
@@ -107,7 +107,7 @@ TEST(Mesh_types, surface_mesh_keeps_its_border_convention)
 
 // \name Property maps of the user's
 
-TEST(Property_maps, associative)
+TEST(Property_maps, Associative)
 {
   for (const Case& c : cases()) {
     Mesh mesh;
@@ -125,7 +125,7 @@ TEST(Property_maps, associative)
   }
 }
 
-TEST(Property_maps, associative_of_a_polyhedron)
+TEST(Property_maps, AssociativeOfAPolyhedron)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   using Vertex = boost::graph_traits<Polyhedron>::vertex_descriptor;
@@ -142,7 +142,7 @@ TEST(Property_maps, associative_of_a_polyhedron)
   }
 }
 
-TEST(Property_maps, vectors_with_an_index_map)
+TEST(Property_maps, VectorsWithAnIndexMap)
 {
   for (const Case& c : cases()) {
     Mesh mesh;
@@ -159,7 +159,7 @@ TEST(Property_maps, vectors_with_an_index_map)
   }
 }
 
-TEST(Property_maps, dynamic_points)
+TEST(Property_maps, DynamicPoints)
 {
   for (const Case& c : cases()) {
     Mesh mesh;
@@ -173,7 +173,7 @@ TEST(Property_maps, dynamic_points)
 }
 
 // Points of EPICK in the mesh, the map gives those of another kernel.
-TEST(Property_maps, points_of_another_kernel_decide_the_number_type)
+TEST(Property_maps, PointsOfAnotherKernelDecideTheNumberType)
 {
   using Float = CGAL::Simple_cartesian<float>;
   CGAL::Surface_mesh<Epick::Point_3> mesh;
@@ -268,7 +268,7 @@ Mesh compacted(const Mesh& mesh)
 
 } // namespace
 
-TEST(Removed_elements, result_is_that_of_the_compact_mesh)
+TEST(Removed_elements, ResultIsThatOfTheCompactMesh)
 {
   for (const Case& c : cases()) {
     Mesh mesh = with_garbage(c.soup);
@@ -303,7 +303,7 @@ TEST(Removed_elements, result_is_that_of_the_compact_mesh)
 }
 
 // Maps of the mesh follow when it is made compact; others would not, hence it is not.
-TEST(Removed_elements, doo_sabin_keeps_points_and_normals_together)
+TEST(Removed_elements, DooSabinKeepsPointsAndNormalsTogether)
 {
   for (const bool own_map : {false, true}) {
     Mesh mesh = with_garbage(cube());
@@ -335,7 +335,7 @@ TEST(Removed_elements, doo_sabin_keeps_points_and_normals_together)
 
 // \name Property maps that the user holds while the mesh is subdivided
 
-TEST(Properties_of_the_user, stay_valid_and_keep_their_values)
+TEST(Properties_of_the_user, StayValidAndKeepTheirValues)
 {
   for (const Case& c : cases())
     for (bool garbage : {false, true}) {
@@ -421,7 +421,7 @@ struct Cancelling_visitor
 
 } // namespace
 
-TEST(Visitor_parameter, is_called_after_each_round)
+TEST(Visitor_parameter, IsCalledAfterEachRound)
 {
   Mesh mesh;
   build(cube(), mesh);
@@ -431,7 +431,7 @@ TEST(Visitor_parameter, is_called_after_each_round)
   EXPECT_EQ(seen, expected);
 }
 
-TEST(Visitor_parameter, may_be_a_reference)
+TEST(Visitor_parameter, MayBeAReference)
 {
   Mesh mesh;
   build(tetrahedron(), mesh);
@@ -440,7 +440,7 @@ TEST(Visitor_parameter, may_be_a_reference)
   EXPECT_EQ(visitor.calls, 4u);
 }
 
-TEST(Visitor_parameter, cancels_by_an_exception)
+TEST(Visitor_parameter, CancelsByAnException)
 {
   for (unsigned round : {1u, 2u, 3u}) {
     Mesh mesh;
@@ -458,7 +458,7 @@ TEST(Visitor_parameter, cancels_by_an_exception)
 }
 
 // Computing in float must show: the number type is that of the traits.
-TEST(Geom_traits_parameter, decides_the_number_type)
+TEST(Geom_traits_parameter, DecidesTheNumberType)
 {
   const auto subdivided = [](const auto& np) {
     Mesh mesh;

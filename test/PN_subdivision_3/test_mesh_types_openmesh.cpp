@@ -56,7 +56,7 @@ void expect_same_as_surface_mesh_in_float(const Case& c)
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(r.points[i][k], expected.points[i][k], 5e-7);
 }
 
-TEST(OpenMesh_types, polygons)
+TEST(OpenMesh_types, Polygons)
 {
   for (const Case& c : cases()) {
     expect_same_as_surface_mesh_by_dynamic_points<Poly_mesh>(c);
@@ -64,7 +64,7 @@ TEST(OpenMesh_types, polygons)
   }
 }
 
-TEST(OpenMesh_types, triangles)
+TEST(OpenMesh_types, Triangles)
 {
   for (const Case& c : cases()) {
     if (!c.loop) continue;
@@ -74,7 +74,7 @@ TEST(OpenMesh_types, triangles)
 }
 
 // OpenMesh asks a vertex for its outgoing half-edge only.
-TEST(OpenMesh_types, finds_the_border_at_its_vertices)
+TEST(OpenMesh_types, FindsTheBorderAtItsVertices)
 {
   for (const Case& c : cases()) {
     Poly_mesh mesh;
@@ -89,7 +89,7 @@ TEST(OpenMesh_types, finds_the_border_at_its_vertices)
 }
 
 // A failure leaves neither elements nor status attributes behind.
-TEST(OpenMesh_types, nothing_is_left_of_a_cancelled_subdivision)
+TEST(OpenMesh_types, NothingIsLeftOfACancelledSubdivision)
 {
   struct Cancelling_visitor
   {
@@ -111,7 +111,7 @@ TEST(OpenMesh_types, nothing_is_left_of_a_cancelled_subdivision)
   EXPECT_TRUE(is_linked(mesh));
 }
 
-TEST(OpenMesh_types, doo_sabin_leaves_a_compact_mesh)
+TEST(OpenMesh_types, DooSabinLeavesACompactMesh)
 {
   Poly_mesh mesh;
   Mesh expected;
@@ -127,7 +127,7 @@ TEST(OpenMesh_types, doo_sabin_leaves_a_compact_mesh)
 }
 
 // Without status attributes, and with the float points of OpenMesh's default traits.
-TEST(OpenMesh_types, with_float_points)
+TEST(OpenMesh_types, WithFloatPoints)
 {
   OpenMesh::PolyMesh_ArrayKernelT<> mesh;
   build(cube(), mesh);
@@ -143,7 +143,7 @@ TEST(OpenMesh_types, with_float_points)
 
 #else
 
-TEST(OpenMesh_types, openmesh_is_not_installed)
+TEST(OpenMesh_types, OpenMeshIsNotInstalled)
 {
   GTEST_SKIP() << "Debian package libopenmesh-dev";
 }

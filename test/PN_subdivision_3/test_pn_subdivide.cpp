@@ -74,7 +74,7 @@ void expect_near(const Point_3& p, double x, double y, double z, double bound)
 
 // --- results ---
 
-TEST_F(Pn_subdivide, Linear_Catmull_Clark_of_a_cube_as_computed_by_hand)
+TEST_F(Pn_subdivide, LinearCatmullClarkOfACubeAsComputedByHand)
 {
   for (const char* options :
        {"--scheme catmull-clark --linear", "--normals none --scheme catmull-clark"}) {
@@ -95,7 +95,7 @@ TEST_F(Pn_subdivide, Linear_Catmull_Clark_of_a_cube_as_computed_by_hand)
   }
 }
 
-TEST_F(Pn_subdivide, Linear_Loop_of_an_octahedron_as_computed_by_hand)
+TEST_F(Pn_subdivide, LinearLoopOfAnOctahedronAsComputedByHand)
 {
   const Mesh_data mesh = refined(folder.write("o.off", octahedron), "--scheme loop --linear");
   ASSERT_EQ(mesh.points.size(), 18u);
@@ -110,7 +110,7 @@ TEST_F(Pn_subdivide, Linear_Loop_of_an_octahedron_as_computed_by_hand)
 
 // The first point is one of valence 5 in the midst of triangles: 1 - alpha kappa for itself, with
 // kappa = (1 - C lambda^2) / (1 - lambda^2), and the sum of its neighbors is the zero vector.
-TEST_F(Pn_subdivide, Linear_modified_Loop_of_a_vertex_as_computed_by_hand)
+TEST_F(Pn_subdivide, LinearModifiedLoopOfAVertexAsComputedByHand)
 {
   std::string off = "OFF\n6 5 0\n0 0 1\n";
   const double turn = 2 * std::acos(-1.) / 5;
@@ -133,7 +133,7 @@ TEST_F(Pn_subdivide, Linear_modified_Loop_of_a_vertex_as_computed_by_hand)
 }
 
 // A cube has no separated vertices, its first round has.
-TEST_F(Pn_subdivide, Modified_schemes_are_modified_where_vertices_are_separated)
+TEST_F(Pn_subdivide, ModifiedSchemesAreModifiedWhereVerticesAreSeparated)
 {
   const std::string input = folder.write("cube.off", cube);
   const auto points = [&](const std::string& options) { return refined(input, options).points; };
@@ -149,7 +149,7 @@ TEST_F(Pn_subdivide, Modified_schemes_are_modified_where_vertices_are_separated)
                             "modified-catmull-clark"));
 }
 
-TEST_F(Pn_subdivide, Spheres_stay_spheres)
+TEST_F(Pn_subdivide, SpheresStaySpheres)
 {
   const struct
   {
@@ -176,7 +176,7 @@ TEST_F(Pn_subdivide, Spheres_stay_spheres)
   }
 }
 
-TEST_F(Pn_subdivide, Cylinders_stay_cylinders)
+TEST_F(Pn_subdivide, CylindersStayCylinders)
 {
   // a prism around the axis (3, -1, t), open at both ends
   std::string off = "OFF\n15 10 0\n";
@@ -200,7 +200,7 @@ TEST_F(Pn_subdivide, Cylinders_stay_cylinders)
   for (const Point_3& p : mesh.points) EXPECT_NEAR(std::hypot(p.x() - 3, p.y() + 1), 2, 4e-15);
 }
 
-TEST_F(Pn_subdivide, No_round_copies_the_control_data_with_unit_normals)
+TEST_F(Pn_subdivide, NoRoundCopiesTheControlDataWithUnitNormals)
 {
   const std::string input = folder.write("n.off", "NOFF\n4 1 0\n0.1 0 0 0 0 4\n1 0 0 0 0 0\n"
                                                   "0 1 0 3 0 4\n9 9 9 0 -2 0\n3 0 1 2\n");
@@ -221,7 +221,7 @@ TEST_F(Pn_subdivide, No_round_copies_the_control_data_with_unit_normals)
   EXPECT_EQ(estimated.normals[3], Vector_3(0, 0, 0));
 }
 
-TEST_F(Pn_subdivide, Vertices_without_faces_are_kept)
+TEST_F(Pn_subdivide, VerticesWithoutFacesAreKept)
 {
   const Mesh_data mesh =
     refined(folder.write("i.off", "OFF\n4 1 0\n5 6 7\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"),
@@ -230,7 +230,7 @@ TEST_F(Pn_subdivide, Vertices_without_faces_are_kept)
   EXPECT_EQ(mesh.points[0], Point_3(5, 6, 7));
 }
 
-TEST_F(Pn_subdivide, Formats_agree)
+TEST_F(Pn_subdivide, FormatsAgree)
 {
   const std::string input = folder.write("cube.off", cube);
   const Mesh_data reference = refined(input, "--scheme catmull-clark --levels 2");
@@ -246,7 +246,7 @@ TEST_F(Pn_subdivide, Formats_agree)
   EXPECT_EQ(surface(input, folder.file("a.vtp"), "--scheme catmull-clark").code, 0);
 }
 
-TEST_F(Pn_subdivide, Threads_do_not_change_a_bit)
+TEST_F(Pn_subdivide, ThreadsDoNotChangeABit)
 {
   const std::string input = folder.write("cube.off", cube);
   const auto bytes = [&](const std::string& threads) {
@@ -264,7 +264,7 @@ TEST_F(Pn_subdivide, Threads_do_not_change_a_bit)
   }
 }
 
-TEST_F(Pn_subdivide, Input_may_be_the_output)
+TEST_F(Pn_subdivide, InputMayBeTheOutput)
 {
   const std::string file = folder.write("cube.off", cube);
   EXPECT_EQ(surface(file, file, "--scheme catmull-clark").code, 0);
@@ -272,7 +272,7 @@ TEST_F(Pn_subdivide, Input_may_be_the_output)
   EXPECT_EQ(folder.number_of_files(), 1u);
 }
 
-TEST_F(Pn_subdivide, Progress_on_long_work_only_and_not_with_quiet)
+TEST_F(Pn_subdivide, ProgressOnLongWorkOnlyAndNotWithQuiet)
 {
   const std::string input = folder.write("cube.off", cube), output = folder.file("c.ply");
   EXPECT_EQ(surface(input, output, "--scheme catmull-clark --levels 3").err, "");
@@ -284,7 +284,7 @@ TEST_F(Pn_subdivide, Progress_on_long_work_only_and_not_with_quiet)
 
 // --- repair ---
 
-TEST_F(Pn_subdivide, Soups_that_are_no_manifold_are_refused_or_repaired)
+TEST_F(Pn_subdivide, SoupsThatAreNoManifoldAreRefusedOrRepaired)
 {
   const struct
   {
@@ -315,7 +315,7 @@ TEST_F(Pn_subdivide, Soups_that_are_no_manifold_are_refused_or_repaired)
 
 // --- failures ---
 
-TEST_F(Pn_subdivide, Bad_meshes_fail_with_one_line)
+TEST_F(Pn_subdivide, BadMeshesFailWithOneLine)
 {
   const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
   const struct
@@ -350,7 +350,7 @@ TEST_F(Pn_subdivide, Bad_meshes_fail_with_one_line)
   expect_failure(folder.write("cube.off", cube), "--scheme catmull-clark --levels 20", 1, "round");
 }
 
-TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
+TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
 {
   const std::string input = folder.write("cube.off", cube);
   const std::string scheme = "--scheme catmull-clark ";
@@ -374,7 +374,7 @@ TEST_F(Pn_subdivide, Wrong_command_lines_fail_with_one_line)
   expect_one_line(run("surface"), 2, "required");
 }
 
-TEST_F(Pn_subdivide, Numbers_with_zeros_in_front_are_decimal)
+TEST_F(Pn_subdivide, NumbersWithZerosInFrontAreDecimal)
 {
   const std::string input = folder.write("cube.off", cube), output = folder.file("o.ply");
   EXPECT_EQ(surface(input, output, "--scheme doo-sabin --linear --levels 002 --threads 08").code,
@@ -384,7 +384,7 @@ TEST_F(Pn_subdivide, Numbers_with_zeros_in_front_are_decimal)
   EXPECT_EQ(read_mesh(output).points.size(), 8u);
 }
 
-TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)
+TEST_F(Pn_subdivide, SchemesThatDoNotGoTogether)
 {
   const std::string input = folder.write("cube.off", cube);
   expect_failure(input, "--scheme catmull-clark --normal-scheme loop", 2, "split");
@@ -406,7 +406,7 @@ TEST_F(Pn_subdivide, Schemes_that_do_not_go_together)
   expect_failure(input, "--scheme butterfly", 1, "triangles");
 }
 
-TEST_F(Pn_subdivide, Output_that_cannot_be_written)
+TEST_F(Pn_subdivide, OutputThatCannotBeWritten)
 {
   const std::string input = folder.write("cube.off", cube);
   const std::string options = "--quiet --scheme catmull-clark --levels ";
@@ -427,7 +427,7 @@ TEST_F(Pn_subdivide, Output_that_cannot_be_written)
 #endif
 }
 
-TEST_F(Pn_subdivide, Help_and_version)
+TEST_F(Pn_subdivide, HelpAndVersion)
 {
   for (const char* arguments : {"--help", "surface --help", "curve --help", "--version"}) {
     const Outcome outcome = run(arguments);

@@ -138,7 +138,7 @@ protected:
 
 } // namespace
 
-TEST_F(Pn_subdivide_comb, A_circle_has_a_round_comb_of_even_height)
+TEST_F(Pn_subdivide_comb, ACircleHasARoundCombOfEvenHeight)
 {
   for (const double radius : {1., 1e-3, 1e150, 1e300, 1e-150, 1e-310}) {
     const Drawing drawing = drawn(circle(radius, 0), "--closed --levels 6 --scheme 4-point");
@@ -153,7 +153,7 @@ TEST_F(Pn_subdivide_comb, A_circle_has_a_round_comb_of_even_height)
   }
 }
 
-TEST_F(Pn_subdivide_comb, A_circle_in_space_is_drawn_as_a_circle)
+TEST_F(Pn_subdivide_comb, ACircleInSpaceIsDrawnAsACircle)
 {
   for (const double tilt : {0.3, pi / 2, 2.2}) {
     const Drawing drawing = drawn(circle(2, tilt), "--closed --levels 6 --scheme bspline:3");
@@ -163,7 +163,7 @@ TEST_F(Pn_subdivide_comb, A_circle_in_space_is_drawn_as_a_circle)
   }
 }
 
-TEST_F(Pn_subdivide_comb, Curves_of_all_kinds_lie_in_their_frame)
+TEST_F(Pn_subdivide_comb, CurvesOfAllKindsLieInTheirFrame)
 {
   for (const char* scheme : {"chaikin", "bspline:3", "4-point", "10-point"})
     for (const char* end : {"", " --closed", " --linear"}) {
@@ -175,14 +175,14 @@ TEST_F(Pn_subdivide_comb, Curves_of_all_kinds_lie_in_their_frame)
     }
 }
 
-TEST_F(Pn_subdivide_comb, A_line_has_no_comb)
+TEST_F(Pn_subdivide_comb, ALineHasNoComb)
 {
   const Drawing drawing = drawn("0 0\n1 0.1\n3 0.3\n7 0.7\n", "--scheme bspline:3 --levels 3");
   EXPECT_TRUE(drawing.paths("teeth").empty());
   EXPECT_FALSE(drawing.one_path("curve").empty());
 }
 
-TEST_F(Pn_subdivide_comb, Few_and_repeated_points)
+TEST_F(Pn_subdivide_comb, FewAndRepeatedPoints)
 {
   for (const char* polygon : {"1 2 0 1\n", "1 2\n1 2\n1 2\n", "1 2\n3 4\n", "1 2 3 0 0 1\n",
                               "0 0 0 0 0 1\n2 0 0 0 0 1\n4 0 0 0 0 1\n"})
@@ -190,7 +190,7 @@ TEST_F(Pn_subdivide_comb, Few_and_repeated_points)
       drawn(polygon, options);
 }
 
-TEST_F(Pn_subdivide_comb, Says_what_it_shows)
+TEST_F(Pn_subdivide_comb, SaysWhatItShows)
 {
   EXPECT_EQ(
     drawn(wave, "--scheme bspline:3 --normal-scheme 4-point --levels 2").svg.get("text", ""),
@@ -201,13 +201,13 @@ TEST_F(Pn_subdivide_comb, Says_what_it_shows)
   EXPECT_NE(style.find("prefers-color-scheme:dark"), std::string::npos);
 }
 
-TEST_F(Pn_subdivide_comb, A_long_curve_makes_a_small_drawing)
+TEST_F(Pn_subdivide_comb, ALongCurveMakesASmallDrawing)
 {
   drawn(wave, "--scheme bspline:3 --levels 14");
   EXPECT_LT(Temporary_folder::content(folder.file("comb.svg")).size(), 60000u);
 }
 
-TEST_F(Pn_subdivide_comb, A_drawing_that_cannot_be_written_leaves_all_files_as_they_were)
+TEST_F(Pn_subdivide_comb, ADrawingThatCannotBeWrittenLeavesAllFilesAsTheyWere)
 {
   const std::string input = folder.write("wave.txt", wave), output = folder.write("old.txt", "old");
   const std::string drawing = folder.write("old.svg", "old drawing");

@@ -87,7 +87,7 @@ TEST_F(Pn_subdivide_curvature, Sphere)
 }
 
 // Red where the Gaussian curvature is positive, at the outer side of a torus, blue at the inner one.
-TEST_F(Pn_subdivide_curvature, Torus_is_red_outside_and_blue_inside)
+TEST_F(Pn_subdivide_curvature, TorusIsRedOutsideAndBlueInside)
 {
   const Columns c = columns(data("torus_quads.ply"), "--levels 2 --curvature gaussian");
   const auto& k = c.at("gaussian_curvature");
@@ -106,7 +106,7 @@ TEST_F(Pn_subdivide_curvature, Torus_is_red_outside_and_blue_inside)
   EXPECT_LT(full, k.size() / 8);
 }
 
-TEST_F(Pn_subdivide_curvature, Linear_scheme_without_normals)
+TEST_F(Pn_subdivide_curvature, LinearSchemeWithoutNormals)
 {
   const Columns c = columns(data("spoon.obj"), "--levels 2 --linear --curvature mean");
   EXPECT_EQ(c.count("nx"), 0u);
@@ -115,7 +115,7 @@ TEST_F(Pn_subdivide_curvature, Linear_scheme_without_normals)
 }
 
 // What is added changes nothing else, and the file can be read again.
-TEST_F(Pn_subdivide_curvature, Round_trip)
+TEST_F(Pn_subdivide_curvature, RoundTrip)
 {
   for (const char* options : {"--levels 1 --threads 1", "--levels 1 --ascii", "--levels 0"}) {
     const std::string plain = folder.file("plain.ply"), colored = folder.file("colored.ply");
@@ -170,7 +170,7 @@ TEST_F(Pn_subdivide_curvature, Vtp)
   EXPECT_EQ(appended(binary), appended(plain) + 2 * 8 + vertices * (8 + 3));
 }
 
-TEST_F(Pn_subdivide_curvature, Plane_is_white_and_has_no_curvature)
+TEST_F(Pn_subdivide_curvature, PlaneIsWhiteAndHasNoCurvature)
 {
   std::string plane = "OFF\n36 25 0\n";
   for (int i = 0; i < 6; ++i)
@@ -192,7 +192,7 @@ TEST_F(Pn_subdivide_curvature, Plane_is_white_and_has_no_curvature)
 }
 
 // 0 is white where even the smallest curvature that is told from rounding is out of range.
-TEST_F(Pn_subdivide_curvature, Huge_meshes_are_white)
+TEST_F(Pn_subdivide_curvature, HugeMeshesAreWhite)
 {
   const std::string input =
     folder.write("huge.off", "OFF\n4 4 0\n0 0 0\n1e200 0 0\n0 1e200 0\n0 0 1e200\n"
@@ -202,7 +202,7 @@ TEST_F(Pn_subdivide_curvature, Huge_meshes_are_white)
     for (const char* channel : {"red", "green", "blue"}) EXPECT_EQ(c.at(channel)[v], 242);
 }
 
-TEST_F(Pn_subdivide_curvature, Says_the_range)
+TEST_F(Pn_subdivide_curvature, SaysTheRange)
 {
   const std::string output = folder.file("o.ply");
   const Outcome said = surface(data("torus_quads.ply"), output, "--curvature gaussian");
@@ -217,7 +217,7 @@ TEST_F(Pn_subdivide_curvature, Says_the_range)
 }
 
 // Before the input is read: it need not be there.
-TEST_F(Pn_subdivide_curvature, Wrong_command_lines)
+TEST_F(Pn_subdivide_curvature, WrongCommandLines)
 {
   for (const char* extension : {"off", "obj"}) {
     const std::string output = folder.file(std::string("o.") + extension);
@@ -229,7 +229,7 @@ TEST_F(Pn_subdivide_curvature, Wrong_command_lines)
   EXPECT_EQ(folder.number_of_files(), 0u);
 }
 
-TEST(Diverging_color, White_at_0_and_even_on_both_sides)
+TEST(Diverging_color, WhiteAt0AndEvenOnBothSides)
 {
   EXPECT_EQ(diverging_color(0), (Color{242, 242, 242}));
   EXPECT_EQ(diverging_color(-1), (Color{59, 76, 192}));

@@ -120,14 +120,14 @@ protected:
 
 // --- results ---
 
-TEST_F(Pn_subdivide_curve, Linear_Chaikin_of_a_square_as_computed_by_hand)
+TEST_F(Pn_subdivide_curve, LinearChaikinOfASquareAsComputedByHand)
 {
   for (const char* scheme : {"chaikin", "bspline:2"})
     EXPECT_EQ(refined(square, std::string("--linear --closed --scheme ") + scheme),
               "1 0.25\n1 0.75\n0.75 1\n0.25 1\n0 0.75\n0 0.25\n0.25 0\n0.75 0\n");
 }
 
-TEST_F(Pn_subdivide_curve, Linear_cubic_B_spline_of_an_open_polygon_as_computed_by_hand)
+TEST_F(Pn_subdivide_curve, LinearCubicBSplineOfAnOpenPolygonAsComputedByHand)
 {
   EXPECT_EQ(refined("0 0\n8 16\n16 0\n", "--linear --scheme bspline:3"),
             "0 0\n4 8\n8 12\n12 8\n16 0\n");
@@ -135,14 +135,14 @@ TEST_F(Pn_subdivide_curve, Linear_cubic_B_spline_of_an_open_polygon_as_computed_
             "4 8 1\n8 12 1\n12 8 1\n");
 }
 
-TEST_F(Pn_subdivide_curve, Linear_four_point_scheme_as_computed_by_hand)
+TEST_F(Pn_subdivide_curve, LinearFourPointSchemeAsComputedByHand)
 {
   // the point of an edge is (-1, 9, 9, -1)/16; at an end (7, 10, -1)/16
   EXPECT_EQ(refined("0 0\n4 16\n8 0\n12 16\n", "--linear --scheme 4-point"),
             "0 0\n2 10\n4 16\n6 8\n8 0\n10 6\n12 16\n");
 }
 
-TEST_F(Pn_subdivide_curve, Equal_normals_give_the_linear_curve)
+TEST_F(Pn_subdivide_curve, EqualNormalsGiveTheLinearCurve)
 {
   const std::string upright = "0 0 0 1\n4 16 0 1\n8 0 0 1\n12 16 0 1\n";
   expect_rows(numbers(refined(upright, "--scheme 4-point")),
@@ -156,7 +156,7 @@ TEST_F(Pn_subdivide_curve, Equal_normals_give_the_linear_curve)
               4e-15);
 }
 
-TEST_F(Pn_subdivide_curve, Uneven_samples_of_a_circle_give_the_circle)
+TEST_F(Pn_subdivide_curve, UnevenSamplesOfACircleGiveTheCircle)
 {
   for (const char* scheme :
        {"chaikin", "bspline:3", "bspline:5", "bspline:6", "4-point", "6-point"})
@@ -168,7 +168,7 @@ TEST_F(Pn_subdivide_curve, Uneven_samples_of_a_circle_give_the_circle)
     }
 }
 
-TEST_F(Pn_subdivide_curve, Normals_estimated_from_a_circle_give_the_circle)
+TEST_F(Pn_subdivide_curve, NormalsEstimatedFromACircleGiveTheCircle)
 {
   for (const char* end : {" --closed", ""}) {
     const Rows curve =
@@ -181,7 +181,7 @@ TEST_F(Pn_subdivide_curve, Normals_estimated_from_a_circle_give_the_circle)
   }
 }
 
-TEST_F(Pn_subdivide_curve, Samples_of_a_cylinder_along_a_helix_stay_on_it)
+TEST_F(Pn_subdivide_curve, SamplesOfACylinderAlongAHelixStayOnIt)
 {
   std::ostringstream helix;
   helix << std::setprecision(17);
@@ -199,7 +199,7 @@ TEST_F(Pn_subdivide_curve, Samples_of_a_cylinder_along_a_helix_stay_on_it)
   }
 }
 
-TEST_F(Pn_subdivide_curve, Interpolating_schemes_keep_control_points_to_the_last_bit)
+TEST_F(Pn_subdivide_curve, InterpolatingSchemesKeepControlPointsToTheLastBit)
 {
   const std::vector<std::string> old_lines = lines(with_normals);
   for (const char* scheme : {"4-point", "8-point", "20-point"}) {
@@ -210,7 +210,7 @@ TEST_F(Pn_subdivide_curve, Interpolating_schemes_keep_control_points_to_the_last
   }
 }
 
-TEST_F(Pn_subdivide_curve, Numbers_of_points_by_end_rules)
+TEST_F(Pn_subdivide_curve, NumbersOfPointsByEndRules)
 {
   const auto points = [this](const std::string& options) {
     return lines(refined(zigzag, "--linear " + options)).size();
@@ -229,7 +229,7 @@ TEST_F(Pn_subdivide_curve, Numbers_of_points_by_end_rules)
   EXPECT_EQ(points("--scheme bspline:3 --levels 3"), 41u);
 }
 
-TEST_F(Pn_subdivide_curve, Rounds_in_one_call_equal_calls_with_one_round)
+TEST_F(Pn_subdivide_curve, RoundsInOneCallEqualCallsWithOneRound)
 {
   for (const char* options :
        {"--scheme bspline:3", "--scheme chaikin", "--scheme 4-point --closed"}) {
@@ -238,7 +238,7 @@ TEST_F(Pn_subdivide_curve, Rounds_in_one_call_equal_calls_with_one_round)
   }
 }
 
-TEST_F(Pn_subdivide_curve, Normals_by_another_scheme)
+TEST_F(Pn_subdivide_curve, NormalsByAnotherScheme)
 {
   const std::string options = "--scheme bspline:3 --closed";
   const std::string plain = refined(with_normals, options);
@@ -256,28 +256,28 @@ TEST_F(Pn_subdivide_curve, Normals_by_another_scheme)
   EXPECT_GT(points_moved, 0.01); // approximated
 }
 
-TEST_F(Pn_subdivide_curve, Zero_normals_mean_none)
+TEST_F(Pn_subdivide_curve, ZeroNormalsMeanNone)
 {
   EXPECT_EQ(refined("1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 0 0\n", "--closed --scheme chaikin"),
             "1 0.25 0 0\n1 0.75 0 0\n0.75 1 0 0\n0.25 1 0 0\n0 0.75 0 0\n0 0.25 0 0\n0.25 0 0 0\n"
             "0.75 0 0 0\n");
 }
 
-TEST_F(Pn_subdivide_curve, No_round_copies_and_normalizes)
+TEST_F(Pn_subdivide_curve, NoRoundCopiesAndNormalizes)
 {
   EXPECT_EQ(refined("0.10000000000000001 2 0 5\n3 4 -8 0\n", "--levels 0 --scheme 4-point"),
             "0.10000000000000001 2 0 1\n3 4 -1 0\n");
   EXPECT_EQ(refined(square, "--levels 0 --linear --scheme 4-point"), square);
 }
 
-TEST_F(Pn_subdivide_curve, Comments_blank_lines_tabs_and_line_ends_of_other_systems)
+TEST_F(Pn_subdivide_curve, CommentsBlankLinesTabsAndLineEndsOfOtherSystems)
 {
   EXPECT_EQ(refined("# a square\r\n\r\n 1\t0 # first\r\n+1 1.0\r\n\n  \n0 1e0\r\n-0.0 0\n# end",
                     "--closed --linear --scheme chaikin"),
             refined(square, "--closed --linear --scheme chaikin"));
 }
 
-TEST_F(Pn_subdivide_curve, Linear_takes_no_notice_of_normals)
+TEST_F(Pn_subdivide_curve, LinearTakesNoNoticeOfNormals)
 {
   const std::string bare = refined("1 0 2\n1 1 3\n0 1 4\n0 0 5\n", "--linear --scheme bspline:3");
   EXPECT_EQ(
@@ -285,7 +285,7 @@ TEST_F(Pn_subdivide_curve, Linear_takes_no_notice_of_normals)
     bare);
 }
 
-TEST_F(Pn_subdivide_curve, Few_and_repeated_points)
+TEST_F(Pn_subdivide_curve, FewAndRepeatedPoints)
 {
   EXPECT_EQ(refined("1 2 0 1\n", "--scheme bspline:3 --levels 3"), "1 2 0 1\n");
   EXPECT_EQ(refined("1 2\n3 4\n", "--scheme 4-point --linear --levels 2"),
@@ -297,7 +297,7 @@ TEST_F(Pn_subdivide_curve, Few_and_repeated_points)
   }
 }
 
-TEST_F(Pn_subdivide_curve, Estimated_normals_of_lines_and_of_repeated_points)
+TEST_F(Pn_subdivide_curve, EstimatedNormalsOfLinesAndOfRepeatedPoints)
 {
   EXPECT_EQ(refined("0 0\n0 2\n0 4\n", "--levels 0 --scheme chaikin"),
             "0 0 1 0\n0 2 1 0\n0 4 1 0\n");
@@ -305,7 +305,7 @@ TEST_F(Pn_subdivide_curve, Estimated_normals_of_lines_and_of_repeated_points)
   EXPECT_EQ(refined("1 2\n1 2\n", "--levels 0 --scheme chaikin"), "1 2 0 0\n1 2 0 0\n");
 }
 
-TEST_F(Pn_subdivide_curve, Input_and_output_may_be_the_same_file)
+TEST_F(Pn_subdivide_curve, InputAndOutputMayBeTheSameFile)
 {
   const std::string file = folder.write("same.txt", square);
   const Outcome outcome =
@@ -316,7 +316,7 @@ TEST_F(Pn_subdivide_curve, Input_and_output_may_be_the_same_file)
 
 // --- errors ---
 
-TEST_F(Pn_subdivide_curve, Bad_files)
+TEST_F(Pn_subdivide_curve, BadFiles)
 {
   expect_bad_file("", "empty");
   expect_bad_file("# nothing\n\n", "no vertices");
@@ -334,7 +334,7 @@ TEST_F(Pn_subdivide_curve, Bad_files)
   expect_bad_file("0 0 0\n1 1 1\n2 2 3\n", "curve in space without normals");
 }
 
-TEST_F(Pn_subdivide_curve, Files_that_cannot_be_read_or_written)
+TEST_F(Pn_subdivide_curve, FilesThatCannotBeReadOrWritten)
 {
   const std::string input = folder.write("square.txt", square), output = folder.file("out.txt");
   const std::string options = " --scheme chaikin";
@@ -346,7 +346,7 @@ TEST_F(Pn_subdivide_curve, Files_that_cannot_be_read_or_written)
   EXPECT_EQ(folder.number_of_files(), 1u);
 }
 
-TEST_F(Pn_subdivide_curve, Bad_command_lines)
+TEST_F(Pn_subdivide_curve, BadCommandLines)
 {
   for (const char* scheme :
        {"bspline:1", "bspline:10", "bspline:", "bspline:2x", "bspline", "0-point", "3-point",
@@ -363,7 +363,7 @@ TEST_F(Pn_subdivide_curve, Bad_command_lines)
   expect_failure(square, "--scheme chaikin --threads 2", 2, "--threads");
 }
 
-TEST_F(Pn_subdivide_curve, Too_short_for_its_scheme_or_too_long_to_be_numbered)
+TEST_F(Pn_subdivide_curve, TooShortForItsSchemeOrTooLongToBeNumbered)
 {
   expect_failure(square, "--scheme 6-point --end none", 1, "4 points is too short");
   expect_failure(square, "--scheme bspline:8", 1, "4 points is too short");

@@ -124,7 +124,7 @@ std::string raw(T x, bool big_endian)
 
 // --- round trips ---
 
-TEST_F(Mesh_io, Every_format_that_is_read_and_written_keeps_every_bit)
+TEST_F(Mesh_io, EveryFormatThatIsReadAndWrittenKeepsEveryBit)
 {
   for (const char* extension : {"ply", "PLY", "off", "obj"})
     for (const Encoding encoding : {Encoding::binary, Encoding::text})
@@ -140,7 +140,7 @@ TEST_F(Mesh_io, Every_format_that_is_read_and_written_keeps_every_bit)
       }
 }
 
-TEST_F(Mesh_io, Ply_faces_with_more_than_255_vertices_survive)
+TEST_F(Mesh_io, PlyFacesWithMoreThan255VerticesSurvive)
 {
   Mesh_data mesh;
   std::vector<int> face;
@@ -155,7 +155,7 @@ TEST_F(Mesh_io, Ply_faces_with_more_than_255_vertices_survive)
   }
 }
 
-TEST_F(Mesh_io, Text_has_17_significant_digits)
+TEST_F(Mesh_io, TextHas17SignificantDigits)
 {
   Mesh_data mesh = awkward_mesh(false);
   mesh.points[0] = Point_3(1.0 / 3, 0.1, 2);
@@ -167,7 +167,7 @@ TEST_F(Mesh_io, Text_has_17_significant_digits)
 
 // --- PLY ---
 
-TEST_F(Mesh_io, Ply_text_with_other_properties_and_elements)
+TEST_F(Mesh_io, PlyTextWithOtherPropertiesAndElements)
 {
   const Mesh_data mesh = read("a.ply", "ply\r\nformat ascii 1.0\r\ncomment some words\r\n"
                                        "obj_info more words\r\n"
@@ -191,7 +191,7 @@ TEST_F(Mesh_io, Ply_text_with_other_properties_and_elements)
   EXPECT_EQ(faces_of(mesh), (Faces{{3, 2, 1, 0}}));
 }
 
-TEST_F(Mesh_io, Ply_binary_of_both_byte_orders_with_floats_and_doubles)
+TEST_F(Mesh_io, PlyBinaryOfBothByteOrdersWithFloatsAndDoubles)
 {
   for (const bool big : {false, true}) {
     std::string s = std::string("ply\nformat binary_") + (big ? "big" : "little") +
@@ -215,7 +215,7 @@ TEST_F(Mesh_io, Ply_binary_of_both_byte_orders_with_floats_and_doubles)
   }
 }
 
-TEST_F(Mesh_io, Ply_damage)
+TEST_F(Mesh_io, PlyDamage)
 {
   const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                            "property float y\nproperty float z\n";
@@ -258,7 +258,7 @@ TEST_F(Mesh_io, Ply_damage)
 
 // --- OFF ---
 
-TEST_F(Mesh_io, Off_variants)
+TEST_F(Mesh_io, OffVariants)
 {
   const Faces face{{0, 1, 2}};
   const std::string faces = "3 0 1 2\n";
@@ -289,7 +289,7 @@ TEST_F(Mesh_io, Off_variants)
   EXPECT_EQ(faces_of(mesh), face);
 }
 
-TEST_F(Mesh_io, Off_damage)
+TEST_F(Mesh_io, OffDamage)
 {
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
   expect_error("a.off", "", "empty");
@@ -317,7 +317,7 @@ TEST_F(Mesh_io, Off_damage)
 
 // --- OBJ ---
 
-TEST_F(Mesh_io, Obj_corners_and_negative_indices)
+TEST_F(Mesh_io, ObjCornersAndNegativeIndices)
 {
   const std::string head =
     "# c\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\n"
@@ -345,7 +345,7 @@ TEST_F(Mesh_io, Obj_corners_and_negative_indices)
   EXPECT_EQ(mesh.normals[3], Vector_3(0, 0, 0));
 }
 
-TEST_F(Mesh_io, Obj_several_normals_at_a_vertex_are_summed)
+TEST_F(Mesh_io, ObjSeveralNormalsAtAVertexAreSummed)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
   // At vertex 0: (1,0,0) twice, once by another number, and (0,1,0). At vertex 2: opposite ones.
@@ -360,7 +360,7 @@ TEST_F(Mesh_io, Obj_several_normals_at_a_vertex_are_summed)
   EXPECT_EQ(mesh.normals[3], Vector_3(0, 1, 0));
 }
 
-TEST_F(Mesh_io, Obj_normals_that_no_face_names)
+TEST_F(Mesh_io, ObjNormalsThatNoFaceNames)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nvn 0 1 0\n";
   const Mesh_data mesh = read("a.obj", points + "vn 0 0 1\nf 1 2 3\n");
@@ -369,7 +369,7 @@ TEST_F(Mesh_io, Obj_normals_that_no_face_names)
   expect_error("a.obj", points + "f 1 2 3\n", "2 normals (vn) for 3 vertices");
 }
 
-TEST_F(Mesh_io, Obj_damage)
+TEST_F(Mesh_io, ObjDamage)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   expect_error("a.obj", "", "empty");
@@ -388,7 +388,7 @@ TEST_F(Mesh_io, Obj_damage)
 
 // --- STL ---
 
-TEST_F(Mesh_io, Stl_text_and_binary_merge_equal_points)
+TEST_F(Mesh_io, StlTextAndBinaryMergeEqualPoints)
 {
   const double p[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0.25}};
   const int t[2][3] = {{0, 1, 2}, {0, 2, 3}};
@@ -427,7 +427,7 @@ TEST_F(Mesh_io, Stl_text_and_binary_merge_equal_points)
 }
 
 // No facet may get lost.
-TEST_F(Mesh_io, Stl_damage)
+TEST_F(Mesh_io, StlDamage)
 {
   const std::string corners = "outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
   const std::string facet = "facet normal 0 0 -nan(ind)\n" + corners + "endfacet\n";
@@ -463,7 +463,7 @@ TEST_F(Mesh_io, Stl_damage)
 
 // --- files ---
 
-TEST_F(Mesh_io, Byte_order_marks_are_skipped)
+TEST_F(Mesh_io, ByteOrderMarksAreSkipped)
 {
   const std::string mark = "\xEF\xBB\xBF";
   EXPECT_EQ(read("a.off", mark + "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").points.size(), 3u);
@@ -471,7 +471,7 @@ TEST_F(Mesh_io, Byte_order_marks_are_skipped)
   expect_error("a.off", "\xFF\xFEO", "not an OFF file");
 }
 
-TEST_F(Mesh_io, Missing_files_folders_and_unknown_formats)
+TEST_F(Mesh_io, MissingFilesFoldersAndUnknownFormats)
 {
   EXPECT_NE(error_of(folder.file("missing.ply")).find("No such file"), std::string::npos);
   std::filesystem::create_directory(folder.file("folder.ply"));
@@ -483,7 +483,7 @@ TEST_F(Mesh_io, Missing_files_folders_and_unknown_formats)
   EXPECT_NO_THROW(require_writable_format("a.b.VTP"));
 }
 
-TEST_F(Mesh_io, Writing_replaces_a_file_as_a_whole_and_leaves_nothing_else)
+TEST_F(Mesh_io, WritingReplacesAFileAsAWholeAndLeavesNothingElse)
 {
   const std::string file = folder.write("a.ply", "old");
   std::filesystem::permissions(file, std::filesystem::perms(0640));
@@ -493,7 +493,7 @@ TEST_F(Mesh_io, Writing_replaces_a_file_as_a_whole_and_leaves_nothing_else)
   EXPECT_EQ(folder.number_of_files(), 1u);
 }
 
-TEST_F(Mesh_io, Links_are_followed)
+TEST_F(Mesh_io, LinksAreFollowed)
 {
   const std::string file = folder.write("a.ply", "old");
   std::filesystem::create_symlink("a.ply", folder.file("link.ply"));
@@ -502,7 +502,7 @@ TEST_F(Mesh_io, Links_are_followed)
   EXPECT_EQ(read_mesh(file).points.size(), 20u);
 }
 
-TEST_F(Mesh_io, Full_device_is_an_error)
+TEST_F(Mesh_io, FullDeviceIsAnError)
 {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   std::filesystem::create_symlink("/dev/full", folder.file("full.ply"));
@@ -510,7 +510,7 @@ TEST_F(Mesh_io, Full_device_is_an_error)
   EXPECT_TRUE(std::filesystem::is_symlink(folder.file("full.ply")));
 }
 
-TEST_F(Mesh_io, Vtp_text_holds_the_arrays)
+TEST_F(Mesh_io, VtpTextHoldsTheArrays)
 {
   Mesh_data mesh;
   mesh.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0.5)};
@@ -523,7 +523,7 @@ TEST_F(Mesh_io, Vtp_text_holds_the_arrays)
   EXPECT_NE(s.find("NumberOfPolys=\"1\""), std::string::npos) << s;
 }
 
-TEST_F(Mesh_io, Vtp_binary_offsets_lead_to_the_arrays)
+TEST_F(Mesh_io, VtpBinaryOffsetsLeadToTheArrays)
 {
   const Mesh_data mesh = awkward_mesh(true);
   write_mesh(folder.file("a.vtp"), mesh, Encoding::binary);
@@ -582,14 +582,14 @@ std::string element_error(const Mesh_data& mesh)
 
 } // namespace
 
-TEST(Soup, Manifolds_have_no_defects)
+TEST(Soup, ManifoldsHaveNoDefects)
 {
   EXPECT_TRUE(find_defects(soup(5, {{0, 1, 2}, {2, 1, 3}})).none());
   EXPECT_TRUE(find_defects(soup(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})).none());
   EXPECT_TRUE(find_defects(soup(6, {{0, 1, 2}, {3, 4, 5}})).none());
 }
 
-TEST(Soup, Defects_are_counted_and_mended)
+TEST(Soup, DefectsAreCountedAndMended)
 {
   // three pages of a book; two triangles of opposite orientation; a bow-tie of open fans; two
   // tetrahedra that share a vertex
@@ -635,7 +635,7 @@ TEST(Soup, Defects_are_counted_and_mended)
   EXPECT_EQ(mesh.number_of_faces(), 3u);
 }
 
-TEST(Soup, Unsound_elements_are_named)
+TEST(Soup, UnsoundElementsAreNamed)
 {
   const Faces face{{0, 1, 2}};
   EXPECT_EQ(element_error(soup(3, face)), "");

@@ -80,7 +80,7 @@ std::string circle(double x, double y, double r)
   return out.str();
 }
 
-TEST_F(Verify, Known_deviations_of_control_data)
+TEST_F(Verify, KnownDeviationsOfControlData)
 {
   const std::string file = folder.write("box.off", box);
   const double corner = std::sqrt(1 + 2.25); // from the middle
@@ -115,7 +115,7 @@ TEST_F(Verify, Known_deviations_of_control_data)
   EXPECT_EQ(verified(curve(space, "--levels 0 --verify sphere:5,2,0,4")).deviation, 1);
 }
 
-TEST_F(Verify, Reproduced_shapes_keep_the_bound)
+TEST_F(Verify, ReproducedShapesKeepTheBound)
 {
   const auto expect_kept = [this](const std::string& command) {
     const Printed p = verified(command);
@@ -135,7 +135,7 @@ TEST_F(Verify, Reproduced_shapes_keep_the_bound)
   EXPECT_LT(linear.bound, 1.2e-15);
 }
 
-TEST_F(Verify, Beyond_the_tolerance_the_exit_code_is_3_and_the_file_is_there)
+TEST_F(Verify, BeyondTheToleranceTheExitCodeIs3AndTheFileIsThere)
 {
   const std::string file = folder.write("box.off", box);
   const std::string at_a_quarter = "--levels 0 --verify cylinder:3,-4,0,0,0,1,0.8";
@@ -161,7 +161,7 @@ TEST_F(Verify, Beyond_the_tolerance_the_exit_code_is_3_and_the_file_is_there)
 }
 
 // A script that reads the deviation must not take silence for success.
-TEST_F(Verify, Deviation_that_cannot_be_printed_is_an_error)
+TEST_F(Verify, DeviationThatCannotBePrintedIsAnError)
 {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   const std::string file = folder.write("box.off", box), err = work.file("message");
@@ -177,7 +177,7 @@ TEST_F(Verify, Deviation_that_cannot_be_printed_is_an_error)
   EXPECT_FALSE(std::filesystem::exists(curve_output));
 }
 
-TEST_F(Verify, What_is_wrong_is_said_before_anything_is_written)
+TEST_F(Verify, WhatIsWrongIsSaidBeforeAnythingIsWritten)
 {
   const std::string file = folder.write("box.off", box);
   struct Case

@@ -405,13 +405,13 @@ long fail_in_allocations(const Soup& soup, bool loop, unsigned rounds)
 } // namespace
 
 // Reading takes 2 calls a vertex, and one more a point to keep it; writing two for each new vertex.
-TYPED_TEST(Strong_guarantee, property_maps)
+TYPED_TEST(Strong_guarantee, PropertyMaps)
 {
   EXPECT_GE((fail_in_maps<TypeParam, CGAL::Sequential_tag>(mixed_with_border(), false)), 2 * 109);
   EXPECT_GE((fail_in_maps<TypeParam, CGAL::Sequential_tag>(triangles_with_border(), true)), 2 * 88);
 }
 
-TYPED_TEST(Strong_guarantee, allocations)
+TYPED_TEST(Strong_guarantee, Allocations)
 {
   for (unsigned rounds : {1u, 2u}) {
     EXPECT_GE(
@@ -425,7 +425,7 @@ TYPED_TEST(Strong_guarantee, allocations)
 
 // Doo-Sabin makes a mesh compact at last. If the memory for it is lacking, that is left to the
 // user.
-TYPED_TEST(Strong_guarantee, doo_sabin)
+TYPED_TEST(Strong_guarantee, DooSabin)
 {
   const auto compact = [](auto& mesh) {
     if constexpr (std::is_same_v<std::decay_t<decltype(mesh)>, Surface_mesh>)
@@ -452,7 +452,7 @@ TYPED_TEST(Strong_guarantee, doo_sabin)
   EXPECT_GE(in_maps, 13 + 20); // 13 are read, 20 written
 }
 
-TYPED_TEST(Strong_guarantee, visitor)
+TYPED_TEST(Strong_guarantee, Visitor)
 {
   const long failures = fail_everywhere<TypeParam>(cube(), [](auto& mesh, auto n, long k) {
     const auto np =
@@ -463,13 +463,13 @@ TYPED_TEST(Strong_guarantee, visitor)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TYPED_TEST(Strong_guarantee, property_maps_with_threads)
+TYPED_TEST(Strong_guarantee, PropertyMapsWithThreads)
 {
   EXPECT_GE((fail_in_maps<TypeParam, CGAL::Parallel_tag>(mixed_with_border(), false)), 2 * 109);
 }
 
 // The allocations of TBB itself are among those that fail.
-TYPED_TEST(Strong_guarantee, allocations_with_threads)
+TYPED_TEST(Strong_guarantee, AllocationsWithThreads)
 {
   EXPECT_GE((fail_in_allocations<TypeParam, CGAL::Parallel_tag>(mixed_with_border(), false, 2)),
             10);
@@ -477,7 +477,7 @@ TYPED_TEST(Strong_guarantee, allocations_with_threads)
 #endif
 
 // A map that goes on failing: nothing is promised of what it holds, but of the mesh.
-TYPED_TEST(Strong_guarantee, connectivity_survives_a_map_that_goes_on_failing)
+TYPED_TEST(Strong_guarantee, ConnectivitySurvivesAMapThatGoesOnFailing)
 {
   using Mesh = typename TypeParam::Mesh;
   Mesh mesh;
