@@ -231,7 +231,8 @@ private:
 
   static Weights weights(Index n, double cap)
   {
-    using Number = internal::Weight_number<FT>;
+    using Number = internal::Weight_number<FT, internal::Has_trigonometry<FT>,
+                                           internal::Has_square_root<FT>>;
     const Number new_lambda = n == 3 ? Number(Number(1) / Number(2))
                                      : internal::CatmullClark_eigenvalues<Number>(1, n).greater;
     const Number bound = Number(cap) * new_lambda * new_lambda;

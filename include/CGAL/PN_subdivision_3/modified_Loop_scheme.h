@@ -44,8 +44,8 @@ e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))
 </ul>
 
 \tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
-  computed by the number type's own `cos()` if it has one, otherwise in `long double`, and rounded
-  to `double` in exact number types. All rows sum to 1.
+  computed by the number type's own `cos()` and `acos()` if it has them, otherwise in `long double`,
+  and rounded to `double` in exact number types. All rows sum to 1.
 \cost of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
   separated vertex
 \cgalModels{PNSubdivisionMask_3}
@@ -106,8 +106,8 @@ private:
   // the cosines of valences 3 and 4 are rational
   static Weights weights(Index n, double cap)
   {
-    return n <= 4 ? tuned<FT>(n, FT(cap))
-                  : tuned<internal::Weight_number<FT>>(n, internal::Weight_number<FT>(cap));
+    using Number = internal::Weight_number<FT, internal::Has_trigonometry<FT>>;
+    return n <= 4 ? tuned<FT>(n, FT(cap)) : tuned<Number>(n, Number(cap));
   }
 
   template <class Number>

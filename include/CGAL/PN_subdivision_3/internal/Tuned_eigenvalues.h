@@ -12,17 +12,41 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// In which number type irrational weights are computed before they are rounded to FT: its own if it
-// has trigonometric functions. Exact types would only carry on the rounding of square roots and
-// cosines, at great cost.
+namespace square_root_lookup {
+
+using std::sqrt; // besides what argument-dependent lookup finds
+
+template <class Number>
+auto square_root(const Number& x) -> decltype(Number(sqrt(x)))
+{
+  return Number(sqrt(x));
+}
+
+} // namespace square_root_lookup
+using square_root_lookup::square_root;
+
+template <class FT, class = void>
+struct Has_square_root : std::false_type
+{};
+
 template <class FT>
+struct Has_square_root<FT, std::void_t<decltype(square_root(std::declval<const FT&>()))>>
+  : std::true_type
+{};
+
+// In which number type irrational weights are computed before they are rounded to FT: its own if it
+// has the functions that they need, as told by traits such as Has_trigonometry<FT>. Exact types would
+// only carry on the rounding of square roots and cosines, at great cost.
+template <class FT, class... Has_functions>
 using Weight_number =
-  std::conditional_t<!std::is_floating_point_v<FT> && Has_trigonometry<FT>::value, FT, long double>;
+  std::conditional_t<!std::is_floating_point_v<FT> && (Has_functions::value && ...), FT,
+                     long double>;
 
 template <class FT, class Number>
 FT rounded_weight(const Number& x)
@@ -33,13 +57,6 @@ FT rounded_weight(const Number& x)
     return static_cast<FT>(x);
   else
     return FT(static_cast<double>(x));
-}
-
-template <class Number>
-Number square_root(const Number& x)
-{
-  using std::sqrt;
-  return Number(sqrt(x));
 }
 
 // sign(x) min(|x|, bound); comparisons of intervals that are not decided concern equal values
