@@ -183,12 +183,9 @@ public:
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
-    const Index h = Level_connectivity::halfedge_of_edge(e);
-    const Index o = Level_connectivity::opposite(h);
-    if (const Weights* const w = separated_.at(level_.target(h)))
+    const auto [h, w] = separated_.at_edge(level_, e);
+    if (w != nullptr)
       ring(h, w->edge, s);
-    else if (const Weights* const w_source = separated_.at(level_.target(o)))
-      ring(o, w_source->edge, s);
     else
       plain_.edge(e, s);
   }
@@ -231,8 +228,8 @@ private:
 
   static Weights weights(Index n, double cap)
   {
-    using Number = internal::Weight_number<FT, internal::Has_trigonometry<FT>,
-                                           internal::Has_square_root<FT>>;
+    using Number =
+      internal::Weight_number<FT, internal::Has_trigonometry<FT>, internal::Has_square_root<FT>>;
     const Number new_lambda = n == 3 ? Number(Number(1) / Number(2))
                                      : internal::CatmullClark_eigenvalues<Number>(1, n).greater;
     const Number bound = Number(cap) * new_lambda * new_lambda;

@@ -75,14 +75,14 @@ public:
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
-    const Index h = Level_connectivity::halfedge_of_edge(e);
-    const Index o = Level_connectivity::opposite(h);
-    if (const Weights* const w = separated_.at(level_.target(h)))
-      edge_at(h, *w, s);
-    else if (const Weights* const w_source = separated_.at(level_.target(o)))
-      edge_at(o, *w_source, s);
-    else
-      plain_.edge(e, s);
+    const auto [h, w] = separated_.at_edge(level_, e);
+    if (w == nullptr) return plain_.edge(e, s);
+    Index g = h;
+    for (const FT& weight : w->edge_to_neighbor) {
+      s.add(level_.source(g), weight);
+      g = level_.next_around_target(g);
+    }
+    s.add_rest(level_.target(h));
   }
 
 private:
@@ -91,17 +91,6 @@ private:
     FT vertex_to_neighbor;
     std::vector<FT> edge_to_neighbor; // from its own neighbor on
   };
-
-  template <class Stencil>
-  void edge_at(Index h, const Weights& w, Stencil& s) const
-  {
-    Index g = h;
-    for (const FT& weight : w.edge_to_neighbor) {
-      s.add(level_.source(g), weight);
-      g = level_.next_around_target(g);
-    }
-    s.add_rest(level_.target(h));
-  }
 
   // the cosines of valences 3 and 4 are rational
   static Weights weights(Index n, double cap)

@@ -10,13 +10,8 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/internal/Curve_maps.h>
 #include <CGAL/PN_subdivision_3/internal/Curve_subdivision.h>
-#include <CGAL/property_map.h>
-
-#include <iterator>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -24,15 +19,10 @@ namespace internal {
 
 // The named parameters of the curve functions.
 template <class Range, class NamedParameters>
-struct Curve_parameters
+struct Curve_parameters : Curve_maps<Range, NamedParameters>
 {
-  using Item =
-    typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
-  using Point_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::point_t, NamedParameters, CGAL::First_of_pair_property_map<Item>>::type>;
-  using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::normal_t, NamedParameters, CGAL::Second_of_pair_property_map<Item>>::type>;
-  using Point = typename boost::property_traits<Point_map>::value_type;
+  using typename Curve_maps<Range, NamedParameters>::Normal_map;
+  using typename Curve_maps<Range, NamedParameters>::Point;
   using Vector = typename boost::property_traits<Normal_map>::value_type;
   using Geom_traits =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
@@ -45,16 +35,6 @@ struct Curve_parameters
   {
     return parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
-  }
-  static Point_map point_map(const NamedParameters& np)
-  {
-    return parameters::choose_parameter<Point_map>(
-      parameters::get_parameter(np, internal_np::point_map));
-  }
-  static Normal_map normal_map(const NamedParameters& np)
-  {
-    return parameters::choose_parameter<Normal_map>(
-      parameters::get_parameter(np, internal_np::normal_map));
   }
 };
 

@@ -8,58 +8,26 @@
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/Curve_maps.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-template <class Item>
-struct Default_curve_point_map
-{
-  using type = CGAL::Identity_property_map<const Item>;
-};
-template <class Point, class Vector>
-struct Default_curve_point_map<std::pair<Point, Vector>>
-{
-  using type = CGAL::First_of_pair_property_map<std::pair<Point, Vector>>;
-};
-
-struct No_curve_normal_map
-{};
-
-template <class Item>
-struct Default_curve_normal_map
-{
-  using type = No_curve_normal_map;
-};
-template <class Point, class Vector>
-struct Default_curve_normal_map<std::pair<Point, Vector>>
-{
-  using type = CGAL::Second_of_pair_property_map<std::pair<Point, Vector>>;
-};
-
-// The points of a range: its items, the first members of its pairs, or what a named parameter says;
-// likewise its normals, if any.
+// The points of a range, in its own and in other number types.
 template <class Range, class NamedParameters>
-struct Curve_points
+struct Curve_points : Curve_maps<Range, NamedParameters>
 {
-  using Item = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
-  using Point_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::point_t, NamedParameters, typename Default_curve_point_map<Item>::type>::type>;
-  using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
-    internal_np::normal_t, NamedParameters, typename Default_curve_normal_map<Item>::type>::type>;
-  using Point = std::remove_const_t<typename boost::property_traits<Point_map>::value_type>;
+  using Maps = Curve_maps<Range, NamedParameters>;
+  using typename Maps::Normal_map;
+  using typename Maps::Point;
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   using FT = typename Kernel::FT;
 
@@ -68,26 +36,15 @@ struct Curve_points
   using Vector =
     std::conditional_t<dimension == 2, typename Kernel::Vector_2, typename Kernel::Vector_3>;
 
-  static Point_map point_map(const NamedParameters& np)
-  {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::point_map),
-                                        Point_map());
-  }
-  static Normal_map normal_map(const NamedParameters& np)
-  {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::normal_map),
-                                        Normal_map());
-  }
-
   // the points in the number type Number
   template <class Number>
   static std::vector<Coordinates<Number, dimension>> get_all(const Range& range,
                                                              const NamedParameters& np)
   {
-    const Point_map map = point_map(np);
+    const auto map = Maps::point_map(np);
     std::vector<Coordinates<Number, dimension>> points;
     for (const auto& item : range) {
-      const auto& p = get(map, item);
+      const Point p = get(map, item);
       Coordinates<Number, dimension> c;
       for (int i = 0; i < dimension; ++i) c[i] = number<Number>(p.cartesian(i));
       check_finite<Number, dimension>(c, "position",

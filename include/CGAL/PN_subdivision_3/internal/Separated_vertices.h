@@ -10,6 +10,7 @@
 #include <CGAL/PN_subdivision_3/internal/valences.h>
 
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,6 +68,16 @@ public:
   {
     if (valence_.empty() || valence_[v] == 0) return nullptr;
     return &weights_.find(valence_[v])->second;
+  }
+
+  // the half-edge of e that leads to a separated vertex, and the weights about that; null if there is
+  // none
+  std::pair<Index, const Weights*> at_edge(const Level_connectivity& level, Index e) const
+  {
+    const Index h = Level_connectivity::halfedge_of_edge(e);
+    for (const Index g : {h, Level_connectivity::opposite(h)})
+      if (const Weights* const w = at(level.target(g))) return {g, w};
+    return {h, nullptr};
   }
 
 private:
