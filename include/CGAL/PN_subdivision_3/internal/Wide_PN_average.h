@@ -55,7 +55,7 @@ public:
                                                        std::size_t number, const Stored_value* old,
                                                        Value* result)
   {
-    static_assert(sizeof(Entry) == 16 && sizeof(Stored_value) == 16 * dimension);
+    static_assert(sizeof(Entry) == 16 && sizeof(Stored_value) == std::size_t(16) * dimension);
     Old entries[maximum_length * maximum_number_of_rows / 4];
     Sums sums[maximum_number_of_rows / 4];
     const std::size_t groups = (number + 3) / 4;
