@@ -11,6 +11,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -60,10 +61,11 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
     internal::check_scheme(scheme, level, access);
     const typename Scheme::Host host(level, round);
     const auto mask = scheme.template mask<FT>(level, round);
-    const auto rows = static_cast<Index>(Scheme::Host::refined_size(level.size(), round).vertices);
-    if (rows > static_cast<Index>((std::numeric_limits<int>::max)()))
-      throw std::length_error("PN_subdivision_3: a matrix of " + std::to_string(rows) +
+    const std::uint64_t size = Scheme::Host::refined_size(level.size(), round).vertices;
+    if (size > static_cast<std::uint64_t>((std::numeric_limits<int>::max)()))
+      throw std::length_error("PN_subdivision_3: a matrix of " + std::to_string(size) +
                               " rows is more than Eigen's int can number");
+    const auto rows = static_cast<Index>(size);
     std::vector<Triplet> triplets;
     Stencil<FT> stencil;
     for (Index r = 0; r < rows; ++r) {
