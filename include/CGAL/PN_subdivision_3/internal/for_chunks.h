@@ -60,14 +60,15 @@ struct For_chunks
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
 
-// Calls f() and g(), which do not touch the same data, in any order or at the same time.
+// Calls f() and g(), which do not touch the same data, in any order or at the same time; f() in the
+// calling thread: memory that a mesh gets from another thread's arena costs page faults in every call.
 template <class Concurrency_tag, class F, class G>
 void run_together(const F& f, const G& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel_v<Concurrency_tag>) {
     tbb::task_group_context context(tbb::task_group_context::isolated);
-    tbb::parallel_invoke(f, g, context);
+    tbb::parallel_invoke(g, f, context); // the last one is not spawned
     return;
   }
 #endif
