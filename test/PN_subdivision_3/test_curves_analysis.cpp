@@ -9,6 +9,8 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -217,6 +219,22 @@ TEST(CurveAnalysis, CombsOfCirclesAreCircles)
   const auto comb = PN::curvature_comb(Points{{0, 0}, {4, 0}, {4, 3}}, Curve_end::none, 10);
   EXPECT_NEAR(comb[1].x(), 4 + 4 * 0.8, 1e-14);
   EXPECT_NEAR(comb[1].y(), -4 * 0.6, 1e-14);
+}
+
+// Maps need not be default constructible: those of lambdas are not.
+TEST(CurveAnalysis, MapsMadeOfLambdas)
+{
+  const Points points = {{0, 0}, {4, 0}, {4, 3}, {1, 5}};
+  const std::vector<std::size_t> items = {0, 1, 2, 3};
+  const auto np = CGAL::parameters::point_map(
+    boost::make_function_property_map<std::size_t>([&points](std::size_t i) { return points[i]; }));
+  const Curve_end end = Curve_end::closed;
+  EXPECT_EQ(PN::estimate_control_normals(items, end, np),
+            PN::estimate_control_normals(points, end));
+  EXPECT_EQ(PN::discrete_curvature(items, end, np), PN::discrete_curvature(points, end));
+  EXPECT_EQ(PN::curvature_comb(items, end, 2, np), PN::curvature_comb(points, end, 2));
+  EXPECT_EQ(PN::divided_differences(items, end, 1, 0, np),
+            PN::divided_differences(points, end, 1, 0));
 }
 
 // --- differences ---
