@@ -20,12 +20,13 @@ namespace internal {
 inline std::vector<Level_connectivity::Index> irregular_valences(const Level_connectivity& level,
                                                                  Level_connectivity::Index regular)
 {
+  // counted, not walked round: of the vertices nearly all are regular
   std::vector<Level_connectivity::Index> irregular(level.number_of_vertices(), 0);
-  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
-    if (level.is_isolated(v) || level.is_border_vertex(v)) continue;
-    const Level_connectivity::Index n = level.valence(v);
-    if (n != regular) irregular[v] = n;
-  }
+  for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h)
+    ++irregular[level.target(h)];
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (irregular[v] == regular || (irregular[v] != 0 && level.is_border_vertex(v)))
+      irregular[v] = 0;
   return irregular;
 }
 
