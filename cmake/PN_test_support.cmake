@@ -45,6 +45,8 @@ endif()
 function(pn_test_settings target)
   pn_own_target(${target})
   target_link_libraries(${target} PRIVATE GTest::gtest)
+  target_include_directories(${target} PRIVATE ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3
+                             ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support)
   target_compile_definitions(
     ${target}
     PRIVATE PN_DATA_DIR="${PN_subdivision_3_SOURCE_DIR}/data"

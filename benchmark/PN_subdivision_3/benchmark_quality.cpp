@@ -10,13 +10,13 @@
 
 #include "../../examples/PN_subdivision_3/Extraordinary_data.h"
 
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
 #include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
-#include <CGAL/PN_subdivision_3/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/modified_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Timer.h>
 
 #include <cstdio>

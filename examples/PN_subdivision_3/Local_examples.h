@@ -6,8 +6,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_EXAMPLES_LOCAL_EXAMPLES_H
 #define CGAL_PN_SUBDIVISION_3_EXAMPLES_LOCAL_EXAMPLES_H
 
-#include <CGAL/PN_subdivision_3/Extraordinary_net.h>
-#include <CGAL/PN_subdivision_3/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>

@@ -18,8 +18,8 @@
 #include "Sampled_shapes.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>

@@ -22,9 +22,9 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 #include <CGAL/Real_timer.h>

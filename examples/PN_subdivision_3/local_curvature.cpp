@@ -10,9 +10,9 @@
 
 #include "Local_examples.h"
 
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <cstdio>
 #include <cstdlib>

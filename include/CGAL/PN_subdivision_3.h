@@ -13,16 +13,16 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and wh
 (`reproduction.h`, `extraordinary_curvature.h`, `extraordinary_eigenvalues.h`).
 */
 
-#include <CGAL/PN_subdivision_3/Butterfly_scheme.h>
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/DooSabin_scheme.h>
-#include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
-#include <CGAL/PN_subdivision_3/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/modified_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 #include <CGAL/PN_subdivision_curve.h>

@@ -11,9 +11,9 @@
 Point-normal subdivision of curves in the plane and in space.
 */
 
-#include <CGAL/PN_subdivision_3/curve_analysis.h>
-#include <CGAL/PN_subdivision_3/curve_control_normals.h>
-#include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/curves/curve_analysis.h>
+#include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 
 #endif // CGAL_PN_SUBDIVISION_CURVE_H

@@ -5,9 +5,9 @@
 
 // The command line. What it means is in surface_command.h and curve_command.h.
 
-#include "Error.h"
-#include "curve_command.h"
-#include "surface_command.h"
+#include "curve/curve_command.h"
+#include "io/Error.h"
+#include "surface/surface_command.h"
 
 #include <CLI/CLI.hpp>
 

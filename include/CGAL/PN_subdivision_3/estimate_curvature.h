@@ -6,7 +6,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 
-#include <CGAL/PN_subdivision_3/internal/Curvature_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimation.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -6,12 +6,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_CURVATURE_H
 #define CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_CURVATURE_H
 
-#include <CGAL/PN_subdivision_3/Extraordinary_net.h>
-#include <CGAL/PN_subdivision_3/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/Extraordinary_limit.h>
-#include <CGAL/PN_subdivision_3/internal/Regular_jet.h>
-#include <CGAL/PN_subdivision_3/internal/Zoom_level.h>
-#include <CGAL/PN_subdivision_3/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Zoom_level.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>

@@ -6,9 +6,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
 #define CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
 
-#include <CGAL/PN_subdivision_3/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/Stencil.h>
-#include <CGAL/PN_subdivision_3/internal/Zoom_level.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Zoom_level.h>
+#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>

@@ -9,12 +9,12 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/PN_subdivision_3/Cylinder_3.h>
-#include <CGAL/PN_subdivision_3/Deviation.h>
-#include <CGAL/PN_subdivision_3/internal/Control_geometry.h>
-#include <CGAL/PN_subdivision_3/internal/Curve_points.h>
-#include <CGAL/PN_subdivision_3/internal/Shape_measure.h>
-#include <CGAL/PN_subdivision_3/internal/named_parameters.h>
+#include <CGAL/PN_subdivision_3/exact/Cylinder_3.h>
+#include <CGAL/PN_subdivision_3/exact/Deviation.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
+#include <CGAL/PN_subdivision_3/internal/exact/Shape_measure.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Uncertain.h>
 
 #include <boost/graph/graph_traits.hpp>

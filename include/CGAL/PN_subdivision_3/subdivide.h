@@ -6,9 +6,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 
-#include <CGAL/PN_subdivision_3/internal/Bgl_mesh_access.h>
-#include <CGAL/PN_subdivision_3/internal/Mesh_subdivision.h>
-#include <CGAL/PN_subdivision_3/internal/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/tags.h>
 
 #include <type_traits>

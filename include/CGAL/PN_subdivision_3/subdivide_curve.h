@@ -9,9 +9,9 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/curve_masks.h>
-#include <CGAL/PN_subdivision_3/internal/Curve_maps.h>
-#include <CGAL/PN_subdivision_3/internal/Curve_subdivision.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Curve_maps.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -6,7 +6,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
 
-#include <CGAL/PN_subdivision_3/Stencil.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <Eigen/SparseCore>

@@ -6,14 +6,14 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H
 
-#include <CGAL/PN_subdivision_3/Butterfly_scheme.h>
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/DooSabin_scheme.h>
-#include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
-#include <CGAL/PN_subdivision_3/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
-#include <CGAL/PN_subdivision_3/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 namespace CGAL {

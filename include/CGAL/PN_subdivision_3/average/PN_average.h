@@ -1,0 +1,252 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
+#define CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
+
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/// \ingroup PkgPNSubdivision3Average
+/// the coordinates of a point or vector.
+template <class FT, int dimension>
+using Coordinates = std::array<FT, dimension>;
+
+/// \ingroup PkgPNSubdivision3Average
+/// a point with its control normal, which is a unit vector or zero ("no normal").
+template <class FT, int dimension>
+struct Point_normal
+{
+  Coordinates<FT, dimension> point;
+  Coordinates<FT, dimension> normal;
+};
+
+namespace internal {
+
+template <class FT, int dimension>
+FT dot(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
+{
+  FT sum = a[0] * b[0];
+  for (int c = 1; c < dimension; ++c) sum += a[c] * b[c];
+  return sum;
+}
+
+template <class FT, int dimension>
+void add_multiple(Coordinates<FT, dimension>& sum, const FT& factor,
+                  const Coordinates<FT, dimension>& v)
+{
+  for (int c = 0; c < dimension; ++c) sum[c] += factor * v[c];
+}
+
+// The fraction h_j = numerator / denominator: the height over q, along the line with unit direction
+// n, of the end of the circular or helical arc from (p_j, n_j) to that line. The denominator is
+// d_j.
+template <class FT>
+struct PN_height
+{
+  FT numerator;
+  FT denominator;
+};
+
+template <class FT, int dimension>
+PN_height<FT> pn_height(const Point_normal<FT, dimension>& pj, const Coordinates<FT, dimension>& q,
+                        const Coordinates<FT, dimension>& n)
+{
+  FT s = pj.normal[0] + n[0];
+  PN_height<FT> h{s * (pj.point[0] - q[0]), s * n[0]};
+  for (int c = 1; c < dimension; ++c) {
+    s = pj.normal[c] + n[c];
+    h.numerator += s * (pj.point[c] - q[c]);
+    h.denominator += s * n[c];
+  }
+  return h;
+}
+
+// The window of d_j in which an entry fades: 5.1 to 2.5 degrees from the exact opposite.
+template <class FT>
+FT fade_begin()
+{
+  return FT(1) / FT(256);
+}
+template <class FT>
+FT fade_end()
+{
+  return FT(1) / FT(1024);
+}
+
+// chi_j: 1 outside of the window, 0 behind it, smooth between. \pre d < fade_begin()
+template <class FT>
+FT fade(const FT& d)
+{
+  if (d <= fade_end<FT>()) return FT(0);
+  const FT t = (d - fade_end<FT>()) / (fade_begin<FT>() - fade_end<FT>());
+  return t * t * (FT(3) - FT(2) * t);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Average
+
+The linear rule: the point sum a<sub>j</sub> p<sub>j</sub>.
+*/
+template <class FT_, int dimension>
+struct Linear_average
+{
+  using FT = FT_;
+  using Value = Coordinates<FT, dimension>;
+
+  template <class Entry>
+  Value operator()(const Entry* begin, const Entry* end, const Value* old) const
+  {
+    if (end - begin == 1) return old[begin->vertex];
+    Value q;
+    q.fill(FT(0));
+    for (const Entry* e = begin; e != end; ++e)
+      internal::add_multiple<FT, dimension>(q, e->weight, old[e->vertex]);
+    return q;
+  }
+};
+
+/*!
+\ingroup PkgPNSubdivision3Average
+
+The point-normal rule of X. Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>,
+Section 3.1: for point weights a<sub>j</sub> and normal weights b<sub>j</sub>, normally the same,
+
+ - q = &sum; a<sub>j</sub> p<sub>j</sub>, N = &sum; b<sub>j</sub> n<sub>j</sub>, n = N/|N|,
+ - d<sub>j</sub> = (n<sub>j</sub> + n)&middot;n, h<sub>j</sub> = (n<sub>j</sub> +
+n)&middot;(p<sub>j</sub> - q) / d<sub>j</sub>,
+ - p = q + (&sum; a<sub>j</sub> h<sub>j</sub>) n.
+
+If N vanishes, see `Unit_normal_traits::vanishing_tolerance()`, the result is q with a zero normal.
+
+<em>Fade of opposite normals.</em> Where n<sub>j</sub> is nearly opposite to n, no arc from
+p<sub>j</sub> is defined. Such an entry takes no part, and it leaves continuously: with
+&chi;<sub>j</sub> falling smoothly from 1 at d<sub>j</sub> = 1/256 to 0 at d<sub>j</sub> = 1/1024,
+and W = &sum; a<sub>j</sub>&chi;<sub>j</sub>, the sum of heights becomes (&sum;
+a<sub>j</sub>&chi;<sub>j</sub>h<sub>j</sub>)/W, or 0 if W < 1/64.
+
+A row with a single entry is a copy.
+
+The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.
+*/
+template <class FT_, int dimension>
+struct PN_average
+{
+  using FT = FT_;
+  using Vector = Coordinates<FT, dimension>;
+  using Value = Point_normal<FT, dimension>;
+
+  /// one mask for points and normals.
+  template <class Entry, class Values>
+  Value operator()(const Entry* begin, const Entry* end, const Values& old) const
+  {
+    if (end - begin == 1) return old[begin->vertex];
+    return (*this)(begin, end, begin, end, old);
+  }
+
+  /// `[begin, end)` for the points, `[normal_begin, normal_end)` for the normals.
+  template <class Entry, class Values>
+  Value operator()(const Entry* begin, const Entry* end, const Entry* normal_begin,
+                   const Entry* normal_end, const Values& old) const
+  {
+    Value result;
+    result.point.fill(FT(0));
+    for (const Entry* e = begin; e != end; ++e)
+      internal::add_multiple<FT, dimension>(result.point, e->weight, old[e->vertex].point);
+    result.normal = unit_normal(normal_begin, normal_end, old);
+    if (!is_zero(result.normal)) {
+      const FT h = height(begin, end, old, result);
+      internal::add_multiple<FT, dimension>(result.point, h, result.normal);
+    }
+    return result;
+  }
+
+  /// whether `n`, a unit vector or zero, is zero.
+  static bool is_zero(const Vector& n)
+  {
+    return internal::dot<FT, dimension>(n, n) < FT(1) / FT(2);
+  }
+
+private:
+  using Traits = Unit_normal_traits<FT>;
+
+  template <class Entry, class Values>
+  static Vector unit_normal(const Entry* begin, const Entry* end, const Values& old)
+  {
+    if (end - begin == 1) return old[begin->vertex].normal;
+    Vector sum;
+    sum.fill(FT(0));
+    for (const Entry* e = begin; e != end; ++e)
+      internal::add_multiple<FT, dimension>(sum, e->weight, old[e->vertex].normal);
+    const FT squared_length = internal::dot<FT, dimension>(sum, sum);
+    if (squared_length <= squared_vanishing_length(begin, end, old))
+      sum.fill(FT(0));
+    else if constexpr (std::is_floating_point_v<FT>)
+      divide(sum, std::sqrt(squared_length));
+    else
+      multiply(sum, Traits::inverse_length(squared_length));
+    return sum;
+  }
+
+  static void divide(Vector& v, const FT& d)
+  {
+    for (FT& x : v) x /= d;
+  }
+  static void multiply(Vector& v, const FT& d)
+  {
+    for (FT& x : v) x *= d;
+  }
+
+  template <class Entry, class Values>
+  static FT squared_vanishing_length(const Entry* begin, const Entry* end, const Values& old)
+  {
+    if constexpr (internal::is_exact_v<FT>) return FT(0);
+    FT sum(0);
+    for (const Entry* e = begin; e != end; ++e)
+      if (!is_zero(old[e->vertex].normal)) sum += CGAL::abs(e->weight);
+    sum *= Traits::vanishing_tolerance();
+    return sum * sum;
+  }
+
+  // the sum of the heights over q = result.point
+  template <class Entry, class Values>
+  static FT height(const Entry* begin, const Entry* end, const Values& old, const Value& result)
+  {
+    FT sum(0), weight(0);
+    bool faded = false;
+    for (const Entry* e = begin; e != end; ++e) {
+      if (CGAL::certainly(e->weight == FT(0))) continue;
+      const auto h =
+        internal::pn_height<FT, dimension>(old[e->vertex], result.point, result.normal);
+      if (h.denominator < internal::fade_begin<FT>()) {
+        faded = true;
+        const FT chi = internal::fade(h.denominator);
+        if (chi == FT(0)) continue;
+        weight += e->weight * chi;
+        sum += e->weight * chi * (h.numerator / h.denominator);
+      } else {
+        weight += e->weight;
+        sum += e->weight * (h.numerator / h.denominator);
+      }
+    }
+    if (!faded) return sum;
+    return weight < FT(1) / FT(64) ? FT(0) : FT(sum / weight);
+  }
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H

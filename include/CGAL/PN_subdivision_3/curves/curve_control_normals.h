@@ -1,0 +1,153 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_CURVES_CURVE_CONTROL_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_CURVES_CURVE_CONTROL_NORMALS_H
+
+#include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
+#include <CGAL/PN_subdivision_3/internal/curves/planar_polygon_normals.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+
+estimates the control normals of a planar polygon: at each vertex the unit normal of the circle
+through the vertex and its two neighbors, to the right of the direction of travel, hence outwards if
+the polygon runs counterclockwise.
+
+With the edges e, f before and after a vertex, the tangent of that circle has the direction e/|e|
+weighted by |f| plus f/|f| weighted by |e|: the shorter edge counts more. Hence samples of a circle
+get its exact normals, however uneven they are. An end of an open polygon takes the normal of the
+circle through its last three points.
+
+Neighbors are the nearest points that differ, so that repeated points share a normal; an open
+polygon of two points gets the normal of its edge. Where a tangent is not defined, for a single
+point or if both neighbors are the same point, the result is zero, "no control normal".
+
+\tparam Range a model of `ConstRange` whose items are `Point_2`, pairs with a `Point_2` first, or
+  anything that the named parameter `point_map` makes a `Point_2` of
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param polygon the control polygon
+\param end whether it is closed; both other values mean open
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`
+
+\returns the points of the polygon with their normals, as `subdivide_curve()` takes them
+
+\throws std::invalid_argument if a point is not finite (the message gives its position)
+*/
+template <class Range, class NamedParameters = parameters::Default_named_parameters>
+auto estimate_control_normals(const Range& polygon, Curve_end end,
+                              const NamedParameters& np = parameters::default_values())
+{
+  using Points = internal::Curve_points<Range, NamedParameters>;
+  using FT = typename Points::FT;
+  static_assert(Points::dimension == 2, "control normals are estimated in the plane only");
+  const auto points = Points::template get_all<FT>(polygon, np);
+  const auto normals = internal::planar_polygon_normals<FT>(points, end == Curve_end::closed);
+  std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
+  result.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.emplace_back(Points::template make<typename Points::Point>(points[i]),
+                        Points::template make<typename Points::Vector>(normals[i]));
+  return result;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+returns the positions `first`, `first + k`, `first + 2k`, ... of a polygon's vertices.
+\throws std::invalid_argument if `k` is 0
+*/
+template <class Range>
+std::vector<std::size_t> every_kth_vertex(const Range& polygon, std::size_t k,
+                                          std::size_t first = 0)
+{
+  if (k == 0)
+    throw std::invalid_argument("PN_subdivision_3: every 0th vertex: give a step of 1 or more");
+  const auto size = static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon)));
+  std::vector<std::size_t> positions;
+  for (std::size_t i = first; i < size; i += (std::min)(k, size - i)) positions.push_back(i);
+  return positions;
+}
+
+namespace internal {
+
+// replaces the normals of a range of pairs at the given positions by f(normal)
+template <class Range, class Function>
+void replace_control_normals(Range& polygon, const std::vector<std::size_t>& positions,
+                             const Function& f)
+{
+  const auto size = static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon)));
+  for (std::size_t i : positions)
+    if (i >= size)
+      throw std::invalid_argument("PN_subdivision_3: there is no vertex " + std::to_string(i) +
+                                  " in a polygon of " + std::to_string(size));
+  for (std::size_t i : positions) {
+    auto& normal = std::next(std::begin(polygon), static_cast<std::ptrdiff_t>(i))->second;
+    normal = f(normal);
+  }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+rotates control normals in the plane counterclockwise.
+
+\param polygon a range of pairs of `Point_2` and `Vector_2`
+\param angle the angle in radians; its sine and cosine are `double`
+\param positions the vertices whose normals are rotated, see `every_kth_vertex()`
+\throws std::invalid_argument if there is no such vertex; nothing has been changed then
+*/
+template <class Range>
+void rotate_control_normals(Range& polygon, double angle, const std::vector<std::size_t>& positions)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  internal::replace_control_normals(polygon, positions, [c, s](const auto& n) {
+    using Vector = std::decay_t<decltype(n)>;
+    using FT = std::decay_t<decltype(n.x())>;
+    return Vector(FT(c) * n.x() - FT(s) * n.y(), FT(s) * n.x() + FT(c) * n.y());
+  });
+}
+
+/// \ingroup PkgPNSubdivision3Curves
+/// rotates all control normals.
+template <class Range>
+void rotate_control_normals(Range& polygon, double angle)
+{
+  rotate_control_normals(polygon, angle, every_kth_vertex(polygon, 1));
+}
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+drops control normals: makes them zero, "no control normal".
+
+\param polygon a range of pairs of points and vectors, in the plane or in space
+\param positions the vertices whose normals are dropped, see `every_kth_vertex()`
+\throws std::invalid_argument if there is no such vertex; nothing has been changed then
+*/
+template <class Range>
+void drop_control_normals(Range& polygon, const std::vector<std::size_t>& positions)
+{
+  internal::replace_control_normals(
+    polygon, positions, [](const auto& n) { return std::decay_t<decltype(n)>(CGAL::NULL_VECTOR); });
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_CURVES_CURVE_CONTROL_NORMALS_H

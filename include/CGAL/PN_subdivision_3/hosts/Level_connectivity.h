@@ -1,0 +1,193 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_HOSTS_LEVEL_CONNECTIVITY_H
+#define CGAL_PN_SUBDIVISION_3_HOSTS_LEVEL_CONNECTIVITY_H
+
+#include <boost/container/vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/// \ingroup PkgPNSubdivision3Schemes
+/// numbers of elements of a level.
+struct Level_size
+{
+  std::uint64_t vertices = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t faces = 0;
+  /// (face, vertex) incidences, that is the half-edges that are not on the border
+  std::uint64_t corners = 0;
+  /// vertices without edges
+  std::uint64_t isolated_vertices = 0;
+  /// the sum of the valences of the border vertices. Like `isolated_vertices` it is known of the
+  /// control level, and refined by the hosts whose sizes depend on it.
+  std::uint64_t border_valences = 0;
+
+  std::uint64_t halfedges() const { return 2 * edges; }
+  std::uint64_t border_halfedges() const { return halfedges() - corners; }
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The connectivity of one level of refinement: an oriented 2-manifold with border as flat arrays of
+half-edges. This is what a mask sees of a mesh.
+
+All elements are numbered from zero. The half-edges of edge `e` are `2 * e` and `2 * e + 1`. A
+half-edge that has no face is a *border half-edge*; border half-edges are linked by `next()` along
+the border. A border vertex stores a border half-edge as its `halfedge_of_vertex()`; a vertex
+without edges stores `null`.
+*/
+class Level_connectivity
+{
+public:
+  using Index = std::uint32_t;
+
+  static constexpr Index null = static_cast<Index>(-1);
+
+  Level_connectivity() = default;
+
+  /// allocates a level; its elements are undefined until they are set.
+  explicit Level_connectivity(const Level_size& size)
+    : size_(size)
+    , has_border_(size.border_halfedges() != 0)
+    , target_(size.halfedges(), boost::container::default_init)
+    , next_(size.halfedges(), boost::container::default_init)
+    , face_(size.halfedges(), boost::container::default_init)
+    , halfedge_of_vertex_(size.vertices, boost::container::default_init)
+    , halfedge_of_face_(size.faces, boost::container::default_init)
+  {}
+
+  /// \name Size
+  /// @{
+  const Level_size& size() const { return size_; }
+  Index number_of_vertices() const { return static_cast<Index>(size_.vertices); }
+  Index number_of_edges() const { return static_cast<Index>(size_.edges); }
+  Index number_of_halfedges() const { return static_cast<Index>(size_.halfedges()); }
+  Index number_of_faces() const { return static_cast<Index>(size_.faces); }
+  bool has_border() const { return has_border_; }
+  /// the degree of all faces, 0 if they differ.
+  Index uniform_degree() const { return uniform_degree_; }
+  /// @}
+
+  /// \name Navigation
+  /// @{
+  static Index opposite(Index h) { return h ^ 1u; }
+  static Index edge(Index h) { return h >> 1; }
+  static Index halfedge_of_edge(Index e) { return e << 1; }
+  Index target(Index h) const { return target_[h]; }
+  Index source(Index h) const { return target_[opposite(h)]; }
+  Index next(Index h) const { return next_[h]; }
+  /// the half-edge before `h` in its face or along its border.
+  /// \cost linear in the number of half-edges of the face; on the border, in the valence of the
+  /// source of `h`.
+  Index prev(Index h) const
+  {
+    if (is_border(h)) {
+      Index p = opposite(h);
+      while (!is_border(p)) p = next_around_target(p);
+      return p;
+    }
+    Index p = h;
+    while (next(p) != h) p = next(p);
+    return p;
+  }
+  /// the next half-edge with the same target, clockwise.
+  Index next_around_target(Index h) const { return opposite(next(h)); }
+  /// the face of `h`, `null` on the border.
+  Index face(Index h) const { return face_[h]; }
+  Index halfedge_of_vertex(Index v) const { return halfedge_of_vertex_[v]; }
+  Index halfedge_of_face(Index f) const { return halfedge_of_face_[f]; }
+  /// @}
+
+  /// \name Queries
+  /// @{
+  bool is_border(Index h) const { return has_border_ && face_[h] == null; }
+  bool is_border_edge(Index e) const { return is_border(2 * e) || is_border(2 * e + 1); }
+  bool is_isolated(Index v) const { return halfedge_of_vertex_[v] == null; }
+  /// \pre `v` is not isolated
+  bool is_border_vertex(Index v) const { return is_border(halfedge_of_vertex_[v]); }
+  /// the number of edges at `v`.
+  Index valence(Index v) const
+  {
+    const Index first = halfedge_of_vertex_[v];
+    if (first == null) return 0;
+    Index n = 0;
+    Index h = first;
+    do {
+      ++n;
+      h = next_around_target(h);
+    } while (h != first);
+    return n;
+  }
+  /// calls `f(w)` for the neighbors `w` of the target of `h`, clockwise; if that is on the border and
+  /// `h` a border half-edge, from the one border neighbor to the other.
+  template <class Function>
+  void for_each_neighbor(Index h, const Function& f) const
+  {
+    Index g = h;
+    do {
+      g = next(g);
+      f(target(g));
+      g = opposite(g);
+    } while (g != h);
+  }
+  /// the number of half-edges of the face of `h`.
+  Index degree(Index h) const
+  {
+    Index m = 0;
+    Index g = h;
+    do {
+      ++m;
+      g = next(g);
+    } while (g != h);
+    return m;
+  }
+  /// whether the face of `h` has `m` half-edges. \cost `m`
+  bool has_degree(Index h, Index m) const
+  {
+    Index g = next(h);
+    for (Index i = 1; i < m; ++i, g = next(g))
+      if (g == h) return false;
+    return g == h;
+  }
+  /// @}
+
+  /// \name Modification
+  /// Used while a level is built. Different elements may be set by different threads.
+  /// @{
+  void set_target(Index h, Index v) { target_[h] = v; }
+  void set_next(Index h, Index n) { next_[h] = n; }
+  void set_face(Index h, Index f) { face_[h] = f; }
+  void set_border(Index h) { face_[h] = null; }
+  void set_halfedge_of_vertex(Index v, Index h) { halfedge_of_vertex_[v] = h; }
+  void set_isolated(Index v) { halfedge_of_vertex_[v] = null; }
+  void set_halfedge_of_face(Index f, Index h) { halfedge_of_face_[f] = h; }
+  void set_size(const Level_size& size)
+  {
+    size_ = size;
+    has_border_ = size.border_halfedges() != 0;
+  }
+  void set_uniform_degree(Index m) { uniform_degree_ = m; }
+  /// @}
+
+private:
+  using Array = boost::container::vector<Index>;
+
+  Level_size size_;
+  bool has_border_ = false;
+  Index uniform_degree_ = 0;
+  Array target_, next_, face_;
+  Array halfedge_of_vertex_, halfedge_of_face_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_HOSTS_LEVEL_CONNECTIVITY_H

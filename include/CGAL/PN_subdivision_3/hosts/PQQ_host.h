@@ -1,0 +1,138 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_HOSTS_PQQ_HOST_H
+#define CGAL_PN_SUBDIVISION_3_HOSTS_PQQ_HOST_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+
+#include <boost/container/vector.hpp>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The primal quadrilateral quadrisection: a polygon with m corners becomes m quads that meet in a new
+face vertex; the quad of a corner has the corner, the new vertices of the two edges beside it and
+the face vertex.
+
+New vertices: the old vertices, then one vertex per edge, then one per face, each in the order of
+the old elements. The mask has to provide `vertex()`, `edge()` and `face()`. The first quad of a
+face keeps the index of the face, the half of an edge at the source of its first half-edge keeps
+that of the edge.
+
+\cgalModels{PNSubdivisionHost_3}
+*/
+class PQQ_host
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  /// the degree of all refined faces.
+  static constexpr Index refined_degree = 4;
+
+  /// old vertices survive, in front of the new ones.
+  static constexpr bool keeps_vertices = true;
+
+  static Level_size refined_size(const Level_size& s, unsigned /*round*/)
+  {
+    Level_size r;
+    r.vertices = s.vertices + s.edges + s.faces;
+    r.edges = s.halfedges() + s.corners;
+    r.faces = s.corners;
+    r.corners = 4 * s.corners;
+    return r;
+  }
+
+  /// any polygons are accepted.
+  template <class Element_names>
+  static void check(const Level_connectivity&, const Element_names&)
+  {}
+
+  PQQ_host(const Level_connectivity& level, unsigned /*round*/)
+    : level_(level)
+  {
+    if (level.uniform_degree() == 4) return;
+    first_corner_.resize(level.number_of_faces(), boost::container::default_init);
+    Index corner = 0;
+    for (Index f = 0; f < level.number_of_faces(); ++f) {
+      first_corner_[f] = corner;
+      corner += level.degree(level.halfedge_of_face(f));
+    }
+  }
+
+  template <class Mask, class Stencil>
+  void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
+  {
+    const Index v = level_.number_of_vertices();
+    const Index e = level_.number_of_edges();
+    if (new_vertex < v)
+      mask.vertex(new_vertex, s);
+    else if (new_vertex - v < e)
+      mask.edge(new_vertex - v, s);
+    else
+      mask.face(new_vertex - v - e, s);
+  }
+
+  template <class Child, class For_chunks>
+  void connect(Child& child, const For_chunks& for_chunks) const
+  {
+    const internal::Edge_split split(level_);
+    split.connect(child, for_chunks);
+    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) connect_face(f, split, child);
+    });
+  }
+
+private:
+  template <class Child>
+  void connect_face(Index f, const internal::Edge_split& split, Child& child) const
+  {
+    const Index face_vertex = level_.number_of_vertices() + level_.number_of_edges() + f;
+    const Index first_corner = first_corner_.empty() ? 4 * f : first_corner_[f];
+    const Index first_spoke = 2 * (2 * level_.number_of_edges() + first_corner);
+    const Index first = level_.halfedge_of_face(f);
+    Index quad = f;
+    Index next_quad = level_.number_of_faces() + first_corner - f;
+    Index spoke = first_spoke;
+    Index h = first;
+    do {
+      // the quad of the corner at the target of h; a spoke leads from an edge vertex to the face
+      // vertex
+      const Index n = level_.next(h);
+      const Index next_spoke = n == first ? first_spoke : spoke + 2;
+      const Index in = split.second_half(h), out = split.first_half(n);
+      const Index back = Level_connectivity::opposite(spoke);
+      child.set_next(in, out);
+      child.set_next(out, next_spoke);
+      child.set_next(next_spoke, back);
+      child.set_next(back, in);
+      child.set_face(in, quad);
+      child.set_face(out, quad);
+      child.set_face(next_spoke, quad);
+      child.set_face(back, quad);
+      child.set_target(in, level_.target(h));
+      child.set_target(out, split.edge_vertex(n));
+      child.set_target(next_spoke, face_vertex);
+      child.set_target(back, split.edge_vertex(h));
+      child.set_halfedge_of_face(quad, in);
+      quad = next_quad++;
+      spoke = next_spoke;
+      h = n;
+    } while (h != first);
+    child.set_halfedge_of_vertex(face_vertex, first_spoke);
+  }
+
+  const Level_connectivity& level_;
+  boost::container::vector<Index> first_corner_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_HOSTS_PQQ_HOST_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H
+#define CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/check_triangles.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The primal triangle quadrisection: a triangle becomes three corner triangles and the middle one.
+
+New vertices: the old vertices, then one vertex per edge, each in the order of the old elements. The
+mask has to provide `vertex()` and `edge()`. The middle triangle keeps the index of the face, the
+half of an edge at the source of its first half-edge keeps that of the edge.
+
+\cgalModels{PNSubdivisionHost_3}
+*/
+class PTQ_host
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  /// the degree of all refined faces.
+  static constexpr Index refined_degree = 3;
+
+  /// old vertices survive, in front of the new ones.
+  static constexpr bool keeps_vertices = true;
+
+  static Level_size refined_size(const Level_size& s, unsigned /*round*/)
+  {
+    Level_size r;
+    r.vertices = s.vertices + s.edges;
+    r.edges = s.halfedges() + 3 * s.faces;
+    r.faces = 4 * s.faces;
+    r.corners = 12 * s.faces;
+    return r;
+  }
+
+  /// refuses a face that is not a triangle.
+  template <class Element_names>
+  static void check(const Level_connectivity& level, const Element_names& names)
+  {
+    internal::check_triangles(level, names);
+  }
+
+  PTQ_host(const Level_connectivity& level, unsigned /*round*/)
+    : level_(level)
+  {}
+
+  template <class Mask, class Stencil>
+  void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
+  {
+    const Index v = level_.number_of_vertices();
+    if (new_vertex < v)
+      mask.vertex(new_vertex, s);
+    else
+      mask.edge(new_vertex - v, s);
+  }
+
+  template <class Child, class For_chunks>
+  void connect(Child& child, const For_chunks& for_chunks) const
+  {
+    const internal::Edge_split split(level_);
+    split.connect(child, for_chunks);
+    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) connect_face(f, split, child);
+    });
+  }
+
+private:
+  template <class Child>
+  void connect_face(Index f, const internal::Edge_split& split, Child& child) const
+  {
+    Index h[3];
+    h[0] = level_.halfedge_of_face(f);
+    h[1] = level_.next(h[0]);
+    h[2] = level_.next(h[1]);
+    const Index first_inner = 2 * (2 * level_.number_of_edges() + 3 * f);
+    const Index first_corner = level_.number_of_faces() + 3 * f;
+    for (Index i = 0; i < 3; ++i) {
+      // the triangle of the corner at the target of h[i]; the inner edge closes it
+      const Index n = h[(i + 1) % 3];
+      const Index corner = first_corner + i;
+      const Index in = split.second_half(h[i]), out = split.first_half(n);
+      const Index inner = first_inner + 2 * i;
+      const Index middle = Level_connectivity::opposite(inner);
+      child.set_next(in, out);
+      child.set_next(out, inner);
+      child.set_next(inner, in);
+      child.set_next(middle, Level_connectivity::opposite(first_inner + 2 * ((i + 1) % 3)));
+      child.set_face(in, corner);
+      child.set_face(out, corner);
+      child.set_face(inner, corner);
+      child.set_face(middle, f);
+      child.set_target(in, level_.target(h[i]));
+      child.set_target(out, split.edge_vertex(n));
+      child.set_target(inner, split.edge_vertex(h[i]));
+      child.set_target(middle, split.edge_vertex(n));
+      child.set_halfedge_of_face(corner, in);
+    }
+    child.set_halfedge_of_face(f, Level_connectivity::opposite(first_inner));
+  }
+
+  const Level_connectivity& level_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H

@@ -1,0 +1,302 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H
+#define CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/check_triangles.h>
+
+#include <boost/config.hpp>
+#include <boost/container/vector.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The \f$ \sqrt{3} \f$ refinement: every triangle gets a new vertex in its middle that is joined to
+its corners, and every old interior edge is flipped to join the new vertices beside it.
+
+Border edges are refined in the even rounds of a call only, counted from 1: a triangle at the border
+gets two new vertices on its border edge instead of one in its middle, and is cut into three from
+its third corner. Calling k times for one round hence never refines the border, and differs from one
+call for k rounds.
+
+New vertices: the old vertices, then those of the faces in the order of the faces; of two in a face
+the one nearer to the source of the border edge first. The mask has to provide `vertex()`, `face()`
+and `border_edge(h, i)`, i = 0, 1, for the two new vertices on the edge of `h`, a half-edge with a
+face. A face's descriptor stays on one of its three triangles.
+
+\cgalModels{PNSubdivisionHost_3}
+*/
+class Sqrt3_host
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  /// the degree of all refined faces.
+  static constexpr Index refined_degree = 3;
+  /// old vertices survive, in front of the new ones.
+  static constexpr bool keeps_vertices = true;
+
+  /// whether the border is refined in a round.
+  static bool refines_border(unsigned round) { return round % 2 == 0; }
+
+  static Level_size refined_size(const Level_size& s, unsigned round)
+  {
+    const std::uint64_t border = refines_border(round) ? s.border_halfedges() : 0;
+    Level_size r;
+    r.vertices = s.vertices + s.faces + border;
+    r.edges = s.edges + 3 * s.faces + border;
+    r.faces = 3 * s.faces;
+    r.corners = 9 * s.faces;
+    return r;
+  }
+
+  /// refuses a face that is not a triangle.
+  template <class Element_names>
+  static void check(const Level_connectivity& level, const Element_names& names)
+  {
+    internal::check_triangles(level, names);
+  }
+
+  /// \throws std::invalid_argument if in an even round a triangle has two border edges, as none has
+  /// after an odd round
+  Sqrt3_host(const Level_connectivity& level, unsigned round)
+    : level_(level)
+    , first_center_(level.number_of_vertices())
+    , corner_(level.number_of_halfedges(), boost::container::default_init)
+  {
+    number_corners();
+    if (refines_border(round) && level.has_border()) number_border_faces();
+  }
+
+  template <class Mask, class Stencil>
+  void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
+  {
+    if (new_vertex < first_center_) return mask.vertex(new_vertex, s);
+    const Index rank = new_vertex - first_center_;
+    if (border_faces_before_.empty()) return mask.face(rank, s);
+    const Index f = face_of_center_[rank];
+    const Index border = border_halfedge(f);
+    if (border == Level_connectivity::null)
+      mask.face(f, s);
+    else
+      mask.border_edge(border, new_vertex - center(f), s);
+  }
+
+  template <class Child, class For_chunks>
+  void connect(Child& child, const For_chunks& for_chunks) const
+  {
+    for_chunks(level_.number_of_vertices(), [&](Index begin, Index end) {
+      for (Index v = begin; v < end; ++v) connect_vertex(v, child);
+    });
+    // by edges: both sides of an edge are read from the same place
+    for_chunks(level_.number_of_edges(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) connect_edge(2 * e, child);
+    });
+    for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) connect_center(f, child);
+    });
+  }
+
+private:
+  static Index opposite(Index h) { return Level_connectivity::opposite(h); }
+
+  // Half-edge i of face f is corner 4 f + i. Looking it up in one place keeps the jumps through the
+  // memory of a large level few.
+  void number_corners()
+  {
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      Index h = level_.halfedge_of_face(f);
+      for (Index i = 0; i < 3; ++i, h = level_.next(h)) corner_[h] = 4 * f + i;
+    }
+  }
+
+  void number_border_faces()
+  {
+    border_faces_before_.resize(level_.number_of_faces(), boost::container::default_init);
+    face_of_center_.reserve(level_.number_of_faces() + level_.size().border_halfedges());
+    Index border_faces = 0;
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      border_faces_before_[f] = border_faces;
+      face_of_center_.push_back(f);
+      const Index h = border_halfedge(f);
+      if (h == Level_connectivity::null) continue;
+      if (level_.is_border(opposite(level_.next(h))) || level_.is_border(opposite(level_.prev(h))))
+        throw std::invalid_argument("PN_subdivision_3: face number " + std::to_string(f) +
+                                    " has two border edges: an even round of sqrt(3) cannot cut "
+                                    "it; begin with an odd round");
+      face_of_center_.push_back(f);
+      ++border_faces;
+    }
+  }
+
+  // the half-edge of a triangle whose opposite is on a border that is refined, null if there is
+  // none
+  Index border_halfedge(Index f) const
+  {
+    Index h = level_.halfedge_of_face(f);
+    for (int i = 0; i < 3; ++i, h = level_.next(h))
+      if (level_.is_border(opposite(h))) return h;
+    return Level_connectivity::null;
+  }
+  Index refined_border_halfedge(Index f) const
+  {
+    return border_faces_before_.empty() ? Level_connectivity::null : border_halfedge(f);
+  }
+
+  // the (first) new vertex of a face
+  Index center(Index f) const
+  {
+    return first_center_ + f + (border_faces_before_.empty() ? 0 : border_faces_before_[f]);
+  }
+  // new edge i of a face
+  Index inner(Index f, Index i) const { return 2 * (level_.number_of_edges() + 3 * f + i); }
+  // the last part of a refined border edge
+  Index last_part(Index f) const
+  {
+    return 2 * (level_.number_of_edges() + 3 * level_.number_of_faces() + border_faces_before_[f]);
+  }
+  Index triangle(Index h) const
+  {
+    const Index f = corner_[h] / 4, i = corner_[h] % 4;
+    return i == 0 ? f : level_.number_of_faces() + 2 * f + i - 1;
+  }
+
+  // Seen from a half-edge h of a face: the new vertex that forms a triangle with h, and the
+  // half-edges from it to the two ends of h. In an ordinary face these are the three spokes. In a
+  // face whose border edge s->t is refined by n1, n2, apex a: inner edges n1->a, n2->a, n1->n2;
+  // n2->t is the last part, and the border half-edge keeps the part n1->s.
+  struct Fan
+  {
+    Index vertex, to_source, to_target;
+  };
+  // In line: returning three 32 bit numbers costs more than computing them.
+  BOOST_FORCEINLINE Fan fan(Index h) const
+  {
+    const Index f = corner_[h] / 4, i = corner_[h] % 4;
+    if (border_faces_before_.empty() || border_halfedge(f) == Level_connectivity::null)
+      return {center(f), inner(f, i == 0 ? 2 : i - 1), inner(f, i)};
+    return fan_of_refined_border(h, f);
+  }
+  Fan fan_of_refined_border(Index h, Index f) const
+  {
+    const Index border = border_halfedge(f);
+    if (h == level_.next(border)) return {center(f) + 1, last_part(f), inner(f, 1)};
+    return {center(f), inner(f, 0), opposite(border)};
+  }
+
+  template <class Child>
+  void connect_vertex(Index v, Child& child) const
+  {
+    if (level_.is_isolated(v)) return child.set_isolated(v);
+    const Index h = level_.halfedge_of_vertex(v);
+    child.set_halfedge_of_vertex(v, level_.is_border(h) ? h : fan(h).to_target);
+  }
+
+  template <class Child>
+  void connect_edge(Index h, Child& child) const
+  {
+    if (level_.is_border(h)) return connect_border(opposite(h), child);
+    if (level_.is_border(opposite(h))) return connect_border(h, child);
+    const Fan x = fan(h), y = fan(opposite(h));
+    connect_flipped(h, x, y, child);
+    connect_flipped(opposite(h), y, x, child);
+  }
+
+  template <class Child>
+  void connect_border(Index h, Child& child) const
+  {
+    if (border_faces_before_.empty())
+      connect_kept_border(h, child);
+    else
+      connect_refined_border(h, child);
+  }
+
+  // of two new vertices in a face, the triangle on the border sets the half-edges
+  template <class Child>
+  void connect_center(Index f, Child& child) const
+  {
+    if (refined_border_halfedge(f) == Level_connectivity::null)
+      child.set_halfedge_of_vertex(center(f), opposite(inner(f, 0)));
+  }
+
+  // from `h1`, `h2`, `h3` to their targets
+  template <class Child>
+  void connect_triangle(Index t, Index h1, Index v1, Index h2, Index v2, Index h3, Index v3,
+                        Child& child) const
+  {
+    child.set_next(h1, h2);
+    child.set_next(h2, h3);
+    child.set_next(h3, h1);
+    child.set_target(h1, v1);
+    child.set_target(h2, v2);
+    child.set_target(h3, v3);
+    for (Index h : {h1, h2, h3}) child.set_face(h, t);
+    child.set_halfedge_of_face(t, h1);
+  }
+
+  // half-edge h now joins the new vertices of x on its side and of y on the other
+  template <class Child>
+  void connect_flipped(Index h, const Fan& x, const Fan& y, Child& child) const
+  {
+    connect_triangle(triangle(h), h, y.vertex, y.to_source, level_.target(h), opposite(x.to_target),
+                     x.vertex, child);
+  }
+
+  template <class Child>
+  void connect_kept_border(Index h, Child& child) const
+  {
+    const Fan x = fan(h);
+    connect_triangle(triangle(h), h, level_.target(h), opposite(x.to_target), x.vertex, x.to_source,
+                     level_.source(h), child);
+    const Index b = opposite(h);
+    child.set_border(b);
+    child.set_target(b, level_.target(b));
+    child.set_next(b, first_on_border(level_.next(b)));
+  }
+
+  template <class Child>
+  void connect_refined_border(Index h, Child& child) const
+  {
+    const Index f = level_.face(h), b = opposite(h);
+    const Index n1 = center(f), n2 = n1 + 1, apex = level_.target(level_.next(h));
+    const Index middle = inner(f, 2), last = last_part(f);
+    connect_triangle(triangle(h), middle, n2, inner(f, 1), apex, opposite(inner(f, 0)), n1, child);
+    for (Index part : {b, opposite(middle), opposite(last)}) child.set_border(part);
+    child.set_target(opposite(last), n2);
+    child.set_target(opposite(middle), n1);
+    child.set_target(b, level_.target(b));
+    child.set_next(opposite(last), opposite(middle));
+    child.set_next(opposite(middle), b);
+    child.set_next(b, first_on_border(level_.next(b)));
+    child.set_halfedge_of_vertex(n1, opposite(middle));
+    child.set_halfedge_of_vertex(n2, opposite(last));
+  }
+
+  // where the old border half-edge b begins now
+  Index first_on_border(Index b) const
+  {
+    if (border_faces_before_.empty()) return b;
+    return opposite(last_part(level_.face(opposite(b))));
+  }
+
+  const Level_connectivity& level_;
+  const Index first_center_;
+  boost::container::vector<Index> corner_;
+  boost::container::vector<Index> border_faces_before_, face_of_center_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H

@@ -1,0 +1,328 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_PN_AVERAGE_BLOCK_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_PN_AVERAGE_BLOCK_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/Lanes.h>
+#include <CGAL/PN_subdivision_3/internal/average/Wide_PN_average.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// How many rows are averaged at once. One PN average is a chain of a square root and divisions;
+// many independent ones side by side hide its latency. Other number types gain nothing from it.
+template <class FT>
+constexpr std::size_t block_size_v =
+  std::is_floating_point_v<FT> ? Stencil<FT>::maximum_number_of_rows : 1;
+
+// The average of every row of a block by the row's own rule: any number type, and the linear rule.
+template <class Average>
+class Average_block
+{
+public:
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  // what old values are stored as
+  using Stored_value = Value;
+
+  void operator()(const Stencil<FT>& rows, const Value* old, Value* result) const
+  {
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
+      result[r] = average_(rows.begin(r), rows.end(r), old);
+  }
+
+  // normals by rows of their own
+  void operator()(const Stencil<FT>& rows, const Stencil<FT>& normal_rows, const Value* old,
+                  Value* result) const
+  {
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
+      result[r] =
+        average_(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), old);
+  }
+
+private:
+  Average average_;
+};
+
+// A point and a normal as p_x n_x p_y n_y ...: both are summed, and their differences to q and -n
+// taken, two coordinates at once from where they lie.
+template <class FT, int dimension>
+struct Interleaved_point_normal
+{
+  using Value = Point_normal<FT, dimension>;
+
+  Interleaved_point_normal() = default;
+  Interleaved_point_normal(const Value& v)
+  {
+    for (int c = 0; c < dimension; ++c) pairs[c] = Lanes<FT>::of(v.point[c], v.normal[c]);
+  }
+  operator Value() const
+  {
+    Value v;
+    for (int c = 0; c < dimension; ++c) {
+      v.point[c] = pairs[c][0];
+      v.normal[c] = pairs[c][1];
+    }
+    return v;
+  }
+
+  Lanes<FT> pairs[dimension];
+};
+
+// The PN average in hardware floating point, in three passes over a block: sums, normalization,
+// heights. It is PN_average but for the order in which heights are added and for normals that are
+// multiplied by 1/|N|, not divided by |N|; a row that fades or whose normal may vanish is left to
+// PN_average itself. Rows of the same length are left to Wide, where the processor has the
+// registers for it; it changes no bit of the result.
+template <class FT_, int dimension, class Wide = Wide_PN_average<FT_, dimension>>
+class Staged_PN_average_block
+{
+public:
+  using FT = FT_;
+  using Average = PN_average<FT, dimension>;
+  using Value = typename Average::Value;
+  using Stored_value = Interleaved_point_normal<FT, dimension>;
+
+  void operator()(const Stencil<FT>& rows, const Stored_value* old, Value* result) const
+  {
+    if (rows.uniform_length() == 1) return copy(rows, old, result);
+    if constexpr (Wide::maximum_length != 0)
+      if (Wide::is_available()) return wide(rows, old, result);
+    switch (rows.uniform_length()) { // the lengths that regular meshes have
+    case 2:
+      return staged(Row<2>(rows), Row<2>(rows), old, result);
+    case 3:
+      return staged(Row<3>(rows), Row<3>(rows), old, result);
+    case 4:
+      return staged(Row<4>(rows), Row<4>(rows), old, result);
+    case 6:
+      return staged(Row<6>(rows), Row<6>(rows), old, result);
+    case 7:
+      return staged(Row<7>(rows), Row<7>(rows), old, result);
+    case 8:
+      return staged(Row<8>(rows), Row<8>(rows), old, result);
+    case 9:
+      return staged(Row<9>(rows), Row<9>(rows), old, result);
+    case 16:
+      return staged(Row<16>(rows), Row<16>(rows), old, result);
+    default:
+      return staged(Row<0>(rows), Row<0>(rows), old, result);
+    }
+  }
+
+  void operator()(const Stencil<FT>& rows, const Stencil<FT>& normal_rows, const Stored_value* old,
+                  Value* result) const
+  {
+    staged(Row<0>(rows), Row<0>(normal_rows), old, result);
+  }
+
+private:
+  static constexpr std::size_t capacity = block_size_v<FT>;
+  using Vector = Coordinates<FT, dimension>;
+  using Entry = typename Stencil<FT>::Entry;
+
+  // The rows of a block; their length is known at compile time unless it is 0.
+  template <std::size_t uniform_length>
+  struct Row
+  {
+    explicit Row(const Stencil<FT>& s)
+      : rows(s)
+      , first(s.begin(0))
+    {}
+    const Entry* begin(std::size_t r) const
+    {
+      if constexpr (uniform_length == 0)
+        return rows.begin(r);
+      else
+        return first + r * uniform_length;
+    }
+    std::size_t length(std::size_t r) const
+    {
+      if constexpr (uniform_length == 0)
+        return static_cast<std::size_t>(rows.end(r) - rows.begin(r));
+      else
+        return uniform_length;
+    }
+    const Entry* end(std::size_t r) const { return begin(r) + length(r); }
+    const Stencil<FT>& rows;
+    const Entry* first;
+  };
+
+  static void copy(const Stencil<FT>& rows, const Stored_value* old, Value* result)
+  {
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r) result[r] = old[rows.begin(r)->vertex];
+  }
+
+  static void wide(const Stencil<FT>& rows, const Stored_value* old, Value* result)
+  {
+    const Row<0> any(rows);
+    for (std::size_t first = 0, end; first < rows.number_of_rows(); first = end) {
+      const std::size_t length = any.length(first);
+      end = end_of_run(any, first);
+      // one or two rows fill too little of the registers
+      if (end - first < 3 || length == 1 || length > Wide::maximum_length) {
+        staged(any, any, first, end, old, result);
+        continue;
+      }
+      std::uint32_t fails =
+        Wide::average(rows.begin(first), length, end - first, old, result + first);
+      for (std::size_t r = first; r < end && fails != 0; ++r, fails >>= 1)
+        if ((fails & 1) != 0) result[r] = careful_row(any, any, r, old);
+    }
+  }
+
+  // the end of the rows from `first` on that have the same length and are averaged together
+  static std::size_t end_of_run(const Row<0>& rows, std::size_t first)
+  {
+    const std::size_t most =
+      (std::min)(rows.rows.number_of_rows(), first + Wide::maximum_number_of_rows);
+    std::size_t end = first + 1;
+    while (end < most && rows.length(end) == rows.length(first)) ++end;
+    return end;
+  }
+
+  template <class Rows, class Normal_rows>
+  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Stored_value* old,
+                     Value* result)
+  {
+    staged(rows, normal_rows, 0, rows.rows.number_of_rows(), old, result);
+  }
+
+  template <class Rows, class Normal_rows>
+  static void staged(const Rows& rows, const Normal_rows& normal_rows, std::size_t begin,
+                     std::size_t end, const Stored_value* old, Value* result)
+  {
+    FT scale[capacity];
+    for (std::size_t r = begin; r < end; ++r) {
+      result[r] = sums(rows, normal_rows, r, old);
+      scale[r] = dot<FT, dimension>(result[r].normal, result[r].normal);
+    }
+    for (std::size_t r = begin; r < end; ++r) scale[r] = std::sqrt(scale[r]);
+    for (std::size_t r = begin; r < end; ++r) scale[r] = FT(1) / scale[r];
+    for (std::size_t r = begin; r < end; ++r) {
+      for (int c = 0; c < dimension; ++c) result[r].normal[c] *= scale[r];
+      FT least_denominator(2);
+      const FT h = height(rows, r, old, result[r], least_denominator);
+      add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
+      // a length |N| of 1/4 is far from vanishing for any mask that is of use
+      if (!(least_denominator >= fade_begin<FT>() && scale[r] < FT(4)) || rows.length(r) == 1 ||
+          normal_rows.length(r) == 1)
+        result[r] = careful_row(rows, normal_rows, r, old);
+    }
+  }
+
+  template <class Rows, class Normal_rows>
+  static Value sums(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
+                    const Stored_value* old)
+  {
+    const Entry* const e = rows.begin(r);
+    const std::size_t length = rows.length(r);
+    if (&rows.rows == &normal_rows.rows) {
+      return sum(e, length, old);
+    }
+    return {sum(e, length, old).point,
+            sum(normal_rows.begin(r), normal_rows.length(r), old).normal};
+  }
+
+  static Value sum(const Entry* e, std::size_t length, const Stored_value* old)
+  {
+    Stored_value result;
+    for (Lanes<FT>& pair : result.pairs) pair = Lanes<FT>::both(0);
+    for (std::size_t j = 0; j < length; ++j) {
+      const Lanes<FT> weight = Lanes<FT>::both(e[j].weight);
+      for (int c = 0; c < dimension; ++c)
+        result.pairs[c] = result.pairs[c] + weight * old[e[j].vertex].pairs[c];
+    }
+    return result;
+  }
+
+  // Two entries at a time; the order of the sums depends on nothing but the row.
+  template <class Rows>
+  static FT height(const Rows& rows, std::size_t r, const Stored_value* old, const Value& result,
+                   FT& least_denominator)
+  {
+    using Two = Lanes<FT>;
+    Two offset[dimension], normal[dimension];
+    for (int c = 0; c < dimension; ++c) {
+      offset[c] = Two::of(-result.point[c], result.normal[c]);
+      normal[c] = Two::both(result.normal[c]);
+    }
+    Two sum = Two::both(0), least = Two::both(2);
+    const Entry* const e = rows.begin(r);
+    const std::size_t length = rows.length(r);
+    for (std::size_t j = 0; j + 1 < length; j += 2) {
+      const Stored_value& v0 = old[e[j].vertex];
+      const Stored_value& v1 = old[e[j + 1].vertex];
+      Two numerator, denominator;
+      for (int c = 0; c < dimension; ++c) {
+        // (p_j - q, n_j + n) of two entries
+        const Two a = v0.pairs[c] + offset[c], b = v1.pairs[c] + offset[c];
+        const Two s = second_of(a, b);
+        const Two numerator_c = s * first_of(a, b), denominator_c = s * normal[c];
+        numerator = c == 0 ? numerator_c : numerator + numerator_c;
+        denominator = c == 0 ? denominator_c : denominator + denominator_c;
+      }
+      sum = sum + Two::of(e[j].weight, e[j + 1].weight) * (numerator / denominator);
+      least = lesser(denominator, least);
+    }
+    FT last(0);
+    least_denominator = (std::min)(least[0], least[1]);
+    if (length % 2 != 0) {
+      const Entry& odd = e[length - 1];
+      const auto h = pn_height<FT, dimension>(Value(old[odd.vertex]), result.point, result.normal);
+      least_denominator = (std::min)(least_denominator, h.denominator);
+      last = odd.weight * (h.numerator / h.denominator);
+    }
+    return sum[0] + sum[1] + last;
+  }
+
+  template <class Rows, class Normal_rows>
+  BOOST_NOINLINE static Value careful_row(const Rows& rows, const Normal_rows& normal_rows,
+                                          std::size_t r, const Stored_value* old)
+  {
+    const Old_values values{old};
+    if (&rows.rows == &normal_rows.rows) return Average()(rows.begin(r), rows.end(r), values);
+    return Average()(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), values);
+  }
+
+  // the stored values as PN_average wants them
+  struct Old_values
+  {
+    Value operator[](std::size_t v) const { return stored[v]; }
+    const Stored_value* stored;
+  };
+};
+
+template <class Average>
+struct Block_of
+{
+  using type = Average_block<Average>;
+};
+
+template <class FT, int dimension>
+struct Block_of<PN_average<FT, dimension>>
+{
+  using type =
+    std::conditional_t<std::is_floating_point_v<FT>, Staged_PN_average_block<FT, dimension>,
+                       Average_block<PN_average<FT, dimension>>>;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_PN_AVERAGE_BLOCK_H

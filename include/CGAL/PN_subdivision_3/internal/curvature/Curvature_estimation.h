@@ -1,0 +1,159 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_ESTIMATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_ESTIMATION_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_fit.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What is known of the vertices of a mesh. A normal is a unit vector or zero; it takes part in the
+// fit if `fits_normals`, and otherwise only tells the sides of the surface apart.
+struct Curvature_data
+{
+  Level_connectivity level;
+  std::vector<Coordinates<double, 3>> points, normals;
+  // Where a vertex has no normal of its own, the normal of its faces gives the plane of the fit.
+  std::vector<Coordinates<double, 3>> face_normals;
+  bool fits_normals = false;
+};
+
+// The curvatures at one vertex after the other. The neighborhood of a vertex grows by rings, each
+// the vertices that share a face with the ring before, until a cubic is determined; where none is,
+// a quadric is taken.
+class Curvature_estimation
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  explicit Curvature_estimation(const Curvature_data& data)
+    : data_(data)
+  {}
+
+  Principal_curvatures operator()(Index v)
+  {
+    const Eigen::Vector3d normal = frame_normal(v);
+    if (data_.level.is_isolated(v) || normal.isZero(0)) return {};
+    for (int degree : {3, 2}) {
+      start(v);
+      while (number_of_rings_ < max_rings && grow(normal)) {
+        if (neighbors_.size() < least_number_of_neighbors(degree)) continue;
+        const double scale = set_samples(v, normal);
+        if (scale > 0 && fit_.fit(samples_, normal, degree)) return fit_.curvatures(scale);
+      }
+    }
+    return {};
+  }
+
+private:
+  static constexpr int max_rings = 4;
+
+  // Without normals somewhat more equations than unknowns; with them there are three a neighbor.
+  std::size_t least_number_of_neighbors(int degree) const
+  {
+    if (data_.fits_normals) return degree == 3 ? 5 : 2;
+    return degree == 3 ? 12 : 6;
+  }
+
+  static Eigen::Vector3d vector(const Coordinates<double, 3>& c) { return {c[0], c[1], c[2]}; }
+
+  Eigen::Vector3d frame_normal(Index v) const
+  {
+    const Eigen::Vector3d own = vector(data_.normals[v]);
+    return own.isZero(0) ? vector(data_.face_normals[v]) : own;
+  }
+
+  void start(Index v)
+  {
+    vertex_ = v;
+    neighbors_.clear();
+    ring_.assign(1, v);
+    number_of_rings_ = 0;
+  }
+
+  // Adds a ring; false if there is none. What faces the other way belongs to another part of the
+  // surface and is not entered.
+  bool grow(const Eigen::Vector3d& normal)
+  {
+    next_ring_.clear();
+    for (Index v : ring_) add_face_neighbors(v);
+    std::sort(next_ring_.begin(), next_ring_.end());
+    next_ring_.erase(std::unique(next_ring_.begin(), next_ring_.end()), next_ring_.end());
+    const auto is_known_or_behind = [&](Index v) {
+      return v == vertex_ || std::binary_search(neighbors_.begin(), neighbors_.end(), v) ||
+             cosine(v, normal) <= 0;
+    };
+    next_ring_.erase(std::remove_if(next_ring_.begin(), next_ring_.end(), is_known_or_behind),
+                     next_ring_.end());
+    const auto old_size = static_cast<std::ptrdiff_t>(neighbors_.size());
+    neighbors_.insert(neighbors_.end(), next_ring_.begin(), next_ring_.end());
+    std::inplace_merge(neighbors_.begin(), neighbors_.begin() + old_size, neighbors_.end());
+    ring_.swap(next_ring_);
+    ++number_of_rings_;
+    return !ring_.empty();
+  }
+
+  void add_face_neighbors(Index v)
+  {
+    const Level_connectivity& level = data_.level;
+    const Index first = level.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      if (!level.is_border(h))
+        for (Index g = level.next(h); g != h; g = level.next(g))
+          next_ring_.push_back(level.target(g));
+      h = level.next_around_target(h);
+    } while (h != first);
+  }
+
+  double cosine(Index v, const Eigen::Vector3d& normal) const
+  {
+    const Eigen::Vector3d n = vector(data_.normals[v]);
+    return n.isZero(0) ? 1 : n.dot(normal);
+  }
+
+  // Lengths are divided by the mean distance of the neighbors, which is returned.
+  double set_samples(Index v, const Eigen::Vector3d& normal)
+  {
+    const Eigen::Vector3d center = vector(data_.points[v]);
+    double scale = 0;
+    samples_.clear();
+    for (Index w : neighbors_) {
+      const Eigen::Vector3d offset = vector(data_.points[w]) - center;
+      samples_.push_back({offset, fitted_normal(w), cosine(w, normal)});
+      scale += offset.stableNorm() / static_cast<double>(neighbors_.size());
+    }
+    for (Curvature_sample& s : samples_) s.offset /= scale;
+    samples_.push_back({Eigen::Vector3d::Zero(), fitted_normal(v), 1});
+    return scale;
+  }
+
+  Eigen::Vector3d fitted_normal(Index v) const
+  {
+    return data_.fits_normals ? vector(data_.normals[v]) : Eigen::Vector3d::Zero();
+  }
+
+  const Curvature_data& data_;
+  Curvature_fit fit_;
+  Index vertex_ = 0;
+  int number_of_rings_ = 0;
+  std::vector<Index> neighbors_, ring_, next_ring_; // without the vertex; `neighbors_` is sorted
+  std::vector<Curvature_sample> samples_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_ESTIMATION_H

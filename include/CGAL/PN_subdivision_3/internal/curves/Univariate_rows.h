@@ -1,0 +1,175 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_UNIVARIATE_ROWS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_UNIVARIATE_ROWS_H
+
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/// \ingroup PkgPNSubdivision3Curves
+/// What happens at the ends of a control polygon.
+enum class Curve_end {
+  closed,  ///< the polygon is closed; its first point is not repeated
+  reflect, ///< open; points beyond an end are reflected in it: p_{-i} = 2 p_0 - p_i
+  none     ///< open; only points whose whole stencil exists are kept
+};
+
+namespace internal {
+
+// The rows of a univariate mask: new point i has the weights a_{i - 2j} on the old points j.
+template <class FT>
+class Univariate_rows
+{
+public:
+  using Index = std::int64_t;
+
+  template <class Mask>
+  explicit Univariate_rows(const Mask& mask)
+  {
+    const std::vector<FT> a = mask.template coefficients<FT>();
+    const Index first = mask.first_index();
+    twice_center_ = 2 * first + static_cast<Index>(a.size()) - 1;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const Index index = first + static_cast<Index>(k);
+      if (CGAL::certainly(a[k] == FT(0))) continue;
+      // index = i - 2j with i = parity: j = (parity - index) / 2
+      const Index parity = index & 1;
+      rows_[parity].emplace_back((parity - index) / 2, a[k]);
+    }
+    for (Index parity : {0, 1}) close_row(parity);
+  }
+
+  bool has_same_center(const Univariate_rows& other) const
+  {
+    return twice_center_ == other.twice_center_;
+  }
+
+  // The new points [first, last) of a polygon with n points, in the numbering of the mask.
+  std::pair<Index, Index> range(Index n, Curve_end end) const
+  {
+    if (end == Curve_end::closed) return {first_point(), first_point() + 2 * n};
+    if (end == Curve_end::reflect) {
+      const Index last = twice_center_ >= 0 ? twice_center_ / 2 : -((1 - twice_center_) / 2);
+      return {first_point(), (std::max)(first_point(), 2 * (n - 1) + last + 1)};
+    }
+    return existing_range(n);
+  }
+
+  template <class Stencil>
+  void emit(Index i, Index n, Curve_end end, Stencil& s) const
+  {
+    const auto& row = rows_[i & 1];
+    const Index shift = (i - (i & 1)) / 2;
+    if (shift + least_[i & 1] >= 0 && shift + greatest_[i & 1] < n) {
+      for (const auto& [offset, weight] : row)
+        s.add(static_cast<std::uint32_t>(shift + offset), weight);
+      return;
+    }
+    Merged_row<FT> merged;
+    for (const auto& [offset, weight] : row) fold(shift + offset, weight, n, end, merged);
+    merged.emit(s);
+  }
+
+private:
+  using Row = std::vector<std::pair<Index, FT>>;
+
+  // the first new point that is not before the first old one
+  Index first_point() const
+  {
+    return twice_center_ >= 0 ? (twice_center_ + 1) / 2 : -(-twice_center_ / 2);
+  }
+
+  // orders the row so that the largest weight comes last, with what the others leave
+  void close_row(Index parity)
+  {
+    Row& row = rows_[parity];
+    FT sum(0);
+    for (const auto& entry : row) sum += entry.second;
+    const FT tolerance =
+      FT(4) * machine_epsilon<FT>() * FT(static_cast<int>((std::max)(row.size(), std::size_t(1))));
+    if (row.empty() || !CGAL::possibly(sum - FT(1) <= tolerance) ||
+        !CGAL::possibly(FT(1) - sum <= tolerance)) // NaN is none
+      throw std::invalid_argument("PN_subdivision_3: the mask's coefficients of " +
+                                  std::string(parity == 0 ? "even" : "odd") +
+                                  " index do not sum to 1");
+    auto largest = row.begin();
+    for (auto e = row.begin(); e != row.end(); ++e)
+      if (magnitude(e->second) > magnitude(largest->second)) largest = e;
+    std::iter_swap(largest, std::prev(row.end()));
+    sum = FT(0);
+    for (std::size_t k = 0; k + 1 < row.size(); ++k) sum += row[k].second;
+    row.back().second = FT(1) - sum;
+    least_[parity] = greatest_[parity] = row.front().first;
+    for (const auto& entry : row) {
+      least_[parity] = (std::min)(least_[parity], entry.first);
+      greatest_[parity] = (std::max)(greatest_[parity], entry.first);
+    }
+  }
+
+  bool exists(Index i, Index n) const
+  {
+    const Index shift = (i - (i & 1)) / 2;
+    return shift + least_[i & 1] >= 0 && shift + greatest_[i & 1] < n;
+  }
+
+  // The longest run of points whose stencils exist: as far as the points of both parities do, with
+  // at each end one more of the other parity.
+  std::pair<Index, Index> existing_range(Index n) const
+  {
+    Index first[2], last[2];
+    for (Index parity : {0, 1}) {
+      first[parity] = 2 * -least_[parity] + parity;
+      last[parity] = 2 * (n - 1 - greatest_[parity]) + parity;
+    }
+    Index begin = (std::max)(first[0], first[1]), end = (std::min)(last[0], last[1]) + 1;
+    if (begin >= end)
+      throw std::invalid_argument("PN_subdivision_3: an open polygon of " + std::to_string(n) +
+                                  " points is too short for this mask with the end rule none: give "
+                                  "it more points or reflect its ends");
+    if (exists(begin - 1, n)) --begin;
+    if (exists(end, n)) ++end;
+    return {begin, end};
+  }
+
+  static void fold(Index j, const FT& weight, Index n, Curve_end end, Merged_row<FT>& row)
+  {
+    const auto add = [&row](Index k, const FT& w) { row.add(static_cast<std::uint32_t>(k), w); };
+    if (end == Curve_end::closed) return add(((j % n) + n) % n, weight);
+    if (n == 1) return add(0, weight);
+    if (j < 0) {
+      add(0, FT(2) * weight);
+      fold(-j, -weight, n, end, row);
+    } else if (j >= n) {
+      add(n - 1, FT(2) * weight);
+      fold(2 * (n - 1) - j, -weight, n, end, row);
+    } else
+      add(j, weight);
+  }
+
+  std::array<Row, 2> rows_;
+  std::array<Index, 2> least_{}, greatest_{};
+  Index twice_center_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_UNIVARIATE_ROWS_H

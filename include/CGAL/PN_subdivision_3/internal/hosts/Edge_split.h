@@ -1,0 +1,90 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What the primal quadrisections share: every edge is split by a new vertex.
+//
+// Edge e keeps its index on the half at the source of half-edge 2e; the other half is edge E + e.
+// With this, opposite half-edges still differ in their last bit only.
+class Edge_split
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  explicit Edge_split(const Level_connectivity& level)
+    : level_(level)
+    , number_of_halfedges_(level.number_of_halfedges())
+  {}
+
+  // the halves of h: from its source to the edge vertex, from there to its target
+  Index first_half(Index h) const { return (h & 1u) == 0 ? h : number_of_halfedges_ + h; }
+  Index second_half(Index h) const { return (h & 1u) == 0 ? number_of_halfedges_ + h : h; }
+  Index edge_vertex(Index h) const
+  {
+    return level_.number_of_vertices() + Level_connectivity::edge(h);
+  }
+
+  // sets the half-edges of the old and the edge vertices, and all of the border
+  template <class Child, class For_chunks>
+  void connect(Child& child, const For_chunks& for_chunks) const
+  {
+    for_chunks(level_.number_of_vertices(), [&](Index begin, Index end) {
+      for (Index v = begin; v < end; ++v) connect_vertex(v, child);
+    });
+    for_chunks(level_.number_of_edges(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) connect_edge(e, child);
+    });
+  }
+
+private:
+  template <class Child>
+  void connect_vertex(Index v, Child& child) const
+  {
+    if (level_.is_isolated(v))
+      child.set_isolated(v);
+    else
+      child.set_halfedge_of_vertex(v, second_half(level_.halfedge_of_vertex(v)));
+  }
+
+  template <class Child>
+  void connect_edge(Index e, Child& child) const
+  {
+    Index h = Level_connectivity::halfedge_of_edge(e);
+    if (level_.has_border()) {
+      if (level_.is_border(Level_connectivity::opposite(h))) h = Level_connectivity::opposite(h);
+      if (level_.is_border(h)) connect_border(h, child);
+    }
+    child.set_halfedge_of_vertex(edge_vertex(h), first_half(h));
+  }
+
+  template <class Child>
+  void connect_border(Index h, Child& child) const
+  {
+    const Index first = first_half(h), second = second_half(h);
+    child.set_border(first);
+    child.set_border(second);
+    child.set_target(first, edge_vertex(h));
+    child.set_target(second, level_.target(h));
+    child.set_next(first, second);
+    child.set_next(second, first_half(level_.next(h)));
+  }
+
+  const Level_connectivity& level_;
+  const Index number_of_halfedges_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H

@@ -1,0 +1,325 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class Descriptor, class = void>
+struct Has_idx : std::false_type
+{};
+template <class Descriptor>
+struct Has_idx<Descriptor, std::void_t<decltype(std::declval<const Descriptor&>().idx())>>
+  : std::true_type
+{};
+
+// Names of elements in messages: the descriptor's own number where it has one, otherwise the
+// position in the order of iteration.
+template <class Descriptor>
+std::string element_name(const char* kind, const Descriptor& d, std::size_t position)
+{
+  if constexpr (std::is_convertible_v<Descriptor, std::size_t>)
+    return std::string(kind) + ' ' + std::to_string(static_cast<std::size_t>(d));
+  else if constexpr (Has_idx<Descriptor>::value)
+    return std::string(kind) + ' ' + std::to_string(d.idx());
+  else
+    return std::string(kind) + " number " + std::to_string(position);
+}
+
+// What no index of the mesh may reach: the null value of the mesh's own index type if it has one,
+// and that of the levels.
+template <class Descriptor>
+constexpr std::uint64_t index_limit()
+{
+  if constexpr (Has_idx<Descriptor>::value) {
+    using Index = std::decay_t<decltype(std::declval<const Descriptor&>().idx())>;
+    constexpr auto largest = static_cast<std::uint64_t>((std::numeric_limits<Index>::max)());
+    return largest < Level_connectivity::null ? largest : Level_connectivity::null;
+  } else
+    return Level_connectivity::null;
+}
+
+// The functions of BGL, found by argument-dependent lookup, under names that hide none of them.
+template <class Halfedge, class Vertex, class Graph>
+void bgl_set_target(Halfedge h, Vertex v, Graph& g)
+{
+  set_target(h, v, g);
+}
+template <class Halfedge, class Graph>
+void bgl_set_next(Halfedge h, Halfedge n, Graph& g)
+{
+  set_next(h, n, g);
+}
+template <class Halfedge, class Face, class Graph>
+void bgl_set_face(Halfedge h, Face f, Graph& g)
+{
+  set_face(h, f, g);
+}
+
+template <class Mesh, class Vertex, class = void>
+struct Has_adjust_outgoing_halfedge : std::false_type
+{};
+template <class Mesh, class Vertex>
+struct Has_adjust_outgoing_halfedge<
+  Mesh, Vertex,
+  std::void_t<decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(std::declval<Vertex>()))>>
+  : std::true_type
+{};
+
+template <class Mesh, class = void>
+struct Has_collect_garbage : std::false_type
+{};
+template <class Mesh>
+struct Has_collect_garbage<Mesh, std::void_t<decltype(std::declval<Mesh&>().has_garbage()),
+                                             decltype(std::declval<Mesh&>().collect_garbage())>>
+  : std::true_type
+{};
+
+// A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
+// again by a resize(), without a trace and without an exception. Removing them would leave removed
+// slots.
+template <class Mesh, class = void>
+struct Slots
+{
+  static constexpr bool exist = false;
+  explicit Slots(const Mesh&) {}
+};
+template <class Mesh>
+struct Slots<Mesh, std::void_t<decltype(std::declval<Mesh&>().resize(0, 0, 0))>>
+{
+  static constexpr bool exist = true;
+  explicit Slots(const Mesh& mesh) // BGL counts removed elements too
+    : vertices(num_vertices(mesh))
+    , edges(num_edges(mesh))
+    , faces(num_faces(mesh))
+  {}
+  std::uint64_t number() const { return vertices + edges + faces; }
+  void restore(Mesh& mesh) const { resize(mesh, vertices, edges, faces); }
+  static void resize(Mesh& mesh, std::uint64_t v, std::uint64_t e, std::uint64_t f)
+  {
+    mesh.resize(static_cast<unsigned>(v), static_cast<unsigned>(e), static_cast<unsigned>(f));
+  }
+  std::uint64_t vertices, edges, faces;
+};
+
+// While elements are added to a mesh that recycles removed ones, it must not: the order of vertices
+// would be lost, and if the copy of a property's default value fails while a slot is recycled,
+// Surface_mesh counts its removed elements wrongly. Meshes that do not recycle need nothing.
+template <class Mesh, class = void>
+struct Recycling_pause
+{
+  explicit Recycling_pause(Mesh&) {}
+};
+template <class Mesh>
+struct Recycling_pause<Mesh, std::void_t<decltype(std::declval<Mesh&>().does_recycle_garbage())>>
+{
+  explicit Recycling_pause(Mesh& m)
+    : mesh(m)
+    , recycles(m.does_recycle_garbage())
+  {
+    mesh.set_recycle_garbage(false);
+  }
+  ~Recycling_pause() { mesh.set_recycle_garbage(recycles); }
+  Recycling_pause(const Recycling_pause&) = delete;
+  Recycling_pause& operator=(const Recycling_pause&) = delete;
+  Mesh& mesh;
+  bool recycles;
+};
+
+// Any MutableFaceGraph through BGL. Elements are numbered in the order of iteration; the elements
+// that grow() adds follow.
+template <class Graph>
+class Bgl_mesh_access
+{
+  using Traits = boost::graph_traits<std::remove_const_t<Graph>>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Face = typename Traits::face_descriptor;
+
+public:
+  using Index = Level_connectivity::Index;
+  using vertex_descriptor = Vertex;
+
+  explicit Bgl_mesh_access(Graph& graph)
+    : graph_(graph)
+    , old_slots_(graph)
+  {
+    for (Vertex v : vertices(graph_)) vertices_.push_back(v);
+    for (auto e : edges(graph_)) edges_.push_back(halfedge(e, graph_));
+    for (Face f : faces(graph_)) faces_.push_back(f);
+    old_size_.vertices = vertices_.size();
+    old_size_.edges = edges_.size();
+    old_size_.faces = faces_.size();
+  }
+
+  static constexpr std::uint64_t index_limit() { return internal::index_limit<Vertex>(); }
+
+  Level_size size() const { return old_size_; }
+  Vertex vertex(Index v) const { return vertices_[v]; }
+
+  std::string vertex_name(Index v) const { return element_name("vertex", vertices_[v], v); }
+  std::string halfedge_name(Index h) const
+  {
+    return element_name("half-edge", halfedge_descriptor(h), h);
+  }
+  std::string face_name(Index f) const { return element_name("face", faces_[f], f); }
+
+  // copies the connectivity; an element that does not belong to the mesh becomes an invalid index
+  void read(Level_connectivity& level) const
+  {
+    std::unordered_map<Vertex, Index> vertex_index;
+    std::unordered_map<Halfedge, Index> halfedge_index;
+    std::unordered_map<Face, Index> face_index;
+    fill_index(vertex_index, vertices_.size(), [&](Index v) { return vertices_[v]; });
+    fill_index(halfedge_index, 2 * edges_.size(), [&](Index h) { return halfedge_descriptor(h); });
+    fill_index(face_index, faces_.size(), [&](Index f) { return faces_[f]; });
+    for (Index h = 0; h < 2 * edges_.size(); ++h) {
+      const Halfedge d = halfedge_descriptor(h);
+      level.set_target(h, find(vertex_index, target(d, graph_)));
+      level.set_next(h, find(halfedge_index, next(d, graph_)));
+      const Face f = face(d, graph_);
+      if (f == Traits::null_face())
+        level.set_border(h);
+      else // null would be the border
+        level.set_face(h, (std::min)(find(face_index, f), static_cast<Index>(faces_.size())));
+    }
+    for (Index v = 0; v < vertices_.size(); ++v) read_halfedge_of_vertex(v, halfedge_index, level);
+    for (Index f = 0; f < faces_.size(); ++f)
+      level.set_halfedge_of_face(f, find(halfedge_index, halfedge(faces_[f], graph_)));
+  }
+
+  // adds unconnected elements behind all others, removed ones included; what was added before an
+  // exception, shrink() removes
+  void grow(const Level_size& size)
+  {
+    vertices_.reserve(size.vertices);
+    edges_.reserve(size.edges);
+    faces_.reserve(size.faces);
+    const Recycling_pause<Graph> pause(graph_);
+    while (vertices_.size() < size.vertices) vertices_.push_back(add_vertex(graph_));
+    while (edges_.size() < size.edges) edges_.push_back(halfedge(add_edge(graph_), graph_));
+    while (faces_.size() < size.faces) faces_.push_back(add_face(graph_));
+  }
+  void shrink()
+  {
+    if constexpr (Slots<std::remove_const_t<Graph>>::exist)
+      old_slots_.restore(graph_);
+    else
+      remove_beyond(old_size_);
+  }
+  // Removes the elements that the result does not use and, if the user's maps follow, all that were
+  // removed before. Where the memory for the latter is lacking they stay: the result is right, and
+  // nothing may fail any more.
+  void trim(const Level_size& size, bool collect)
+  {
+    if constexpr (Slots<std::remove_const_t<Graph>>::exist)
+      if (old_slots_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
+        return old_slots_.resize(graph_, size.vertices, size.edges, size.faces);
+    remove_beyond(size);
+    if constexpr (Has_collect_garbage<Graph>::value) try {
+        if (collect && graph_.has_garbage()) graph_.collect_garbage();
+      } catch (const std::bad_alloc&) {
+      }
+  }
+
+  // the child of a host
+  void set_target(Index h, Index v)
+  {
+    bgl_set_target(halfedge_descriptor(h), vertices_[v], graph_);
+  }
+  void set_next(Index h, Index n)
+  {
+    bgl_set_next(halfedge_descriptor(h), halfedge_descriptor(n), graph_);
+  }
+  void set_face(Index h, Index f) { bgl_set_face(halfedge_descriptor(h), faces_[f], graph_); }
+  void set_border(Index h) { bgl_set_face(halfedge_descriptor(h), Traits::null_face(), graph_); }
+  void set_halfedge_of_vertex(Index v, Index h)
+  {
+    set_halfedge(vertices_[v], halfedge_descriptor(h), graph_);
+  }
+  void set_isolated(Index) {}
+  void set_halfedge_of_face(Index f, Index h)
+  {
+    set_halfedge(faces_[f], halfedge_descriptor(h), graph_);
+  }
+  void finish_connectivity()
+  {
+    if constexpr (Has_adjust_outgoing_halfedge<Graph, Vertex>::value)
+      for (Vertex v : vertices_)
+        if (halfedge(v, graph_) != Traits::null_halfedge()) graph_.adjust_outgoing_halfedge(v);
+  }
+
+private:
+  template <class Map>
+  void read_halfedge_of_vertex(Index v, const Map& halfedge_index, Level_connectivity& level) const
+  {
+    const Halfedge h = halfedge(vertices_[v], graph_);
+    if (h == Traits::null_halfedge())
+      level.set_isolated(v);
+    else // null would be a vertex without edges
+      level.set_halfedge_of_vertex(
+        v, (std::min)(find(halfedge_index, h), static_cast<Index>(2 * edges_.size())));
+  }
+
+  void remove_beyond(const Level_size& size)
+  {
+    for (; faces_.size() > size.faces; faces_.pop_back()) remove_face(faces_.back(), graph_);
+    for (; edges_.size() > size.edges; edges_.pop_back())
+      remove_edge(edge(edges_.back(), graph_), graph_);
+    for (; vertices_.size() > size.vertices; vertices_.pop_back())
+      remove_vertex(vertices_.back(), graph_);
+  }
+
+  Halfedge halfedge_descriptor(Index h) const
+  {
+    return (h & 1u) == 0 ? edges_[h >> 1] : opposite(edges_[h >> 1], graph_);
+  }
+
+  template <class Map, class Descriptor_of>
+  static void fill_index(Map& map, std::size_t n, const Descriptor_of& descriptor)
+  {
+    map.reserve(n);
+    for (Index i = 0; i < n; ++i) map.emplace(descriptor(i), i);
+  }
+  template <class Map, class Descriptor>
+  static Index find(const Map& map, const Descriptor& d)
+  {
+    const auto it = map.find(d);
+    return it == map.end() ? Level_connectivity::null : it->second;
+  }
+
+  Graph& graph_;
+  Slots<std::remove_const_t<Graph>> old_slots_;
+  std::vector<Vertex> vertices_;
+  std::vector<Halfedge> edges_;
+  std::vector<Face> faces_;
+  Level_size old_size_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_GEOMETRY_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_GEOMETRY_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/utils.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class FT>
+bool is_finite_number(const FT& x)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::isfinite(x);
+  else
+    return CGAL::is_valid(x) && CGAL::is_finite(x);
+}
+
+template <class FT, class Point_or_vector>
+Coordinates<FT, 3> coordinates_3(const Point_or_vector& p)
+{
+  return {FT(p.x()), FT(p.y()), FT(p.z())};
+}
+
+template <class FT, int dimension, class Name>
+void check_finite(const Coordinates<FT, dimension>& x, const char* what, const Name& name)
+{
+  for (const FT& c : x)
+    if (!is_finite_number(c))
+      throw std::invalid_argument("PN_subdivision_3: the " + std::string(what) + " of " + name() +
+                                  " is not finite: give it finite coordinates");
+}
+
+// Coordinates near the end of the range of a floating point type may overflow in between. Below the
+// root of the largest number new points are not looked at: they grow by small factors only.
+template <class FT, int dimension>
+bool is_near_overflow([[maybe_unused]] const Coordinates<FT, dimension>& p)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    for (const FT& x : p)
+      if (x * x > (std::numeric_limits<FT>::max)()) return true;
+  return false;
+}
+
+template <class FT, int dimension, class Name>
+void check_in_range([[maybe_unused]] const Coordinates<FT, dimension>& p,
+                    [[maybe_unused]] const Name& name)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    for (const FT& x : p)
+      if (!std::isfinite(x))
+        throw std::overflow_error("PN_subdivision_3: " + name() +
+                                  " is out of the range of the number type: scale the input down");
+}
+
+// Normals of any length become unit vectors once; unit vectors and zero are taken as they are.
+// Intervals that may be unit vectors or not are normalized: the result contains both.
+template <class FT, int dimension>
+void normalize_control_normal(Coordinates<FT, dimension>& n)
+{
+  using Traits = Unit_normal_traits<FT>;
+  const FT squared_length = dot<FT, dimension>(n, n);
+  const FT tolerance = Traits::unit_tolerance();
+  if (CGAL::certainly(squared_length >= FT(1) - tolerance) &&
+      CGAL::certainly(squared_length <= FT(1) + tolerance))
+    return;
+  FT largest(0);
+  for (const FT& x : n) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
+  if (largest == FT(0)) return;
+  for (FT& x : n) x /= largest; // its square neither overflows nor underflows now
+  const FT inverse = Traits::inverse_length(dot<FT, dimension>(n, n));
+  for (FT& x : n) x *= inverse;
+}
+
+// names the element whose normal may be zero or not
+template <class FT, int dimension, class Name>
+void normalize_control_normal(Coordinates<FT, dimension>& n, const Name& name)
+{
+  try {
+    normalize_control_normal<FT, dimension>(n);
+  } catch (const Uncertain_conversion_exception&) {
+    throw std::domain_error("PN_subdivision_3: the precision of the number type does not decide "
+                            "whether the normal of " +
+                            name() + " is zero: give it a narrower interval");
+  }
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_GEOMETRY_H

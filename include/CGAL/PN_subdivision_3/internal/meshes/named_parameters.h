@@ -1,0 +1,78 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+struct Default_visitor
+{
+  void round_done(unsigned, std::size_t) const {}
+};
+
+template <class T>
+T& unwrapped(T& t)
+{
+  return t;
+}
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& t)
+{
+  return t.get();
+}
+
+// The named parameters of the surface functions.
+template <class PolygonMesh, class NamedParameters>
+struct Surface_parameters
+{
+  using Point_map = typename GetVertexPointMap<PolygonMesh, NamedParameters>::type;
+  using Geom_traits = typename GetGeomTraits<PolygonMesh, NamedParameters>::type;
+  using FT = typename Geom_traits::FT;
+  using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
+    internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>::type>;
+
+  static unsigned number_of_iterations(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
+  }
+  static Point_map point_map(PolygonMesh& mesh, const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                        get_property_map(vertex_point, mesh));
+  }
+  static auto const_point_map(const PolygonMesh& mesh, const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                        get_const_property_map(vertex_point, mesh));
+  }
+  static Normal_map normal_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::vertex_normal_map), No_normal_map());
+  }
+  static auto visitor(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                        Default_visitor());
+  }
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H

@@ -1,0 +1,158 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class T>
+Coordinates<T, 3> cross(const Coordinates<T, 3>& a, const Coordinates<T, 3>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class T>
+Coordinates<double, 3> to_double_3(const Coordinates<T, 3>& a)
+{
+  return {close_double(a[0]), close_double(a[1]), close_double(a[2])};
+}
+
+inline double length(const Coordinates<double, 3>& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+// Sums, over the faces of each vertex, of the corner's angle times the unit face normal. The area
+// vectors are those of the number type (float is widened); the factor angle/area, irrational
+// anyway, is a double.
+template <class FT>
+class Angle_weighted_normals
+{
+public:
+  using Index = Level_connectivity::Index;
+  using T = std::conditional_t<std::is_same_v<FT, float>, double, FT>;
+
+  explicit Angle_weighted_normals(const Level_connectivity& level)
+    : level_(level)
+    , sums_(level.number_of_vertices(), Coordinates<T, 3>{T(0), T(0), T(0)})
+    , angles_(level.number_of_vertices(), 0.)
+  {}
+
+  template <class Point_of>
+  void add_face(Index f, const Point_of& point)
+  {
+    collect_corners(f, point);
+    Coordinates<T, 3> area{T(0), T(0), T(0)};
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+      const auto c = cross(corners_[i], corners_[i + 1]);
+      for (int k = 0; k < 3; ++k) area[k] += c[k];
+    }
+    const double area_length = length(to_double_3(area));
+    if (!(area_length > least_area_) || !std::isfinite(area_length)) return;
+    const std::size_t n = corners_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle =
+        corner_angle(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]);
+      const T weight(angle / area_length);
+      for (int k = 0; k < 3; ++k) sums_[vertices_[i]][k] += weight * area[k];
+      angles_[vertices_[i]] += angle;
+    }
+  }
+
+  // the unit sum at v; zero if it vanishes
+  Coordinates<FT, 3> normal(Index v) const
+  {
+    const double vanishing = 4096 * std::numeric_limits<double>::epsilon() * angles_[v];
+    if (!(length(to_double_3(sums_[v])) > vanishing)) return {FT(0), FT(0), FT(0)};
+    Coordinates<T, 3> n = sums_[v];
+    normalize_control_normal<T, 3>(n);
+    return {FT(n[0]), FT(n[1]), FT(n[2])};
+  }
+
+private:
+  // The corners relative to the first one, scaled to a size of about 1 by a power of two. What the
+  // rounding of the coordinates alone can make of a face without area counts as no area: its
+  // direction is arbitrary, and its angles are the largest there are.
+  template <class Point_of>
+  void collect_corners(Index f, const Point_of& point)
+  {
+    vertices_.clear();
+    corners_.clear();
+    const Index first = level_.halfedge_of_face(f);
+    Index h = first;
+    double largest = 0, largest_coordinate = 0;
+    do {
+      vertices_.push_back(level_.target(h));
+      const auto& p = point(vertices_.back());
+      const auto& origin = point(vertices_.front());
+      corners_.push_back({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
+      for (double x : to_double_3(corners_.back())) largest = (std::max)(largest, std::abs(x));
+      if constexpr (!is_exact_v<FT>)
+        for (const FT& x : p)
+          largest_coordinate = (std::max)(largest_coordinate, std::abs(double(CGAL::to_double(x))));
+      h = level_.next(h);
+    } while (h != first);
+    least_area_ = 0;
+    if (!(largest > 0) || !std::isfinite(largest)) return;
+    const int exponent = std::ilogb(largest);
+    const T scale(std::ldexp(1., -exponent / 2)), rest(std::ldexp(1., -exponent + exponent / 2));
+    for (auto& c : corners_)
+      for (T& x : c) x = x * scale * rest;
+    if constexpr (!is_exact_v<FT>)
+      least_area_ = 16 * double(CGAL::to_double(machine_epsilon<FT>())) *
+                    std::ldexp(largest_coordinate, -exponent);
+  }
+
+  static double corner_angle(const Coordinates<T, 3>& before, const Coordinates<T, 3>& at,
+                             const Coordinates<T, 3>& after)
+  {
+    Coordinates<T, 3> u, w;
+    for (int k = 0; k < 3; ++k) {
+      u[k] = before[k] - at[k];
+      w[k] = after[k] - at[k];
+    }
+    const auto a = to_double_3(u), b = to_double_3(w);
+    return std::atan2(length(cross(a, b)), dot<double, 3>(a, b));
+  }
+
+  const Level_connectivity& level_;
+  std::vector<Coordinates<T, 3>> sums_;
+  std::vector<double> angles_;
+  std::vector<Index> vertices_;
+  std::vector<Coordinates<T, 3>> corners_;
+  double least_area_ = 0;
+};
+
+// calls set_normal(v, n) for every vertex, where point(v) returns Coordinates<FT, 3>
+template <class FT, class Point_of, class Set_normal>
+void angle_weighted_normals(const Level_connectivity& level, const Point_of& point,
+                            const Set_normal& set_normal)
+{
+  Angle_weighted_normals<FT> normals(level);
+  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
+    normals.add_face(f, point);
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    set_normal(v, normals.normal(v));
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ANGLE_WEIGHTED_NORMALS_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/blocked_range.h>
+#  include <tbb/parallel_for.h>
+#  include <tbb/parallel_invoke.h>
+#  include <tbb/task_group.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Calls f(begin, end) for pieces that cover [0, n). Every element has one owner, so that the result
+// does not depend on the pieces nor on the number of threads.
+template <class Concurrency_tag>
+struct For_chunks
+{
+  using Index = Level_connectivity::Index;
+
+  template <class Function>
+  void operator()(Index n, const Function& f) const
+  {
+    static_assert(
+      std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
+        std::is_convertible_v<Concurrency_tag, Parallel_tag>,
+      "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
+#ifdef CGAL_LINKED_WITH_TBB
+    if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
+      constexpr Index grain = 2048; // a multiple of the block of the averages
+      const Index chunks = n / grain + (n % grain != 0);
+      // isolated: a cancelled task group around it would leave elements undefined
+      tbb::task_group_context context(tbb::task_group_context::isolated);
+      const auto do_chunks = [&](const auto& range) {
+        const Index end = range.end() == chunks ? n : range.end() * grain;
+        f(range.begin() * grain, end);
+      };
+      tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
+      return;
+    }
+#else
+    static_assert(!std::is_convertible_v<Concurrency_tag, Parallel_tag>,
+                  "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+    if (n != 0) f(Index(0), n);
+  }
+};
+
+template <class Concurrency_tag>
+constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
+
+// Calls f() and g(), which do not touch the same data, in any order or at the same time; f() in the
+// calling thread: memory that a mesh gets from another thread's arena costs page faults in every call.
+template <class Concurrency_tag, class F, class G>
+void run_together(const F& f, const G& g)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel_v<Concurrency_tag>) {
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::parallel_invoke(g, f, context); // the last one is not spawned
+    return;
+  }
+#endif
+  g();
+  f();
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H

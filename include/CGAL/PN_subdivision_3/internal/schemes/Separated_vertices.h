@@ -1,0 +1,92 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SEPARATED_VERTICES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SEPARATED_VERTICES_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/valences.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Whether all faces at the interior vertex v have the degree, and none has another corner of
+// irregular valence.
+inline bool is_separated(const Level_connectivity& level, Level_connectivity::Index v,
+                         Level_connectivity::Index degree,
+                         const std::vector<Level_connectivity::Index>& irregular_valence)
+{
+  const Level_connectivity::Index first = level.halfedge_of_vertex(v);
+  Level_connectivity::Index h = first;
+  do {
+    if (!level.has_degree(h, degree)) return false;
+    for (Level_connectivity::Index g = level.next(h); g != h; g = level.next(g))
+      if (irregular_valence[level.target(g)] != 0) return false; // v again counts, too
+    h = level.next_around_target(h);
+  } while (h != first);
+  return true;
+}
+
+// The separated vertices of a level: the extraordinary ones about which a modified scheme replaces
+// the rules of the plain scheme, with weights that depend on their valence. A face has at most one
+// of them. Vertices of valence 2 keep others from being separated but are never separated
+// themselves.
+template <class Weights>
+class Separated_vertices
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // weights(n) makes those of valence n; it is called once for every valence that occurs
+  template <class Function>
+  Separated_vertices(const Level_connectivity& level, Index regular_valence, Index degree,
+                     const Function& weights)
+    : valence_(irregular_valences(level, regular_valence))
+  {
+    std::vector<Index> separated, others;
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      if (valence_[v] != 0) {
+        const bool is_one = valence_[v] > 2 && is_separated(level, v, degree, valence_);
+        (is_one ? separated : others).push_back(v);
+      }
+    for (Index v : others) valence_[v] = 0;
+    for (Index v : separated)
+      if (weights_.find(valence_[v]) == weights_.end())
+        weights_.emplace(valence_[v], weights(valence_[v]));
+    if (separated.empty()) valence_.clear();
+  }
+
+  // the weights about v, null if it is not separated
+  const Weights* at(Index v) const
+  {
+    if (valence_.empty() || valence_[v] == 0) return nullptr;
+    return &weights_.find(valence_[v])->second;
+  }
+
+  // the half-edge of e that leads to a separated vertex, and the weights about that; null if there is
+  // none
+  std::pair<Index, const Weights*> at_edge(const Level_connectivity& level, Index e) const
+  {
+    const Index h = Level_connectivity::halfedge_of_edge(e);
+    for (const Index g : {h, Level_connectivity::opposite(h)})
+      if (const Weights* const w = at(level.target(g))) return {g, w};
+    return {h, nullptr};
+  }
+
+private:
+  std::vector<Index> valence_; // 0: not separated
+  std::map<Index, Weights> weights_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SEPARATED_VERTICES_H

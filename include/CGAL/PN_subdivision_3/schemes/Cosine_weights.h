@@ -1,0 +1,138 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class FT, class = void>
+struct Has_trigonometry : std::false_type
+{};
+
+template <class FT>
+struct Has_trigonometry<
+  FT, std::void_t<decltype(FT(cos(std::declval<FT>()))), decltype(FT(acos(std::declval<FT>())))>>
+  : std::true_type
+{};
+
+template <class FT>
+FT irrational_cosine(std::int64_t k, std::int64_t n)
+{
+  const long double pi = 3.141592653589793238462643383279502884L;
+  const long double turn = static_cast<long double>(k) / static_cast<long double>(n);
+  if constexpr (std::is_floating_point_v<FT>)
+    return static_cast<FT>(std::cos(2 * pi * turn));
+  else if constexpr (Has_trigonometry<FT>::value)
+    return FT(
+      cos(FT(2) * FT(acos(FT(-1))) * FT(static_cast<double>(k)) / FT(static_cast<double>(n))));
+  else
+    return FT(static_cast<double>(std::cos(2 * pi * turn)));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+returns cos(2&pi;k/n).
+
+The rational values (those of the multiples of 60 and 90 degrees) are exact. The others are rounded:
+correctly up to an ulp in floating point; by the number type's own `cos()` and `acos()` where
+argument-dependent lookup finds them; and to `double` in all other number types, in particular in
+exact ones. A mask emits rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
+
+\pre `n > 0`
+*/
+template <class FT>
+FT cosine_weight(std::int64_t k, std::int64_t n)
+{
+  k %= n;
+  if (k < 0) k += n;
+  if (2 * k > n) k = n - k;
+  const std::int64_t divisor = std::gcd(k, n);
+  k /= divisor;
+  n /= divisor;
+  switch (n) {
+  case 1:
+    return FT(1);
+  case 2:
+    return FT(-1);
+  case 3:
+    return FT(-1) / FT(2);
+  case 4:
+    return FT(0);
+  case 6:
+    return FT(1) / FT(2);
+  default:
+    return internal::irrational_cosine<FT>(k, n);
+  }
+}
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+The values of `cosine_weight()`, those for n < 32 computed once.
+*/
+template <class FT>
+class Cosine_table
+{
+public:
+  Cosine_table()
+  {
+    values_.reserve(limit * (limit - 1) / 2);
+    for (std::int64_t n = 1; n < limit; ++n)
+      for (std::int64_t k = 0; k < n; ++k) values_.push_back(cosine_weight<FT>(k, n));
+  }
+
+  FT operator()(std::int64_t k, std::int64_t n) const
+  {
+    if (n >= limit) return cosine_weight<FT>(k, n);
+    return values_[static_cast<std::size_t>(n * (n - 1) / 2 + k % n)];
+  }
+
+private:
+  static constexpr std::int64_t limit = 32;
+
+  std::vector<FT> values_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+A weight that depends on the valence only, computed once for the valences below 32.
+*/
+template <class FT>
+class Weight_per_valence
+{
+public:
+  using Function = FT (*)(std::uint32_t);
+
+  explicit Weight_per_valence(Function f)
+    : function_(f)
+  {
+    for (std::uint32_t n = 1; n < table_.size(); ++n) table_[n] = f(n);
+  }
+
+  FT operator()(std::uint32_t n) const { return n < table_.size() ? table_[n] : function_(n); }
+
+private:
+  Function function_;
+  std::array<FT, 32> table_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H

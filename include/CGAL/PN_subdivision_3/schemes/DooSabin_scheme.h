@@ -1,0 +1,80 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_DOOSABIN_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_DOOSABIN_SCHEME_H
+
+#include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The original weights of Doo-Sabin subdivision, as in `CGAL::Subdivision_method_3::DooSabin_mask_3`:
+the corner of an n-gon has the weight (n + 5)/(4n) for itself and (3 + 2cos(2&pi;k/n))/(4n) for the
+vertex k steps along the face.
+
+\tparam FT a field; the cosines are those of `cosine_weight()`
+\cgalModels{PNSubdivisionMask_3}
+*/
+template <class FT>
+class DooSabin_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  explicit DooSabin_mask(const Level_connectivity& level)
+    : level_(level)
+  {}
+
+  /// the corner of the face of `h` at the target of `h`.
+  template <class Stencil>
+  void corner(Index h, Stencil& s) const
+  {
+    if (level_.has_degree(h, 4)) {
+      const Index h1 = level_.next(h), h2 = level_.next(h1);
+      s.add(level_.target(h1), three_16ths_);
+      s.add(level_.target(h2), one_16th_);
+      s.add(level_.target(level_.next(h2)), three_16ths_);
+      s.add(level_.target(h), nine_16ths_);
+      return;
+    }
+    const Index n = level_.degree(h);
+    Index k = 1;
+    for (Index g = level_.next(h); g != h; g = level_.next(g), ++k)
+      s.add(level_.target(g), (FT(3) + FT(2) * cosines_(k, n)) / FT(int(4 * n)));
+    s.add_rest(level_.target(h));
+  }
+
+private:
+  const Level_connectivity& level_;
+  Cosine_table<FT> cosines_;
+  FT one_16th_ = FT(1) / FT(16), three_16ths_ = FT(3) / FT(16), nine_16ths_ = FT(9) / FT(16);
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+Doo-Sabin subdivision: `DooSabin_mask` on `DQQ_host`. Accepts any polygons.
+\cgalModels{PNSubdivisionScheme_3}
+*/
+struct DooSabin_scheme
+{
+  using Host = DQQ_host;
+
+  template <class FT>
+  DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  {
+    return DooSabin_mask<FT>(level);
+  }
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_DOOSABIN_SCHEME_H

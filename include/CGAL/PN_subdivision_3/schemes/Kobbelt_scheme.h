@@ -1,0 +1,223 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/valences.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The weights of Kobbelt's interpolatory scheme for quadrilaterals (Eurographics 1996) with tension w:
+&alpha; = -w, &beta; = 1/2 + w. Old vertices are kept.
+
+<ul>
+<li> edge (a, b): &alpha; X(b, a) + &beta; a + &beta; b + &alpha; X(a, b), with the continuation
+X(u, v) of the line from u beyond v: along a border edge the next border vertex, at a corner 2v - u;
+from inside to a border vertex 2v - u; at an interior vertex of valence 4 the opposite neighbor; at
+other interior vertices Kobbelt's virtual point, for the neighbors l<sub>j</sub> of v and the
+vertices p<sub>j</sub> opposite v between l<sub>j</sub> and l<sub>j+1</sub>, u = l<sub>i</sub>,
+     &gamma; = -&alpha;/&beta;:
+     4/n &sum; l<sub>j</sub> - (l<sub>i-1</sub> + l<sub>i</sub> + l<sub>i+1</sub>) +
+     &gamma; (p<sub>i-2</sub> + p<sub>i-1</sub> + p<sub>i</sub> + p<sub>i+1</sub>) - 4&gamma;/n
+&sum; p<sub>j</sub>. <li> face: the four-point rule &alpha;, &beta;, &beta;, &alpha; over the points
+of four edges in a row, two of the face and those opposite to them in the next faces (beyond a
+border edge reflected). Of the two directions the one whose edges meet fewer extraordinary vertices
+is taken, at equal count the mean.
+</ul>
+
+The virtual point makes both directions agree on the faces of an isolated extraordinary vertex.
+
+\tparam FT a field
+\cgalModels{PNSubdivisionMask_3}
+*/
+template <class FT>
+class Kobbelt_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Kobbelt_mask(const Level_connectivity& level, const FT& tension)
+    : level_(level)
+    , irregular_valence_(internal::irregular_valences(level, 4))
+    , alpha_(-tension)
+    , beta_(FT(1) / FT(2) + tension)
+    , gamma_(tension / beta_)
+  {}
+
+  template <class Stencil>
+  void vertex(Index v, Stencil& s) const
+  {
+    s.add(v, FT(1));
+  }
+
+  template <class Stencil>
+  void edge(Index e, Stencil& s) const
+  {
+    Row row;
+    add_edge(Level_connectivity::halfedge_of_edge(e), FT(1), row);
+    row.emit(s);
+  }
+
+  template <class Stencil>
+  void face(Index f, Stencil& s) const
+  {
+    const Index h = level_.halfedge_of_face(f), across = level_.next(h);
+    const int spokes = spokes_of_strip(h), spokes_across = spokes_of_strip(across);
+    Row row;
+    if (spokes < spokes_across)
+      add_strip(h, FT(1), row);
+    else if (spokes_across < spokes)
+      add_strip(across, FT(1), row);
+    else {
+      add_strip(h, FT(1) / FT(2), row);
+      add_strip(across, FT(1) / FT(2), row);
+    }
+    row.emit(s);
+  }
+
+private:
+  using Row = internal::Merged_row<FT>;
+
+  static Index opposite(Index h) { return Level_connectivity::opposite(h); }
+  Index beyond_next(Index h) const { return level_.next(level_.next(h)); }
+  bool is_border_edge(Index h) const { return level_.is_border_edge(Level_connectivity::edge(h)); }
+  int is_spoke(Index h) const
+  {
+    return irregular_valence_[level_.target(h)] != 0 || irregular_valence_[level_.source(h)] != 0;
+  }
+
+  // the edges of the four-point rule across h and the edge opposite to it in its face
+  int spokes_of_strip(Index h) const
+  {
+    int spokes = 0;
+    for (Index g : {h, beyond_next(h)}) {
+      spokes += is_spoke(g);
+      if (!is_border_edge(g)) spokes += is_spoke(beyond_next(opposite(g)));
+    }
+    return spokes;
+  }
+
+  void add_strip(Index h, const FT& factor, Row& row) const
+  {
+    const Index ends[2] = {h, beyond_next(h)};
+    for (int i = 0; i < 2; ++i) {
+      add_edge(ends[i], factor * beta_, row);
+      if (is_border_edge(ends[i])) {
+        add_edge(ends[i], FT(2) * factor * alpha_, row);
+        add_edge(ends[1 - i], -factor * alpha_, row);
+      } else
+        add_edge(beyond_next(opposite(ends[i])), factor * alpha_, row);
+    }
+  }
+
+  void add_edge(Index h, const FT& factor, Row& row) const
+  {
+    row.add(level_.source(h), factor * beta_);
+    row.add(level_.target(h), factor * beta_);
+    add_continuation(h, factor * alpha_, row);
+    add_continuation(opposite(h), factor * alpha_, row);
+  }
+
+  // X(source of h, target of h)
+  void add_continuation(Index h, const FT& factor, Row& row) const
+  {
+    const Index v = level_.target(h);
+    const bool along_border = is_border_edge(h);
+    if (along_border && level_.valence(v) > 2)
+      row.add(next_on_border(h), factor);
+    else if (level_.is_border_vertex(v)) {
+      row.add(v, FT(2) * factor);
+      row.add(level_.source(h), -factor);
+    } else if (irregular_valence_[v] == 0)
+      row.add(level_.target(level_.next(level_.next_around_target(h))), factor);
+    else
+      add_virtual_point(h, factor, row);
+  }
+
+  Index next_on_border(Index h) const
+  {
+    if (level_.is_border(h)) return level_.target(level_.next(h));
+    return level_.source(level_.prev(opposite(h)));
+  }
+
+  void add_virtual_point(Index h, const FT& factor, Row& row) const
+  {
+    const Index n = irregular_valence_[level_.target(h)];
+    const FT mean = FT(4) / FT(int(n));
+    Index g = h;
+    for (Index j = 0; j < n; ++j, g = level_.next_around_target(g)) {
+      // how often the indices j = i-1, i, i+1 and i-2, ..., i+1 meet this one, modulo n
+      const int close = (j == 0) + (j == 1) + (j == n - 1);
+      const int around = (j == 0) + (j == 1) + (j == n - 1) + (j == n - 2);
+      row.add(level_.source(g), factor * (mean - FT(close)));
+      row.add(level_.target(beyond_next(g)), factor * gamma_ * (FT(around) - mean));
+    }
+  }
+
+  const Level_connectivity& level_;
+  std::vector<Index> irregular_valence_; // 0: regular
+  FT alpha_, beta_, gamma_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+Kobbelt's interpolatory scheme: `Kobbelt_mask` on `PQQ_host`. Accepts quadrilaterals only, and no
+interior vertex of valence 2.
+\cgalModels{PNSubdivisionScheme_3}
+*/
+class Kobbelt_scheme
+{
+public:
+  using Host = PQQ_host;
+
+  /// \pre `-1/2 < tension < 1/2`
+  /// \throws std::invalid_argument otherwise
+  explicit Kobbelt_scheme(double tension = 1. / 16)
+    : tension_(tension)
+  {
+    if (!(tension > -0.5 && tension < 0.5))
+      throw std::invalid_argument(
+        "PN_subdivision_3: the tension of Kobbelt's scheme must lie between -1/2 and 1/2");
+  }
+
+  template <class FT>
+  Kobbelt_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  {
+    return Kobbelt_mask<FT>(level, FT(tension_));
+  }
+
+  /// refuses a face that is not a quadrilateral, and an interior vertex of valence 2.
+  template <class Element_names>
+  static void check(const Level_connectivity& level, const Element_names& names)
+  {
+    for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
+      if (!level.has_degree(level.halfedge_of_face(f), 4))
+        throw std::invalid_argument(
+          "PN_subdivision_3: " + names.face_name(f) + " has " +
+          std::to_string(level.degree(level.halfedge_of_face(f))) +
+          " corners: the scheme takes quadrilaterals only; apply one round of Catmull-Clark first");
+    internal::check_interior_valences(level, names);
+  }
+
+private:
+  double tension_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_KOBBELT_SCHEME_H

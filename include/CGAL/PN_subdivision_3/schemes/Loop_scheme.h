@@ -1,0 +1,108 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_LOOP_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_LOOP_SCHEME_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The weights of Loop subdivision with Loop's original weight at extraordinary vertices, as in
+`CGAL::Subdivision_method_3::Loop_mask_3`.
+
+<ul>
+<li> interior edge: 3/8 for its ends, 1/8 for the two opposite vertices.
+<li> interior vertex of valence n: 1 - &alpha; for the vertex and &alpha;/n for each neighbor,
+     &alpha; = 5/8 - (3 + 2cos(2&pi;/n))<sup>2</sup>/64.
+<li> border edge: its midpoint; border vertex: (1, 6, 1)/8 along the border.
+<li> vertex without edges: itself.
+</ul>
+
+\tparam FT a field; the cosine is that of `Cosine_weights`
+\cgalModels{PNSubdivisionMask_3}
+*/
+template <class FT>
+class Loop_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  explicit Loop_mask(const Level_connectivity& level)
+    : level_(level)
+    , neighbor_weight_(&neighbor_weight)
+  {}
+
+  template <class Stencil>
+  void vertex(Index v, Stencil& s) const
+  {
+    if (level_.is_isolated(v)) return s.add(v, FT(1));
+    const Index h = level_.halfedge_of_vertex(v);
+    if (level_.is_border(h)) return add_along_border(level_, h, eighth_, s);
+    const Index n = level_.valence(v);
+    const FT weight = n == 6 ? one_16th_ : neighbor_weight_(n);
+    level_.for_each_neighbor(h, [&](Index w) { s.add(w, weight); });
+    if (n == 6)
+      s.add(v, five_8ths_);
+    else
+      s.add_rest(v);
+  }
+
+  template <class Stencil>
+  void edge(Index e, Stencil& s) const
+  {
+    const Index h = Level_connectivity::halfedge_of_edge(e);
+    const Index o = Level_connectivity::opposite(h);
+    if (level_.is_border(h) || level_.is_border(o)) {
+      s.add(level_.target(o), half_);
+      s.add(level_.target(h), half_);
+      return;
+    }
+    s.add(level_.target(o), three_8ths_);
+    s.add(level_.target(h), three_8ths_);
+    s.add(level_.target(level_.next(h)), eighth_);
+    s.add(level_.target(level_.next(o)), eighth_);
+  }
+
+private:
+  static FT neighbor_weight(Index n)
+  {
+    const FT a = FT(3) + FT(2) * cosine_weight<FT>(1, n);
+    return (FT(5) / FT(8) - a * a / FT(64)) / FT(int(n));
+  }
+
+  const Level_connectivity& level_;
+  Weight_per_valence<FT> neighbor_weight_;
+  FT half_ = FT(1) / FT(2), eighth_ = FT(1) / FT(8), one_16th_ = FT(1) / FT(16);
+  FT three_8ths_ = FT(3) / FT(8), five_8ths_ = FT(5) / FT(8);
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+Loop subdivision: `Loop_mask` on `PTQ_host`. Accepts triangles only.
+\cgalModels{PNSubdivisionScheme_3}
+*/
+struct Loop_scheme
+{
+  using Host = PTQ_host;
+
+  template <class FT>
+  Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  {
+    return Loop_mask<FT>(level);
+  }
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_LOOP_SCHEME_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_LOOP_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_LOOP_SCHEME_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Tuned_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+The weights of Loop subdivision, modified at extraordinary vertices after Prautzsch and Umlauf
+(2000): the matrix that maps the 1-ring of such a vertex to the next one keeps its eigenvectors and
+gets other eigenvalues.
+
+An interior vertex of valence n other than 6 is *extraordinary*; it is *separated* if no vertex that
+shares a face with it is extraordinary, too. This is decided anew in every round. A separated vertex
+v, unless its valence is 2, and the edges at v have the rules below; all else is as in `Loop_mask`.
+
+With the eigenvalues &mu;<sub>k</sub> = 3/8 + cos(2&pi;k/n)/4 of frequency k = 1, ..., n-1,
+&lambda; = &mu;<sub>1</sub> and that of frequency 0, &lambda;<sup>2</sup>:
+<ul>
+<li> &mu;<sub>1</sub>' = &mu;<sub>n-1</sub>' = &lambda;', which is 1/2 if n is 3 or 4, and &lambda; otherwise,
+<li> all others are bounded by C&lambda;'<sup>2</sup>; C is the cap. With C = 1
+curvature is only bounded.
+</ul>
+With &alpha; = 5/8 - &lambda;<sup>2</sup> and &kappa; = (1 - (&lambda;<sup>2</sup>)')/(1 - &lambda;<sup>2</sup>),
+<ul>
+<li> vertex v: 1 - &alpha;&kappa; for v and &alpha;&kappa;/n for each neighbor.
+<li> edge from v to its neighbor e<sub>0</sub>: 3&kappa;/8 for v, and for the neighbors
+e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))/n.
+</ul>
+
+\tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
+  computed by the number type's own `cos()` and `acos()` if it has them, otherwise in `long double`,
+  and rounded to `double` in exact number types. All rows sum to 1.
+\cost of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
+  separated vertex
+\cgalModels{PNSubdivisionMask_3}
+*/
+template <class FT>
+class modified_Loop_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  modified_Loop_mask(const Level_connectivity& level, double cap)
+    : level_(level)
+    , plain_(level)
+    , separated_(level, 6, 3, [cap](Index n) { return weights(n, cap); })
+  {}
+
+  template <class Stencil>
+  void vertex(Index v, Stencil& s) const
+  {
+    const Weights* const w = separated_.at(v);
+    if (w == nullptr) return plain_.vertex(v, s);
+    level_.for_each_neighbor(level_.halfedge_of_vertex(v),
+                             [&](Index u) { s.add(u, w->vertex_to_neighbor); });
+    s.add_rest(v);
+  }
+
+  template <class Stencil>
+  void edge(Index e, Stencil& s) const
+  {
+    const auto [h, w] = separated_.at_edge(level_, e);
+    if (w == nullptr) return plain_.edge(e, s);
+    Index g = h;
+    for (const FT& weight : w->edge_to_neighbor) {
+      s.add(level_.source(g), weight);
+      g = level_.next_around_target(g);
+    }
+    s.add_rest(level_.target(h));
+  }
+
+private:
+  struct Weights
+  {
+    FT vertex_to_neighbor;
+    std::vector<FT> edge_to_neighbor; // from its own neighbor on
+  };
+
+  // the cosines of valences 3 and 4 are rational
+  static Weights weights(Index n, double cap)
+  {
+    using Number = internal::Weight_number<FT, internal::Has_trigonometry<FT>>;
+    return n <= 4 ? tuned<FT>(n, FT(cap)) : tuned<Number>(n, Number(cap));
+  }
+
+  template <class Number>
+  static Weights tuned(Index n, const Number& cap)
+  {
+    const Number size = Number(int(n)), three_8ths = Number(3) / Number(8);
+    std::vector<Number> cosine(n), eigenvalue(n);
+    for (Index k = 0; k < n; ++k) cosine[k] = cosine_weight<Number>(k, n);
+    for (Index k = 1; k < n; ++k) eigenvalue[k] = three_8ths + cosine[k] / Number(4);
+    const Number lambda = eigenvalue[1], lambda2 = lambda * lambda;
+    const Number new_lambda = n <= 4 ? Number(Number(1) / Number(2)) : lambda;
+    const Number bound = cap * new_lambda * new_lambda;
+    for (Index k = 2; k + 1 < n; ++k) eigenvalue[k] = internal::capped(eigenvalue[k], bound);
+    eigenvalue[1] = eigenvalue[n - 1] = new_lambda;
+    const Number kappa = (Number(1) - internal::capped(lambda2, bound)) / (Number(1) - lambda2);
+
+    Weights w;
+    w.vertex_to_neighbor =
+      internal::rounded_weight<FT>(Number((Number(5) / Number(8) - lambda2) * kappa / size));
+    for (Index d = 0; d < n; ++d) {
+      Number sum = Number(1) - three_8ths * kappa;
+      for (Index k = 1, kd = d; k < n; ++k, kd = (kd + d) % n) sum += eigenvalue[k] * cosine[kd];
+      w.edge_to_neighbor.push_back(internal::rounded_weight<FT>(Number(sum / size)));
+    }
+    return w;
+  }
+
+  const Level_connectivity& level_;
+  Loop_mask<FT> plain_;
+  internal::Separated_vertices<Weights> separated_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+Modified Loop subdivision: `modified_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
+without separated extraordinary vertices a round is one of `Loop_scheme`.
+\cgalModels{PNSubdivisionScheme_3}
+*/
+class modified_Loop_scheme
+{
+public:
+  using Host = PTQ_host;
+
+  /// \pre `0 < cap <= 1`
+  /// \throws std::invalid_argument otherwise
+  explicit modified_Loop_scheme(double cap = 0.5)
+    : cap_(internal::checked_cap(cap))
+  {}
+
+  template <class FT>
+  modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  {
+    return modified_Loop_mask<FT>(level, cap_);
+  }
+
+private:
+  double cap_;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_LOOP_SCHEME_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_SCHEME_ADAPTORS_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_SCHEME_ADAPTORS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class Scheme, class Element_names, class = void>
+struct Has_check : std::false_type
+{};
+template <class Scheme, class Element_names>
+struct Has_check<
+  Scheme, Element_names,
+  std::void_t<decltype(std::declval<const Scheme&>().check(
+    std::declval<const Level_connectivity&>(), std::declval<const Element_names&>()))>>
+  : std::true_type
+{};
+
+// refuses a level that the host or, if it has a check() of its own, the scheme cannot refine
+template <class Scheme, class Element_names>
+void check_scheme(const Scheme& scheme, const Level_connectivity& level, const Element_names& names)
+{
+  Scheme::Host::check(level, names);
+  if constexpr (Has_check<Scheme, Element_names>::value) scheme.check(level, names);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+The linear twin of a scheme, made by `linear()`: the same points as without normals.
+*/
+template <class Scheme>
+struct Linear_scheme
+{
+  using Host = typename Scheme::Host;
+
+  template <class FT>
+  auto mask(const Level_connectivity& level, unsigned round) const
+  {
+    return scheme.template mask<FT>(level, round);
+  }
+
+  template <class Element_names>
+  void check(const Level_connectivity& level, const Element_names& names) const
+  {
+    internal::check_scheme(scheme, level, names);
+  }
+
+  Scheme scheme;
+};
+
+/// \ingroup PkgPNSubdivision3Schemes
+/// returns the linear twin of `scheme`: normals are neither read nor written.
+template <class Scheme, class = typename Scheme::Host>
+Linear_scheme<Scheme> linear(const Scheme& scheme)
+{
+  return {scheme};
+}
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+A scheme that refines the normals by the mask of another one, made by `with_normal_scheme()`.
+*/
+template <class Scheme, class Normal_scheme>
+struct Scheme_with_normals
+{
+  static_assert(std::is_same_v<typename Scheme::Host, typename Normal_scheme::Host>,
+                "the schemes of points and normals need the same host");
+
+  using Host = typename Scheme::Host;
+
+  template <class FT>
+  auto mask(const Level_connectivity& level, unsigned round) const
+  {
+    return scheme.template mask<FT>(level, round);
+  }
+
+  template <class FT>
+  auto normal_mask(const Level_connectivity& level, unsigned round) const
+  {
+    return normal_scheme.template mask<FT>(level, round);
+  }
+
+  template <class Element_names>
+  void check(const Level_connectivity& level, const Element_names& names) const
+  {
+    internal::check_scheme(scheme, level, names);
+    internal::check_scheme(normal_scheme, level, names);
+  }
+
+  Scheme scheme;
+  Normal_scheme normal_scheme;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+returns the scheme that refines points as `scheme` and normals as `normal_scheme`, which has the
+same host. The points keep the smoothness of the less smooth of the two (Yang, Section 4.1);
+circles, spheres and cylinders are in general not reproduced.
+*/
+template <class Scheme, class Normal_scheme>
+Scheme_with_normals<Scheme, Normal_scheme> with_normal_scheme(const Scheme& scheme,
+                                                              const Normal_scheme& normal_scheme)
+{
+  return {scheme, normal_scheme};
+}
+
+namespace internal {
+
+template <class Scheme>
+struct Is_linear : std::false_type
+{};
+template <class Scheme>
+struct Is_linear<Linear_scheme<Scheme>> : std::true_type
+{};
+
+template <class Scheme>
+struct Has_normal_mask : std::false_type
+{};
+template <class Scheme, class Normal_scheme>
+struct Has_normal_mask<Scheme_with_normals<Scheme, Normal_scheme>> : std::true_type
+{};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_SCHEME_ADAPTORS_H

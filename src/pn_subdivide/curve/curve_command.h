@@ -1,0 +1,31 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CURVE_COMMAND_H
+#define PN_SUBDIVIDE_CURVE_COMMAND_H
+
+#include "surface/verification.h"
+
+#include <optional>
+#include <string>
+
+namespace pn_subdivide {
+
+struct Curve_options
+{
+  std::string input, output, scheme;
+  std::optional<std::string> normal_scheme, end, comb;
+  Verify_options verify;
+  unsigned levels = 1;
+  bool closed = false, linear = false, quiet = false;
+};
+
+// The command `pn_subdivide curve`. Throws Usage_error, Error or what the library throws; the files
+// to be written are then as they were. Throws Tolerance_error after writing them.
+void run_curve_command(const Curve_options& options);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CURVE_COMMAND_H

@@ -1,0 +1,25 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CURVE_PICTURE_H
+#define PN_SUBDIVIDE_CURVE_PICTURE_H
+
+#include "io/curve_data.h"
+
+#include <CGAL/PN_subdivision_curve.h>
+
+#include <string>
+
+namespace pn_subdivide {
+
+// The text of an SVG file: a curve with its control polygon, control normals and curvature comb.
+// Curves in space are seen along the direction in which their control points extend least; their
+// curvatures are those in space.
+std::string curve_picture(const std::string& caption, const Curve_data& polygon,
+                          const Curve_data& curve, CGAL::PN_subdivision_3::Curve_end end);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CURVE_PICTURE_H

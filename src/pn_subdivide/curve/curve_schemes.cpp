@@ -1,0 +1,119 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "curve/curve_schemes.h"
+
+#include "io/Error.h"
+
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <charconv>
+#include <cstdint>
+#include <type_traits>
+
+namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+// The number that a word is; none if it is anything else.
+std::optional<int> to_int(const std::string& word)
+{
+  int n = 0;
+  const char* const end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, n);
+  if (word.empty() || result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return n;
+}
+
+Curve_scheme b_spline(int degree)
+{
+  const char* const names[] = {"quadratic", "cubic", "quartic", "quintic"};
+  const std::string name = degree < 6 ? names[degree - 2] : "degree " + std::to_string(degree);
+  return {name + " B-spline", PN::B_spline_mask(degree), degree % 2 != 0,
+          static_cast<std::size_t>(degree)};
+}
+
+Curve_scheme interpolatory(int points)
+{
+  return {std::to_string(points) + "-point", PN::Dubuc_Deslauriers_mask(points), true,
+          static_cast<std::size_t>(2 * points - 3)};
+}
+
+std::size_t refined_size(std::size_t n, const Curve_rule& rule)
+{
+  using End = PN::Curve_end;
+  std::size_t lost = 0;
+  if (rule.end == End::reflect) lost = rule.scheme.primal ? 1 : 2;
+  if (rule.end == End::none) lost = rule.scheme.lost_points;
+  return 2 * n > lost ? 2 * n - lost : 0;
+}
+
+// The library notices this in the last round only, when memory is long gone.
+void require_possible_size(std::size_t n, const Curve_rule& rule, unsigned levels)
+{
+  for (unsigned k = 0; k < levels; ++k) {
+    const std::size_t refined = refined_size(n, rule);
+    if (refined >= UINT32_MAX)
+      throw Error("round " + std::to_string(k + 1) + " of " + std::to_string(levels) +
+                  " would make " + std::to_string(refined) +
+                  " points, more than can be numbered: ask for fewer rounds");
+    if (refined <= n) return; // does not grow
+    n = refined;
+  }
+}
+
+template <class Curve, class Function>
+Curve with_mask(const Curve_rule& rule, const Function& function)
+{
+  return std::visit(
+    [&](const auto& mask) {
+      if (rule.linear) return function(PN::linear(mask));
+      if (!rule.normal_scheme) return function(mask);
+      return std::visit(
+        [&](const auto& other) { return function(PN::with_normal_mask(mask, other)); },
+        rule.normal_scheme->mask);
+    },
+    rule.scheme.mask);
+}
+
+} // namespace
+
+Curve_scheme parse_curve_scheme(const std::string& option, const std::string& name)
+{
+  if (name == "chaikin") return b_spline(2);
+  if (boost::algorithm::starts_with(name, "bspline:")) {
+    const std::optional<int> degree = to_int(name.substr(8));
+    if (degree && *degree >= 2 && *degree <= 9) return b_spline(*degree);
+    throw Usage_error(option + " '" + name + "': B-splines have a degree from 2 to 9");
+  }
+  if (boost::algorithm::ends_with(name, "-point")) {
+    const std::optional<int> points = to_int(name.substr(0, name.size() - 6));
+    if (points && *points >= 2 && *points <= 20 && *points % 2 == 0) return interpolatory(*points);
+    throw Usage_error(option + " '" + name + "': the number of points is even and at most 20");
+  }
+  throw Usage_error(option + " '" + name +
+                    "': there is no such scheme, only bspline:DEGREE, chaikin, 4-point, 6-point, "
+                    "8-point, 10-point, ..., 20-point");
+}
+
+Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
+{
+  require_possible_size(curve.size(), rule, levels);
+  Curve_data refined;
+  refined.has_normals = !rule.linear;
+  std::visit(
+    [&](const auto& points) {
+      using Curve = std::decay_t<decltype(points)>;
+      refined.points = with_mask<Curve>(rule, [&](const auto& mask) {
+        return PN::subdivide_curve(points, mask, rule.end,
+                                   CGAL::parameters::number_of_iterations(levels));
+      });
+    },
+    curve.points);
+  return refined;
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CURVE_SCHEMES_H
+#define PN_SUBDIVIDE_CURVE_SCHEMES_H
+
+#include "io/curve_data.h"
+
+#include <CGAL/PN_subdivision_curve.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace pn_subdivide {
+
+using Curve_mask = std::variant<CGAL::PN_subdivision_3::B_spline_mask,
+                                CGAL::PN_subdivision_3::Dubuc_Deslauriers_mask>;
+
+// A mask with what the command has to know about it.
+struct Curve_scheme
+{
+  std::string name; // for people
+  Curve_mask mask;
+  bool primal;
+  std::size_t lost_points; // of 2n, in a round without the stencils that leave an open polygon
+};
+
+// Throws Usage_error, which begins with the option, if there is no such scheme.
+Curve_scheme parse_curve_scheme(const std::string& option, const std::string& name);
+
+struct Curve_rule
+{
+  Curve_scheme scheme;
+  std::optional<Curve_scheme> normal_scheme;
+  bool linear = false;
+  CGAL::PN_subdivision_3::Curve_end end = CGAL::PN_subdivision_3::Curve_end::closed;
+};
+
+// The refined curve. Throws Error if it would have more points than can be numbered, and what the
+// library throws.
+Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CURVE_SCHEMES_H

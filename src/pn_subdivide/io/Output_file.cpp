@@ -1,0 +1,152 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Output_file.h"
+
+#include "io/Error.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <random>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace pn_subdivide {
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 20;
+
+std::string reason(int error)
+{
+  return std::generic_category().message(error);
+}
+
+// An old file that may not be changed is not replaced either.
+void require_changeable(const fs::path& file)
+{
+  std::FILE* f = std::fopen(file.string().c_str(), "r+b");
+  if (f == nullptr) throw Error("cannot be written: " + reason(errno));
+  std::fclose(f);
+}
+
+// What a link, or a chain of links, leads to.
+fs::path real_target(const fs::path& file)
+{
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  const fs::path target = fs::weakly_canonical(file, error);
+  return error ? file : target;
+}
+
+fs::file_status checked_status(const fs::path& target)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status)) throw Error("this is a directory, not a file to be written");
+  if (fs::is_regular_file(status)) require_changeable(target);
+  const fs::path folder = target.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    throw Error("cannot be written: there is no folder " + folder.string());
+  return status;
+}
+
+} // namespace
+
+void Output_file::check(const std::string& file)
+{
+  checked_status(real_target(file));
+}
+
+Output_file::Output_file(const std::string& file)
+  : target_(real_target(file))
+{
+  const fs::file_status status = checked_status(target_);
+  std::error_code error;
+  buffer_.reserve(buffer_size + 64);
+  if (!fs::exists(status) || fs::is_regular_file(status)) {
+    open_temporary();
+    if (fs::is_regular_file(status)) fs::permissions(temporary_, status.permissions(), error);
+  } else {
+    file_ = std::fopen(target_.string().c_str(), "wb");
+    if (file_ == nullptr) throw Error("cannot be written: " + reason(errno));
+  }
+}
+
+Output_file::~Output_file()
+{
+  if (file_ != nullptr) std::fclose(file_);
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+void Output_file::open_temporary()
+{
+  std::random_device random;
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const std::string name = ".pn_subdivide-" + std::to_string(random()) + ".tmp";
+    const fs::path temporary = target_.parent_path() / name;
+    file_ = std::fopen(temporary.string().c_str(), "wbx"); // x: never opens an existing file
+    if (file_ != nullptr) {
+      temporary_ = temporary;
+      return;
+    }
+    if (errno != EEXIST) break;
+  }
+  throw Error("cannot be written, no file can be made in its folder: " + reason(errno));
+}
+
+void Output_file::text(std::string_view s)
+{
+  buffer_.append(s);
+  if (buffer_.size() >= buffer_size) flush();
+}
+
+void Output_file::number(double x)
+{
+  char digits[40];
+  const auto end =
+    std::to_chars(digits, digits + sizeof(digits), x, std::chars_format::general, 17).ptr;
+  text(std::string_view(digits, static_cast<std::size_t>(end - digits)));
+}
+
+void Output_file::number(std::uint64_t n)
+{
+  char digits[24];
+  const auto end = std::to_chars(digits, digits + sizeof(digits), n).ptr;
+  text(std::string_view(digits, static_cast<std::size_t>(end - digits)));
+}
+
+void Output_file::flush()
+{
+  if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size())
+    throw Error("writing failed: " + reason(errno));
+  buffer_.clear();
+}
+
+void Output_file::close()
+{
+  std::FILE* file = file_;
+  file_ = nullptr;
+  const bool flushed = std::fflush(file) == 0;
+  const int error = errno;
+  const bool closed = std::fclose(file) == 0;
+  if (!flushed || !closed) throw Error("writing failed: " + reason(flushed ? errno : error));
+}
+
+void Output_file::commit()
+{
+  flush();
+  close();
+  if (temporary_.empty()) return;
+
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) throw Error("cannot be replaced: " + error.message());
+  temporary_.clear();
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,102 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Ply_header.h"
+
+namespace pn_subdivide {
+namespace {
+
+Ply_type read_type(Text_reader& in)
+{
+  static const struct
+  {
+    const char *name, *other_name;
+    Ply_type type;
+  } types[] = {{"char", "int8", Ply_type::int8},        {"uchar", "uint8", Ply_type::uint8},
+               {"short", "int16", Ply_type::int16},     {"ushort", "uint16", Ply_type::uint16},
+               {"int", "int32", Ply_type::int32},       {"uint", "uint32", Ply_type::uint32},
+               {"float", "float32", Ply_type::float32}, {"double", "float64", Ply_type::float64}};
+  const std::string word(in.word());
+  for (const auto& t : types)
+    if (word == t.name || word == t.other_name) return t.type;
+  in.fail("not a PLY type: '" + Text_reader::printable(word) + "'");
+}
+
+Ply_format read_format(Text_reader& in)
+{
+  const std::string_view word = in.word();
+  if (word == "ascii") return Ply_format::ascii;
+  if (word == "binary_little_endian") return Ply_format::little_endian;
+  if (word == "binary_big_endian") return Ply_format::big_endian;
+  in.fail("not a PLY format: '" + Text_reader::printable(word) + "'");
+}
+
+Ply_element read_element(Text_reader& in, const std::vector<Ply_element>& others)
+{
+  Ply_element element;
+  element.name = in.word();
+  for (const Ply_element& other : others)
+    if (other.name == element.name)
+      in.fail("a second element '" + Text_reader::printable(element.name) + "'");
+  const std::int64_t size = in.integer("the number of elements");
+  if (size < 0) in.fail("the number of elements is negative");
+  element.size = static_cast<std::size_t>(size);
+  return element;
+}
+
+Ply_property read_property(Text_reader& in)
+{
+  Ply_property property;
+  Text_reader first_word = in;
+  property.is_list = first_word.word() == "list";
+  if (property.is_list) {
+    in.word();
+    property.size_type = read_type(in);
+    if (property.size_type == Ply_type::float32 || property.size_type == Ply_type::float64)
+      in.fail("the length of a list must be an integer");
+  }
+  property.type = read_type(in);
+  property.name = in.word();
+  if (property.name.empty()) in.fail("a property without a name");
+  return property;
+}
+
+} // namespace
+
+std::size_t Ply_element::find(const std::string& property) const
+{
+  for (std::size_t i = 0; i < properties.size(); ++i)
+    if (properties[i].name == property) return i;
+  return none;
+}
+
+Ply_header read_ply_header(Text_reader& in)
+{
+  Ply_header header;
+  if (!in.next_line() || in.word() != "ply")
+    in.fail("not a PLY file: it does not begin with 'ply'");
+
+  bool has_format = false;
+  while (in.next_line()) {
+    const std::string_view keyword = in.word();
+    if (keyword == "format") {
+      header.format = read_format(in);
+      has_format = true;
+    } else if (keyword == "element") {
+      header.elements.push_back(read_element(in, header.elements));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) in.fail("a property before the first element");
+      header.elements.back().properties.push_back(read_property(in));
+    } else if (keyword == "end_header") {
+      if (!has_format) in.fail("the header says nothing about the format");
+      return header;
+    } else if (keyword != "comment" && keyword != "obj_info") {
+      in.fail("'" + Text_reader::printable(keyword) + "' does not belong into a PLY header");
+    }
+  }
+  in.fail("truncated: the header has no 'end_header'");
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,50 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_PLY_HEADER_H
+#define PN_SUBDIVIDE_PLY_HEADER_H
+
+#include "io/Text_reader.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pn_subdivide {
+
+enum class Ply_format { ascii, little_endian, big_endian };
+enum class Ply_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Ply_property
+{
+  std::string name;
+  Ply_type type;
+  bool is_list = false;
+  Ply_type size_type = Ply_type::uint8; // of lists
+};
+
+struct Ply_element
+{
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::string name;
+  std::size_t size = 0;
+  std::vector<Ply_property> properties;
+
+  std::size_t find(const std::string& property) const; // its position, or `none`
+};
+
+struct Ply_header
+{
+  Ply_format format = Ply_format::ascii;
+  std::vector<Ply_element> elements;
+};
+
+// Leaves `in` on the last line of the header. Throws Error.
+Ply_header read_ply_header(Text_reader& in);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_PLY_HEADER_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_PLY_VALUES_H
+#define PN_SUBDIVIDE_PLY_VALUES_H
+
+#include "io/Error.h"
+#include "io/Ply_header.h"
+#include "io/Text_reader.h"
+
+#include <boost/endian/conversion.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace pn_subdivide {
+
+// Hands out the values behind a PLY header one after the other. Every PLY type fits into a double.
+class Ply_values
+{
+public:
+  Ply_values(const std::string& content, const Text_reader& behind_header, Ply_format format)
+    : content_(content)
+    , text_(behind_header)
+    , pos_(behind_header.offset())
+    , format_(format)
+  {}
+
+  double next(Ply_type type)
+  {
+    switch (type) {
+    case Ply_type::int8:
+      return value<std::int8_t>();
+    case Ply_type::uint8:
+      return value<std::uint8_t>();
+    case Ply_type::int16:
+      return value<std::int16_t>();
+    case Ply_type::uint16:
+      return value<std::uint16_t>();
+    case Ply_type::int32:
+      return value<std::int32_t>();
+    case Ply_type::uint32:
+      return value<std::uint32_t>();
+    case Ply_type::float32:
+      return value<float>();
+    case Ply_type::float64:
+      break;
+    }
+    return value<double>();
+  }
+
+  std::size_t bytes_left() const
+  {
+    return content_.size() - (format_ == Ply_format::ascii ? text_.position() : pos_);
+  }
+
+  // Is nothing but blanks left?
+  bool at_end()
+  {
+    if (format_ == Ply_format::ascii) return text_.at_end_of_line() && !text_.next_line();
+    return content_.find_first_not_of(" \t\r\n", pos_) == std::string::npos;
+  }
+
+private:
+  template <class T>
+  double value()
+  {
+    if (format_ == Ply_format::ascii) return text_value();
+    if (content_.size() - pos_ < sizeof(T)) throw Error("truncated");
+    const auto* bytes = reinterpret_cast<const unsigned char*>(content_.data()) + pos_;
+    pos_ += sizeof(T);
+    using boost::endian::order;
+    return format_ == Ply_format::little_endian
+             ? boost::endian::endian_load<T, sizeof(T), order::little>(bytes)
+             : boost::endian::endian_load<T, sizeof(T), order::big>(bytes);
+  }
+
+  double text_value()
+  {
+    const std::string_view word = text_.word_across_lines();
+    if (word.empty()) throw Error("truncated");
+    return text_.to_number(word, "a number");
+  }
+
+  const std::string& content_;
+  Text_reader text_;
+  std::size_t pos_;
+  Ply_format format_;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_PLY_VALUES_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Text_reader.h"
+
+#include "io/Error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+namespace pn_subdivide {
+namespace {
+
+bool is_blank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+} // namespace
+
+Text_reader::Text_reader(const std::string& text, char comment_sign)
+  : text_(text)
+  , comment_sign_(comment_sign)
+{
+  const std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors put it in front
+  if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0) next_ = byte_order_mark.size();
+}
+
+std::string Text_reader::printable(std::string_view word)
+{
+  std::string s(word.substr(0, 40));
+  std::replace_if(
+    s.begin(), s.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  return s;
+}
+
+bool Text_reader::next_line()
+{
+  while (next_ < text_.size()) {
+    pos_ = next_;
+    const std::size_t newline = std::min(text_.find('\n', pos_), text_.size());
+    next_ = std::min(newline + 1, text_.size());
+    ++line_;
+    const std::string_view line(text_.data() + pos_, newline - pos_);
+    end_ = newline;
+    if (comment_sign_ != '\0') end_ = pos_ + std::min(line.find(comment_sign_), line.size());
+    if (!at_end_of_line()) return true;
+  }
+  pos_ = end_ = text_.size();
+  return false;
+}
+
+void Text_reader::skip_blanks()
+{
+  while (pos_ < end_ && is_blank(text_[pos_])) ++pos_;
+}
+
+bool Text_reader::at_end_of_line()
+{
+  skip_blanks();
+  return pos_ == end_;
+}
+
+std::string_view Text_reader::word()
+{
+  skip_blanks();
+  const std::size_t begin = pos_;
+  while (pos_ < end_ && !is_blank(text_[pos_])) ++pos_;
+  return std::string_view(text_.data() + begin, pos_ - begin);
+}
+
+std::string_view Text_reader::word_across_lines()
+{
+  if (at_end_of_line()) next_line();
+  return word();
+}
+
+std::string_view Text_reader::rest_of_line()
+{
+  skip_blanks();
+  const std::size_t begin = pos_;
+  pos_ = end_;
+  return std::string_view(text_.data() + begin, end_ - begin);
+}
+
+std::size_t Text_reader::words_left() const
+{
+  std::size_t n = 0;
+  bool blank = true;
+  for (std::size_t i = pos_; i < end_; ++i) {
+    if (blank && !is_blank(text_[i])) ++n;
+    blank = is_blank(text_[i]);
+  }
+  return n;
+}
+
+std::string_view Text_reader::required_word(const char* what)
+{
+  const std::string_view w = word();
+  if (w.empty()) fail(std::string("the line ends where ") + what + " is expected");
+  return w;
+}
+
+double Text_reader::number(const char* what)
+{
+  return to_number(required_word(what), what);
+}
+std::int64_t Text_reader::integer(const char* what)
+{
+  return to_integer(required_word(what), what);
+}
+
+double Text_reader::to_number(std::string_view w, const char* what) const
+{
+  // strtod() and not from_chars(): it rounds numbers out of range to 0 and infinity, takes a '+',
+  // and there are standard libraries without from_chars() for floating point. The text ends with
+  // a zero, and a number with the word.
+  char* end = nullptr;
+  const double x = std::strtod(w.data(), &end);
+  if (w.empty() || end != w.data() + w.size())
+    fail("'" + printable(w) + "' stands where " + what + " is expected");
+  return x;
+}
+
+std::int64_t Text_reader::to_integer(std::string_view w, const char* what) const
+{
+  const std::string_view digits = w.substr(!w.empty() && w.front() == '+' ? 1 : 0);
+  std::int64_t n = 0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+  if (digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size())
+    fail("'" + printable(w) + "' stands where " + what + " is expected");
+  return n;
+}
+
+void Text_reader::fail(const std::string& what) const
+{
+  throw Error("line " + std::to_string(line_) + ": " + what);
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,32 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_FORMATS_H
+#define PN_SUBDIVIDE_FORMATS_H
+
+#include "io/Mesh_data.h"
+#include "io/mesh_io.h"
+
+#include <string>
+
+namespace pn_subdivide {
+
+class Output_file;
+
+// One function per format. They take the content of a file, or the file to be filled, and throw
+// Error without the file's name, which `read_mesh()` and `write_mesh()` put in front.
+Mesh_data read_ply(const std::string& content);
+Mesh_data read_off(const std::string& content);
+Mesh_data read_obj(const std::string& content);
+Mesh_data read_stl(const std::string& content);
+
+void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+void write_off(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+void write_obj(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_FORMATS_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Error.h"
+#include "io/Obj_normals.h"
+#include "io/Text_reader.h"
+#include "io/formats.h"
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace pn_subdivide {
+namespace {
+
+class Obj_reader
+{
+public:
+  explicit Obj_reader(const std::string& content)
+    : in_(content, '#')
+  {}
+
+  Mesh_data read()
+  {
+    while (in_.next_line()) {
+      const std::string_view keyword = in_.word();
+      if (keyword == "v")
+        read_point();
+      else if (keyword == "vn")
+        read_normal();
+      else if (keyword == "f")
+        read_face();
+      // Everything else (textures, groups, materials, lines, ...) says nothing about the surface.
+    }
+    if (mesh_.points.empty())
+      throw Error("not an OBJ mesh: there is no vertex (no line 'v x y z')");
+    check_indices();
+    mesh_.normals = normals_.per_vertex(mesh_.points.size());
+    return std::move(mesh_);
+  }
+
+private:
+  // A face's vertex or normal, counted from 0. Numbers in the file count from 1, negative ones back
+  // from the last that was read.
+  std::int64_t index(std::string_view word, std::size_t so_far, const char* what) const
+  {
+    const std::int64_t n = in_.to_integer(word, what);
+    const std::int64_t i = n < 0 ? static_cast<std::int64_t>(so_far) + n : n - 1;
+    if (i < 0 || static_cast<std::size_t>(i) >= Mesh_data::max_number_of_points)
+      in_.fail(std::string(what) + " " + std::to_string(n) + " is out of range");
+    return i;
+  }
+
+  void read_point()
+  {
+    const double x = in_.number("a coordinate");
+    const double y = in_.number("a coordinate");
+    const double z = in_.number("a coordinate");
+    mesh_.points.emplace_back(x, y, z); // a weight or a colour may follow
+    if (mesh_.points.size() > Mesh_data::max_number_of_points) in_.fail("too many vertices");
+  }
+
+  void read_normal()
+  {
+    const double x = in_.number("a normal's coordinate");
+    const double y = in_.number("a normal's coordinate");
+    const double z = in_.number("a normal's coordinate");
+    normals_.add_normal(Vector_3(x, y, z));
+  }
+
+  void read_face()
+  {
+    face_.clear();
+    for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) read_corner(w);
+    if (face_.size() < 3) in_.fail("a face with " + std::to_string(face_.size()) + " vertices");
+    mesh_.add_face(face_);
+    line_of_face_.push_back(in_.line());
+  }
+
+  // v, v/t, v//n or v/t/n
+  void read_corner(std::string_view w)
+  {
+    const std::size_t slash = std::min(w.find('/'), w.size());
+    const std::int64_t v = index(w.substr(0, slash), mesh_.points.size(), "a vertex index");
+    face_.push_back(static_cast<Mesh_data::Index>(v));
+    if (slash == w.size()) return;
+
+    w.remove_prefix(slash + 1);
+    const std::size_t second_slash = w.find('/');
+    if (second_slash == std::string_view::npos) return;
+    const std::int64_t n =
+      index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
+    normals_.add_corner(face_.back(), static_cast<std::size_t>(n), in_.line());
+  }
+
+  // Not earlier, because a face may come before its vertices.
+  void check_indices() const
+  {
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
+      for (const Mesh_data::Index v : mesh_.face(f))
+        if (v >= mesh_.points.size())
+          throw Error("line " + std::to_string(line_of_face_[f]) + ": the face's vertex index " +
+                      std::to_string(v + std::uint64_t(1)) + " is out of range, there are " +
+                      std::to_string(mesh_.points.size()) + " vertices");
+  }
+
+  Text_reader in_;
+  Mesh_data mesh_;
+  Obj_normals normals_;
+  std::vector<Mesh_data::Index> face_;
+  std::vector<std::size_t> line_of_face_;
+};
+
+} // namespace
+
+Mesh_data read_obj(const std::string& content)
+{
+  if (content.find('\\') == std::string::npos) return Obj_reader(content).read();
+
+  // A line that ends with a backslash goes on in the next one.
+  std::string joined = boost::algorithm::replace_all_copy(content, "\\\r\n", " ");
+  boost::algorithm::replace_all(joined, "\\\n", " ");
+  return Obj_reader(joined).read();
+}
+
+} // namespace pn_subdivide

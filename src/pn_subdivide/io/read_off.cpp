@@ -1,0 +1,149 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Error.h"
+#include "io/Text_reader.h"
+#include "io/formats.h"
+
+#include <algorithm>
+
+namespace pn_subdivide {
+namespace {
+
+struct Off_header
+{
+  bool texture = false, colors = false, normals = false;
+  std::size_t points = 0, faces = 0;
+};
+
+// [ST][C][N]OFF in any order of the prefixes, since programs differ. What follows OFF in the same
+// word, as in "OFF8 6 0", begins the counts.
+std::string_view read_keyword(Text_reader& in, Off_header& header)
+{
+  std::string_view word = in.word();
+  const auto take = [&word](std::string_view prefix) {
+    const bool found = word.substr(0, prefix.size()) == prefix;
+    if (found) word.remove_prefix(prefix.size());
+    return found;
+  };
+  while (!take("OFF")) {
+    if (take("ST"))
+      header.texture = true;
+    else if (take("C"))
+      header.colors = true;
+    else if (take("N"))
+      header.normals = true;
+    else if (take("4") || take("n"))
+      in.fail("OFF files with points that are not x y z are not supported");
+    else
+      in.fail("not an OFF file: it does not begin with OFF, NOFF, COFF or the like");
+  }
+  return word;
+}
+
+std::size_t to_count(const Text_reader& in, std::string_view word, const char* what)
+{
+  const std::int64_t n = in.to_integer(word, what);
+  if (n < 0) in.fail(std::string(what) + " is negative");
+  return static_cast<std::size_t>(n);
+}
+
+Off_header read_header(Text_reader& in)
+{
+  Off_header header;
+  if (!in.next_line()) throw Error("not an OFF file: it holds no text");
+  std::string_view word = read_keyword(in, header);
+  if (word.empty()) word = in.word_across_lines();
+  if (word == "BINARY")
+    in.fail("binary OFF files are not supported; PLY is a good exchange format");
+
+  header.points = to_count(in, word, "the number of vertices");
+  header.faces = to_count(in, in.word_across_lines(), "the number of faces");
+  if (header.points > Mesh_data::max_number_of_points) in.fail("too many vertices");
+  return header; // the number of edges, where it is given, says nothing new
+}
+
+void next_line_of(Text_reader& in, const char* what, std::size_t i, std::size_t number)
+{
+  if (!in.next_line())
+    throw Error("truncated: the file ends after " + std::to_string(i) + " of " +
+                std::to_string(number) + " " + what);
+}
+
+Point_3 read_point(Text_reader& in)
+{
+  const double x = in.number("a coordinate");
+  const double y = in.number("a coordinate");
+  const double z = in.number("a coordinate");
+  return Point_3(x, y, z);
+}
+
+Vector_3 read_normal(Text_reader& in)
+{
+  const double x = in.number("a normal's coordinate");
+  const double y = in.number("a normal's coordinate");
+  const double z = in.number("a normal's coordinate");
+  return Vector_3(x, y, z);
+}
+
+// Colours have 0 to 4 numbers, whatever the header says, and are skipped with the texture. A plain
+// OFF file with three more numbers could mean normals or colours; this is not guessed.
+void read_rest_of_vertex(Text_reader& in, const Off_header& header)
+{
+  const std::size_t texture = header.texture ? 2 : 0;
+  const std::size_t most = texture + (header.colors ? 4 : 0);
+  const std::size_t left = in.words_left();
+  if (left < texture || left > most)
+    in.fail("the vertex has " + std::to_string(left) + " numbers behind its coordinates" +
+            (header.normals ? " and normal" : "") + " where the header announces " +
+            (texture == most ? std::to_string(most)
+                             : std::to_string(texture) + " to " + std::to_string(most)));
+  while (!in.at_end_of_line()) in.number("a number");
+}
+
+void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face)
+{
+  const std::int64_t n = in.integer("the face's number of vertices");
+  if (n < 3) in.fail("a face with " + std::to_string(n) + " vertices");
+  face.clear();
+  for (std::int64_t i = 0; i < n; ++i) {
+    const std::int64_t v = in.integer("a vertex index");
+    if (v < 0 || static_cast<std::size_t>(v) >= number_of_points)
+      in.fail("the face's vertex index " + std::to_string(v) + " is out of range, there are " +
+              std::to_string(number_of_points) + " vertices");
+    face.push_back(static_cast<Mesh_data::Index>(v));
+  }
+  if (in.words_left() > 4)
+    in.fail("too many numbers for a face with " + std::to_string(n) + " vertices and a colour");
+}
+
+} // namespace
+
+Mesh_data read_off(const std::string& content)
+{
+  Text_reader in(content, '#');
+  const Off_header header = read_header(in);
+
+  Mesh_data mesh;
+  const std::size_t plausible = content.size() / 6; // a damaged header may announce anything
+  mesh.points.reserve(std::min(header.points, plausible));
+  for (std::size_t i = 0; i < header.points; ++i) {
+    next_line_of(in, "vertices", i, header.points);
+    mesh.points.push_back(read_point(in));
+    if (header.normals) mesh.normals.push_back(read_normal(in));
+    read_rest_of_vertex(in, header);
+  }
+  std::vector<Mesh_data::Index> face;
+  mesh.reserve_faces(std::min(header.faces, plausible), 4 * std::min(header.faces, plausible));
+  for (std::size_t i = 0; i < header.faces; ++i) {
+    next_line_of(in, "faces", i, header.faces);
+    read_face(in, header.points, face);
+    mesh.add_face(face);
+  }
+  if (in.next_line()) in.fail("more lines than the header announces");
+  return mesh;
+}
+
+} // namespace pn_subdivide

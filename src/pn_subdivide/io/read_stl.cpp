@@ -1,0 +1,163 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Error.h"
+#include "io/Text_reader.h"
+#include "io/formats.h"
+
+#include <boost/endian/conversion.hpp>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace pn_subdivide {
+namespace {
+
+constexpr std::size_t header_size = 84, facet_size = 50;
+
+const unsigned char* bytes(const std::string& content)
+{
+  return reinterpret_cast<const unsigned char*>(content.data());
+}
+
+std::size_t announced_facets(const std::string& content)
+{
+  if (content.size() < header_size) return 0;
+  return boost::endian::load_little_u32(bytes(content) + header_size - 4);
+}
+
+bool is_binary(const std::string& content)
+{
+  return content.size() >= header_size &&
+         content.size() == header_size + facet_size * announced_facets(content);
+}
+
+bool is_text(const std::string& content)
+{
+  Text_reader in(content, '\0');
+  return in.next_line() && in.word() == "solid";
+}
+
+[[noreturn]] void fail_as_no_stl(const std::string& content)
+{
+  if (content.size() < header_size)
+    throw Error("not an STL file: neither text that begins with 'solid' nor long enough for a "
+                "binary one");
+  throw Error("not an STL file or truncated: it is no text that begins with 'solid', and a binary "
+              "file with the " +
+              std::to_string(announced_facets(content)) + " triangles it announces has " +
+              std::to_string(header_size + facet_size * announced_facets(content)) +
+              " bytes, not " + std::to_string(content.size()));
+}
+
+// Merges equal points. CGAL's reader does so too, but skips in silence a facet whose keyword is
+// damaged, and takes a coordinate that is not a number for equal to any other.
+class Stl_reader
+{
+public:
+  Mesh_data read_text(const std::string& content)
+  {
+    Text_reader in(content, '\0');
+    while (in.next_line()) read_solid(in);
+    return std::move(mesh_);
+  }
+
+  Mesh_data read_binary(const std::string& content)
+  {
+    const std::size_t facets = announced_facets(content);
+    mesh_.reserve_faces(facets, 3 * facets);
+    for (std::size_t f = 0; f < facets; ++f) {
+      const unsigned char* const facet = bytes(content) + header_size + facet_size * f;
+      for (std::size_t i = 0; i < 3; ++i) triangle_[i] = index(corner(facet + 12 * (i + 1)));
+      mesh_.add_face(triangle_);
+    }
+    return std::move(mesh_);
+  }
+
+private:
+  using Corner = std::array<double, 3>;
+
+  static Corner corner(const unsigned char* p)
+  {
+    using boost::endian::endian_load;
+    using boost::endian::order;
+    Corner c;
+    for (std::size_t k = 0; k < 3; ++k)
+      c[k] = endian_load<float, sizeof(float), order::little>(p + sizeof(float) * k);
+    return c;
+  }
+
+  Mesh_data::Index index(const Corner& c)
+  {
+    for (const double x : c)
+      if (!std::isfinite(x))
+        throw Error("triangle " + std::to_string(mesh_.number_of_faces()) +
+                    " has a coordinate that is not finite");
+    const auto next = static_cast<Mesh_data::Index>(mesh_.points.size());
+    const auto [place, is_new] = indices_.emplace(c, next);
+    if (is_new) mesh_.points.emplace_back(c[0], c[1], c[2]);
+    return place->second;
+  }
+
+  static void expect(Text_reader& in, const std::string& keyword)
+  {
+    const std::string_view word = in.word_across_lines();
+    if (word != keyword) fail(in, word, "'" + keyword + "'");
+  }
+
+  [[noreturn]] static void fail(const Text_reader& in, std::string_view word,
+                                const std::string& expected)
+  {
+    in.fail("damaged or truncated STL file: " +
+            (word.empty() ? "it ends" : "'" + Text_reader::printable(word) + "' stands") +
+            " where " + expected + " is expected");
+  }
+
+  // 'solid' and 'endsolid' may be followed by a name, 'facet' by a normal, which is not used.
+  void read_solid(Text_reader& in)
+  {
+    expect(in, "solid");
+    in.rest_of_line();
+    for (;;) {
+      const std::string_view word = in.word_across_lines();
+      if (word == "endsolid") break;
+      if (word != "facet") fail(in, word, "'facet' or 'endsolid'");
+      in.rest_of_line();
+      read_facet(in);
+    }
+    in.rest_of_line();
+  }
+
+  void read_facet(Text_reader& in)
+  {
+    expect(in, "outer");
+    expect(in, "loop");
+    for (Mesh_data::Index& i : triangle_) {
+      expect(in, "vertex");
+      Corner c;
+      for (double& x : c) x = in.to_number(in.word_across_lines(), "a coordinate");
+      i = index(c);
+    }
+    expect(in, "endloop");
+    expect(in, "endfacet");
+    mesh_.add_face(triangle_);
+  }
+
+  Mesh_data mesh_;
+  std::map<Corner, Mesh_data::Index> indices_;
+  std::array<Mesh_data::Index, 3> triangle_;
+};
+
+} // namespace
+
+Mesh_data read_stl(const std::string& content)
+{
+  if (is_binary(content)) return Stl_reader().read_binary(content);
+  if (is_text(content)) return Stl_reader().read_text(content);
+  fail_as_no_stl(content);
+}
+
+} // namespace pn_subdivide

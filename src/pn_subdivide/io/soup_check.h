@@ -1,0 +1,47 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_SOUP_CHECK_H
+#define PN_SUBDIVIDE_SOUP_CHECK_H
+
+#include "io/Mesh_data.h"
+
+#include <string>
+
+namespace pn_subdivide {
+
+// What keeps a polygon soup from being an oriented 2-manifold (with or without border).
+struct Soup_defects
+{
+  struct Edges
+  {
+    std::size_t number = 0;
+    Mesh_data::Index first[2] = {0, 0};
+  };
+  struct Vertices
+  {
+    std::size_t number = 0;
+    Mesh_data::Index first = 0;
+  };
+
+  Edges crowded;    // edges with more than two faces
+  Edges unoriented; // edges with two faces that go along them in the same direction
+  Vertices pinched; // vertices where several fans of faces meet (bow-ties); they are looked for
+                    // only where the edges are in order
+
+  bool none() const { return crowded.number + unoriented.number + pinched.number == 0; }
+  std::string description() const; // one line
+};
+
+Soup_defects find_defects(const Mesh_data& mesh);
+
+// What no repair mends: no faces, coordinates or normals that are not finite, a number of normals
+// other than that of vertices, a face that visits a vertex twice. Throws Error, which names the
+// first such element; vertices and faces are counted from 0.
+void require_sound_elements(const Mesh_data& mesh);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_SOUP_CHECK_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CONTROL_NORMALS_H
+#define PN_SUBDIVIDE_CONTROL_NORMALS_H
+
+#include "io/Mesh_data.h"
+
+#include <string>
+
+namespace pn_subdivide {
+
+// Where control normals come from, as --normals says it.
+struct Normals_option
+{
+  enum class Source { automatic, file, estimate, none, sphere, cylinder };
+
+  Source source = Source::automatic;
+  Point_3 center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
+  Vector_3 axis{0, 0, 1};  // of the cylinder
+};
+
+// auto | file | estimate | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
+Normals_option parse_normals_option(const std::string& text);
+
+// Sets, keeps or drops `mesh.normals`; all are unit vectors or zero afterwards. Throws Error if the
+// file was to give normals and has none. The mesh must be an oriented 2-manifold.
+void set_control_normals(Mesh_data& mesh, const Normals_option& option);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CONTROL_NORMALS_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
+#define PN_SUBDIVIDE_SURFACE_COMMAND_H
+
+#include "surface/surface_schemes.h"
+#include "surface/verification.h"
+
+#include <optional>
+#include <string>
+
+namespace pn_subdivide {
+
+struct Surface_options
+{
+  std::string input, output;
+  Scheme_choice scheme;
+  unsigned levels = 1;
+  bool linear = false;
+  std::optional<std::string> normals, curvature;
+  unsigned threads = 1; // 0: all cores
+  Verify_options verify;
+  bool repair = false, ascii = false, quiet = false;
+};
+
+// The command `pn_subdivide surface`. Throws Usage_error, Error or what the library throws; the
+// output file is then as it was. Throws Tolerance_error after writing it.
+void run_surface_command(const Surface_options& options);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_SURFACE_COMMAND_H

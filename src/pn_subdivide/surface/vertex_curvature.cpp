@@ -1,0 +1,115 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/vertex_curvature.h"
+
+#include "io/Error.h"
+#include "io/mesh_io.h"
+#include "surface/Surface.h"
+#include "surface/diverging_colors.h"
+
+#if __has_include(<Eigen/Core>)
+#  include <CGAL/PN_subdivision_3/estimate_curvature.h>
+#endif
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+const char* name_of(Curvature_kind kind)
+{
+  return kind == Curvature_kind::gaussian ? "gaussian_curvature" : "mean_curvature";
+}
+
+// The value at the end of the colors: a few vertices with large values, at extraordinary vertices
+// say, must not make the others pale. What is flat but for rounding remains so.
+double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
+{
+  constexpr double share_within = 0.9, flat = 1e-9;
+  std::vector<double> sizes;
+  for (const double x : mesh.scalars) sizes.push_back(std::abs(x));
+  if (sizes.empty()) return 1;
+  const auto rank = static_cast<std::ptrdiff_t>(share_within * double(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
+  CGAL::Bbox_3 box;
+  for (const Point_3& p : mesh.points) box += p.bbox();
+  const double diameter = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double least = kind == Curvature_kind::mean ? flat / diameter : flat / diameter / diameter;
+  const double end = sizes[static_cast<std::size_t>(rank)];
+  if (end > least) return end;
+  return least > 0 && std::isfinite(least) ? least : 1;
+}
+
+} // namespace
+
+Curvature_kind parse_curvature_option(const std::string& text, const std::string& output)
+{
+#if !__has_include(<Eigen/Core>)
+  throw Usage_error("--curvature: this program was built without Eigen");
+#endif
+  if (text != "gaussian" && text != "mean")
+    throw Usage_error("--curvature '" + text + "': expected gaussian or mean");
+  if (!holds_scalars(output))
+    throw Usage_error("--curvature: " + output + " cannot hold it, only .ply and .vtp can");
+  return text == "mean" ? Curvature_kind::mean : Curvature_kind::gaussian;
+}
+
+std::string Curvature_range::description(Curvature_kind kind) const
+{
+  char text[200];
+  std::snprintf(text, sizeof text, "%s curvature from %.4g to %.4g, colors from %.4g to %.4g",
+                kind == Curvature_kind::gaussian ? "Gaussian" : "mean", least, greatest, -end, end);
+  if (without_estimate == 0) return text;
+  return text + ("; " + std::to_string(without_estimate)) +
+         " vertices allow no estimate (too few neighbors, no area or out of range) and get 0";
+}
+
+Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, unsigned threads)
+{
+  Curvature_range range;
+#if __has_include(<Eigen/Core>)
+#  ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#  else
+  (void)threads;
+#  endif
+  Surface surface = make_surface(mesh);
+  using Curvature = PN::Vertex_curvature<Kernel>;
+  const auto curvatures = surface.add_property_map<Surface::Vertex_index, Curvature>("c").first;
+  PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, curvatures);
+
+  mesh.scalar_name = name_of(kind);
+  mesh.scalars.clear();
+  for (const Surface::Vertex_index v : surface.vertices()) {
+    const Curvature& c = curvatures[v];
+    mesh.scalars.push_back(kind == Curvature_kind::gaussian ? c.gaussian : c.mean);
+    if (!c.is_estimated) ++range.without_estimate;
+  }
+  range.end = end_of_colors(mesh, kind);
+  mesh.colors.clear();
+  for (const double x : mesh.scalars) mesh.colors.push_back(diverging_color(x / range.end));
+  const auto ends = std::minmax_element(mesh.scalars.begin(), mesh.scalars.end());
+  if (!mesh.scalars.empty()) {
+    range.least = *ends.first;
+    range.greatest = *ends.second;
+  }
+#else
+  (void)mesh;
+  (void)kind;
+  (void)threads;
+#endif
+  return range;
+}
+
+} // namespace pn_subdivide

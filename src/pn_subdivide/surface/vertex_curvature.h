@@ -1,0 +1,37 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_VERTEX_CURVATURE_H
+#define PN_SUBDIVIDE_VERTEX_CURVATURE_H
+
+#include "io/Mesh_data.h"
+
+#include <cstddef>
+#include <string>
+
+namespace pn_subdivide {
+
+enum class Curvature_kind { gaussian, mean };
+
+// `gaussian` or `mean`, and a file that can hold it. Throws Usage_error.
+Curvature_kind parse_curvature_option(const std::string& text, const std::string& output);
+
+struct Curvature_range
+{
+  double least = 0, greatest = 0;   // of the values
+  double end = 0;                   // the value at the end of the colors, the other one is -end
+  std::size_t without_estimate = 0; // vertices
+
+  std::string description(Curvature_kind kind) const;
+};
+
+// Gives the vertices the scalar and its colors. The curvature is that of the points alone, positive
+// where the surface bends away from the side from which its faces are seen counterclockwise;
+// vertices at which it cannot be estimated get 0. Passes on the library's exceptions.
+Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, unsigned threads);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_VERTEX_CURVATURE_H

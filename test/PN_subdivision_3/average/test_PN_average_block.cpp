@@ -1,0 +1,230 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The staged evaluation of blocks against the PN rule row by row, and both against the matrix form.
+
+#include "reference/PN_rule.h"
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+template <class FT>
+class PN_average_block : public testing::Test
+{
+public:
+  static constexpr FT epsilon = std::numeric_limits<FT>::epsilon();
+};
+using Number_types = testing::Types<double, float, long double>;
+TYPED_TEST_SUITE(PN_average_block, Number_types, );
+
+template <class FT>
+reference::Values as_reference(const std::vector<PN::Point_normal<FT, 3>>& old)
+{
+  reference::Values values;
+  for (const auto& v : old) {
+    values.points.emplace_back(v.point[0], v.point[1], v.point[2]);
+    values.normals.emplace_back(v.normal[0], v.normal[1], v.normal[2]);
+  }
+  return values;
+}
+
+// Normals about z; every `wild`-th one is missing or opposite.
+template <class FT>
+std::vector<PN::Point_normal<FT, 3>> some_values(std::size_t n, std::size_t wild)
+{
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::vector<PN::Point_normal<FT, 3>> values;
+  for (std::size_t i = 0; i < n; ++i) {
+    FT x = FT(coordinate(generator)), y = FT(coordinate(generator)), z = 2;
+    FT length = std::sqrt(x * x + y * y + z * z);
+    if (wild != 0 && i % wild == 0) length = -length;
+    PN::Coordinates<FT, 3> normal{x / length, y / length, z / length};
+    if (wild != 0 && i % wild == 1) normal = {0, 0, 0};
+    values.push_back(
+      {{FT(coordinate(generator)), FT(coordinate(generator)), FT(coordinate(generator))}, normal});
+  }
+  return values;
+}
+
+// `rows` rows of random weights that sum to 1; of `length` entries, or of any number up to it.
+template <class FT>
+PN::Stencil<FT> some_rows(std::size_t rows, std::size_t length, bool any_length, std::size_t values)
+{
+  std::mt19937 generator(static_cast<unsigned>(13 * length + rows));
+  std::uniform_real_distribution<double> weight(-0.1, 0.5);
+  PN::Stencil<FT> stencil;
+  for (std::size_t r = 0; r < rows; ++r) {
+    const std::size_t n = any_length ? 1 + generator() % length : length;
+    for (std::size_t j = 0; j < n; ++j) {
+      const auto v = static_cast<typename PN::Stencil<FT>::Index>(generator() % values);
+      if (j + 1 == n)
+        stencil.add_rest(v);
+      else
+        stencil.add(v, FT(weight(generator)));
+    }
+    stencil.close_row();
+  }
+  return stencil;
+}
+
+// what processors without wide registers compute
+struct Not_wide
+{
+  static constexpr std::size_t maximum_length = 0;
+};
+template <class FT, int dimension>
+using Narrow_block = PN::internal::Staged_PN_average_block<FT, dimension, Not_wide>;
+
+template <class Block>
+std::vector<typename Block::Value> block_of_rows(const PN::Stencil<typename Block::FT>& rows,
+                                                 const std::vector<typename Block::Value>& old)
+{
+  const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
+  std::vector<typename Block::Value> result(rows.number_of_rows());
+  Block()(rows, stored.data(), result.data());
+  return result;
+}
+
+template <class Block, class FT>
+void compare_block_with_rows(const PN::Stencil<FT>& rows,
+                             const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)
+{
+  const auto result = block_of_rows<Block>(rows, old);
+  for (std::size_t r = 0; r < result.size(); ++r) {
+    const auto expected = PN::PN_average<FT, 3>()(rows.begin(r), rows.end(r), old.data());
+    for (std::size_t k = 0; k < 3; ++k) {
+      // two roundings each: of 1/|N| and the product, of |N| and the quotient
+      EXPECT_LE(std::abs(result[r].normal[k] - expected.normal[k]),
+                2 * std::numeric_limits<FT>::epsilon())
+        << "row " << r;
+      EXPECT_LE(std::abs(result[r].point[k] - expected.point[k]), tolerance)
+        << "row " << r << " of " << rows.end(r) - rows.begin(r);
+    }
+    if (rows.end(r) - rows.begin(r) == 1) {
+      EXPECT_EQ(result[r].point, old[rows.begin(r)->vertex].point);
+    }
+  }
+}
+
+template <class FT>
+void compare_blocks(const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)
+{
+  using Block = typename PN::internal::Block_of<PN::PN_average<FT, 3>>::type;
+  for (std::size_t length = 1; length <= 20; ++length)
+    for (std::size_t number : {std::size_t(1), std::size_t(5), PN::internal::block_size_v<FT>})
+      for (bool any_length : {false, true}) {
+        const auto rows = some_rows<FT>(number, length, any_length, old.size());
+        compare_block_with_rows<Block>(rows, old, tolerance);
+        compare_block_with_rows<Narrow_block<FT, 3>>(rows, old, tolerance);
+      }
+}
+
+TYPED_TEST(PN_average_block, BlocksAreRowsOneByOne)
+{
+  compare_blocks<TypeParam>(some_values<TypeParam>(40, 0), 64 * this->epsilon);
+}
+
+// Where normals are opposite, the rows of a block are those of the rule, or magnified rounding.
+TYPED_TEST(PN_average_block, BlocksWithOppositeAndMissingNormalsAreRowsOneByOne)
+{
+  compare_blocks<TypeParam>(some_values<TypeParam>(40, 6), 65536 * this->epsilon);
+}
+
+template <int dimension>
+std::vector<PN::Point_normal<double, dimension>> some_values_of(std::size_t n, std::size_t wild)
+{
+  std::vector<PN::Point_normal<double, dimension>> values;
+  for (const auto& v : some_values<double>(n, wild)) {
+    values.emplace_back();
+    for (std::size_t c = 0; c < dimension; ++c) {
+      values.back().point[c] = v.point[c];
+      values.back().normal[c] = v.normal[3 - dimension + c];
+    }
+  }
+  return values;
+}
+
+// The wide block against the narrow one: rows of any length and number, runs that end anywhere.
+template <int dimension>
+void expect_same_bits(std::size_t wild)
+{
+  using Block = typename PN::internal::Block_of<PN::PN_average<double, dimension>>::type;
+  const auto old = some_values_of<dimension>(40, wild);
+  for (std::size_t length = 1; length <= 64; ++length)
+    for (std::size_t number = 1; number <= PN::internal::block_size_v<double>; ++number)
+      for (bool any_length : {false, true}) {
+        // of few lengths, so that there are runs
+        const std::size_t longest = any_length ? 1 + length % 3 : length;
+        const auto rows = some_rows<double>(number, longest, any_length, old.size());
+        const auto wide = block_of_rows<Block>(rows, old);
+        const auto narrow = block_of_rows<Narrow_block<double, dimension>>(rows, old);
+        for (std::size_t r = 0; r < number; ++r) {
+          ASSERT_EQ(wide[r].point, narrow[r].point) << r << " of " << number << " x " << length;
+          ASSERT_EQ(wide[r].normal, narrow[r].normal) << r << " of " << number << " x " << length;
+        }
+      }
+}
+
+bool differs_by_design()
+{
+#if defined(__FMA__) // the compiler fuses operations as it likes
+  return true;
+#else
+  using Wide = PN::internal::Wide_PN_average<double, 3>;
+  if constexpr (Wide::maximum_length == 0)
+    return true;
+  else
+    return !Wide::is_available();
+#endif
+}
+
+TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOne)
+{
+  if (differs_by_design()) GTEST_SKIP() << "no wide registers, or fused operations";
+  expect_same_bits<2>(0);
+  expect_same_bits<3>(0);
+}
+
+TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOneWithOppositeAndMissingNormals)
+{
+  if (differs_by_design()) GTEST_SKIP() << "no wide registers, or fused operations";
+  expect_same_bits<2>(6);
+  expect_same_bits<3>(6);
+}
+
+TYPED_TEST(PN_average_block, EqualsTheMatrixForm)
+{
+  using FT = TypeParam;
+  const auto old = some_values<FT>(30, 0);
+  const auto values = as_reference(old);
+  for (std::size_t length = 2; length <= 20; ++length) {
+    const auto rows = some_rows<FT>(8, length, false, old.size());
+    for (std::size_t r = 0; r < 8; ++r) {
+      reference::Row a = reference::Row::Zero(30);
+      for (auto e = rows.begin(r); e != rows.end(r); ++e) a[e->vertex] += e->weight;
+      const auto expected = reference::pn_rule(a, a, values, this->epsilon);
+      const auto p = PN::PN_average<FT, 3>()(rows.begin(r), rows.end(r), old.data());
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(double(p.point[std::size_t(k)]), double(expected.point[k]),
+                    256 * this->epsilon);
+        EXPECT_NEAR(double(p.normal[std::size_t(k)]), double(expected.normal[k]),
+                    64 * this->epsilon);
+      }
+    }
+  }
+}
+
+} // namespace

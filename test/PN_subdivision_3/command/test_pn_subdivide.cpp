@@ -1,0 +1,439 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The command as its users meet it: run as a program, judged by its files, its messages and its
+// exit code. Meshes are written and read here with the functions that test_pn_subdivide_io checks.
+
+#include "Command_test.h"
+
+#include "io/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace pn_subdivide;
+
+namespace {
+
+const char* const cube =
+  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
+  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+const char* const octahedron = "OFF\n6 8 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 1 2\n"
+                               "3 1 3 2\n3 3 4 2\n3 4 0 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 0 4 5\n";
+const char* const book =
+  "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n";
+const char* const twisted = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 2 3\n";
+const char* const bow_tie = "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n";
+
+class Pn_subdivide : public Command_test
+{
+protected:
+  Outcome surface(const std::string& input, const std::string& output,
+                  const std::string& options) const
+  {
+    return run("surface '" + input + "' '" + output + "' " + options);
+  }
+
+  Mesh_data refined(const std::string& input, const std::string& options) const
+  {
+    const std::string output = folder.file("refined.ply");
+    const Outcome outcome = surface(input, output, options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    return read_mesh(output);
+  }
+
+  // An existing output must stay as it is, a missing one missing, and no other file may appear.
+  void expect_failure(const std::string& input, const std::string& options, int code,
+                      const std::string& part, const std::string& extension = "ply") const
+  {
+    SCOPED_TRACE(options);
+    const std::string old_file = folder.write("old." + extension, "untouched");
+    const std::string new_file = folder.file("new." + extension);
+    const std::size_t files = folder.number_of_files();
+    expect_one_line(surface(input, old_file, options), code, part);
+    expect_one_line(surface(input, new_file, options), code, part);
+    EXPECT_EQ(Temporary_folder::content(old_file), "untouched");
+    EXPECT_EQ(folder.number_of_files(), files);
+  }
+};
+
+void expect_near(const Point_3& p, double x, double y, double z, double bound)
+{
+  EXPECT_NEAR(p.x(), x, bound);
+  EXPECT_NEAR(p.y(), y, bound);
+  EXPECT_NEAR(p.z(), z, bound);
+}
+
+} // namespace
+
+// --- results ---
+
+TEST_F(Pn_subdivide, LinearCatmullClarkOfACubeAsComputedByHand)
+{
+  for (const char* options :
+       {"--scheme catmull-clark --linear", "--normals none --scheme catmull-clark"}) {
+    const Mesh_data mesh = refined(folder.write("cube.off", cube), options);
+    ASSERT_EQ(mesh.points.size(), 26u);
+    EXPECT_EQ(mesh.number_of_faces(), 24u);
+    EXPECT_FALSE(mesh.has_normals());
+    expect_near(mesh.points[0], -5. / 9, -5. / 9, -5. / 9, 1e-15); // old vertices come first
+    expect_near(mesh.points[6], 5. / 9, 5. / 9, 5. / 9, 1e-15);
+    int edges = 0, faces = 0;
+    for (std::size_t v = 8; v < 26; ++v) {
+      const double d = std::sqrt((mesh.points[v] - CGAL::ORIGIN).squared_length());
+      if (std::abs(d - 0.75 * std::sqrt(2.)) < 1e-15) ++edges;
+      if (std::abs(d - 1) < 1e-15) ++faces;
+    }
+    EXPECT_EQ(edges, 12);
+    EXPECT_EQ(faces, 6);
+  }
+}
+
+TEST_F(Pn_subdivide, LinearLoopOfAnOctahedronAsComputedByHand)
+{
+  const Mesh_data mesh = refined(folder.write("o.off", octahedron), "--scheme loop --linear");
+  ASSERT_EQ(mesh.points.size(), 18u);
+  EXPECT_EQ(mesh.number_of_faces(), 32u);
+  // valence 4: beta = (5/8 - (3/8 + cos(pi/2)/4)^2)/4, and the neighbours' sum is the zero vector
+  const double weight = 1 - (5. / 8 - 9. / 64);
+  expect_near(mesh.points[0], weight, 0, 0, 1e-15);
+  expect_near(mesh.points[5], 0, 0, -weight, 1e-15);
+  for (std::size_t v = 6; v < 18; ++v) // 3/8 (a + b) + 1/8 (c - c)
+    EXPECT_NEAR((mesh.points[v] - CGAL::ORIGIN).squared_length(), 9. / 32, 1e-15);
+}
+
+// The first point is one of valence 5 in the midst of triangles: 1 - alpha kappa for itself, with
+// kappa = (1 - C lambda^2) / (1 - lambda^2), and the sum of its neighbors is the zero vector.
+TEST_F(Pn_subdivide, LinearModifiedLoopOfAVertexAsComputedByHand)
+{
+  std::string off = "OFF\n6 5 0\n0 0 1\n";
+  const double turn = 2 * std::acos(-1.) / 5;
+  for (int i = 0; i < 5; ++i)
+    off += std::to_string(std::cos(i * turn)) + " " + std::to_string(std::sin(i * turn)) + " 0\n";
+  for (int i = 0; i < 5; ++i)
+    off += "3 0 " + std::to_string(1 + i) + " " + std::to_string(1 + (i + 1) % 5) + "\n";
+  const std::string input = folder.write("vertex.off", off);
+  const double lambda = 3. / 8 + std::cos(turn) / 4, square = lambda * lambda;
+  const auto height = [&](double cap) {
+    return 1 - (5. / 8 - square) * (1 - cap * square) / (1 - square);
+  };
+  for (const auto& [options, cap] :
+       {std::pair("", 0.5), {"--cap 1/2", 0.5}, {"--cap 0.3", 0.3}, {"--cap 1/8", 0.125}})
+    EXPECT_NEAR(
+      refined(input, std::string("--linear --scheme modified-loop ") + options).points[0].z(),
+      height(cap), 1e-15)
+      << options;
+  EXPECT_NEAR(refined(input, "--linear --scheme loop").points[0].z(), height(1), 1e-15);
+}
+
+// A cube has no separated vertices, its first round has.
+TEST_F(Pn_subdivide, ModifiedSchemesAreModifiedWhereVerticesAreSeparated)
+{
+  const std::string input = folder.write("cube.off", cube);
+  const auto points = [&](const std::string& options) { return refined(input, options).points; };
+  EXPECT_EQ(points("--scheme modified-catmull-clark"), points("--scheme catmull-clark"));
+  const auto half = points("--levels 2 --scheme modified-catmull-clark");
+  EXPECT_NE(half, points("--levels 2 --scheme catmull-clark"));
+  EXPECT_EQ(half, points("--levels 2 --scheme modified-catmull-clark --cap 0.5"));
+  EXPECT_NE(half, points("--levels 2 --scheme modified-catmull-clark --cap 0.4"));
+  const auto normals = points("--levels 2 --scheme catmull-clark --normal-scheme "
+                              "modified-catmull-clark --cap 0.4");
+  EXPECT_NE(normals, points("--levels 2 --scheme catmull-clark"));
+  EXPECT_NE(normals, points("--levels 2 --scheme catmull-clark --normal-scheme "
+                            "modified-catmull-clark"));
+}
+
+TEST_F(Pn_subdivide, SpheresStaySpheres)
+{
+  const struct
+  {
+    const char *content, *scheme;
+  } cases[] = {{cube, "catmull-clark"},
+               {octahedron, "loop"},
+               {octahedron, "catmull-clark"},
+               {cube, "modified-catmull-clark"},
+               {octahedron, "modified-loop --cap 1/4"}};
+  for (const auto& c : cases) {
+    const std::string input = folder.write("sphere.off", c.content);
+    const Mesh_data mesh =
+      refined(input, std::string("--levels 4 --normals sphere:0,0,0 --scheme ") + c.scheme);
+    const long double radius = c.content == cube ? std::sqrt(3.L) : 1;
+    ASSERT_EQ(mesh.normals.size(), mesh.points.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const Point_3& p = mesh.points[v];
+      const long double r = std::hypot((long double)p.x(), (long double)p.y(), (long double)p.z());
+      EXPECT_LE(std::abs(r / radius - 1), 5 * std::ldexp(1.L, -52));
+      const Vector_3& n = mesh.normals[v];
+      EXPECT_NEAR(n.squared_length(), 1, 1e-15);
+      EXPECT_NEAR(n * (p - CGAL::ORIGIN), double(radius), 1e-14);
+    }
+  }
+}
+
+TEST_F(Pn_subdivide, CylindersStayCylinders)
+{
+  // a prism around the axis (3, -1, t), open at both ends
+  std::string off = "OFF\n15 10 0\n";
+  for (int ring = 0; ring < 3; ++ring)
+    for (int i = 0; i < 5; ++i) {
+      const double angle = 1.1 * i + 0.07 * i * i;
+      char line[120];
+      std::snprintf(line, sizeof(line), "%.17g %.17g %d\n", 3 + 2 * std::cos(angle),
+                    -1 + 2 * std::sin(angle), 2 * ring);
+      off += line;
+    }
+  for (int ring = 0; ring < 2; ++ring)
+    for (int i = 0; i < 5; ++i) {
+      const int a = 5 * ring + i, b = 5 * ring + (i + 1) % 5;
+      off += "4 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(b + 5) +
+             " " + std::to_string(a + 5) + "\n";
+    }
+  const Mesh_data mesh =
+    refined(folder.write("c.off", off), "--scheme catmull-clark --levels 3 --normals "
+                                        "cylinder:3,-1,7,0,0,-4");
+  for (const Point_3& p : mesh.points) EXPECT_NEAR(std::hypot(p.x() - 3, p.y() + 1), 2, 4e-15);
+}
+
+TEST_F(Pn_subdivide, NoRoundCopiesTheControlDataWithUnitNormals)
+{
+  const std::string input = folder.write("n.off", "NOFF\n4 1 0\n0.1 0 0 0 0 4\n1 0 0 0 0 0\n"
+                                                  "0 1 0 3 0 4\n9 9 9 0 -2 0\n3 0 1 2\n");
+  for (const char* normals : {"", "--normals auto", "--normals file"}) {
+    const Mesh_data mesh = refined(input, std::string("--scheme loop --levels 0 ") + normals);
+    ASSERT_EQ(mesh.points.size(), 4u);
+    EXPECT_EQ(mesh.points[0], Point_3(0.1, 0, 0));
+    EXPECT_EQ(mesh.points[3], Point_3(9, 9, 9));
+    EXPECT_EQ(mesh.normals[0], Vector_3(0, 0, 1));
+    EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 0)); // no control normal here
+    EXPECT_NEAR(mesh.normals[2].x(), 0.6, 2e-16);
+    EXPECT_NEAR(mesh.normals[2].z(), 0.8, 2e-16);
+    EXPECT_EQ(mesh.normals[3], Vector_3(0, -1, 0));
+    EXPECT_EQ(mesh.number_of_faces(), 1u);
+  }
+  const Mesh_data estimated = refined(input, "--scheme loop --levels 0 --normals estimate");
+  for (int v = 0; v < 3; ++v) EXPECT_EQ(estimated.normals[v], Vector_3(0, 0, 1));
+  EXPECT_EQ(estimated.normals[3], Vector_3(0, 0, 0));
+}
+
+TEST_F(Pn_subdivide, VerticesWithoutFacesAreKept)
+{
+  const Mesh_data mesh =
+    refined(folder.write("i.off", "OFF\n4 1 0\n5 6 7\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"),
+            "--scheme loop --levels 2");
+  EXPECT_EQ(mesh.points.size(), 1u + 15u);
+  EXPECT_EQ(mesh.points[0], Point_3(5, 6, 7));
+}
+
+TEST_F(Pn_subdivide, FormatsAgree)
+{
+  const std::string input = folder.write("cube.off", cube);
+  const Mesh_data reference = refined(input, "--scheme catmull-clark --levels 2");
+  for (const char* name : {"a.ply", "a.off", "a.obj"}) {
+    ASSERT_EQ(surface(input, folder.file(name), "--ascii --scheme catmull-clark --levels 2").code,
+              0);
+    const Mesh_data mesh = read_mesh(folder.file(name));
+    EXPECT_EQ(mesh.points, reference.points);
+    EXPECT_EQ(mesh.normals, reference.normals);
+    EXPECT_EQ(mesh.number_of_faces(), reference.number_of_faces());
+  }
+  EXPECT_EQ(Temporary_folder::content(folder.file("a.ply")).rfind("ply\nformat ascii", 0), 0u);
+  EXPECT_EQ(surface(input, folder.file("a.vtp"), "--scheme catmull-clark").code, 0);
+}
+
+TEST_F(Pn_subdivide, ThreadsDoNotChangeABit)
+{
+  const std::string input = folder.write("cube.off", cube);
+  const auto bytes = [&](const std::string& threads) {
+    const std::string output = folder.file("t" + threads + ".ply");
+    const Outcome outcome =
+      surface(input, output, "--scheme catmull-clark --levels 6 --threads " + threads);
+    EXPECT_TRUE(outcome.code == 0 || outcome.err.find("without TBB") != std::string::npos);
+    return outcome.code == 0 ? Temporary_folder::content(output) : std::string();
+  };
+  const std::string one = bytes("1");
+  EXPECT_GT(one.size(), 1000000u);
+  for (const char* threads : {"0", "2", "3"}) {
+    const std::string several = bytes(threads);
+    EXPECT_TRUE(several == one || several.empty()) << threads << " threads";
+  }
+}
+
+TEST_F(Pn_subdivide, InputMayBeTheOutput)
+{
+  const std::string file = folder.write("cube.off", cube);
+  EXPECT_EQ(surface(file, file, "--scheme catmull-clark").code, 0);
+  EXPECT_EQ(read_mesh(file).points.size(), 26u);
+  EXPECT_EQ(folder.number_of_files(), 1u);
+}
+
+TEST_F(Pn_subdivide, ProgressOnLongWorkOnlyAndNotWithQuiet)
+{
+  const std::string input = folder.write("cube.off", cube), output = folder.file("c.ply");
+  EXPECT_EQ(surface(input, output, "--scheme catmull-clark --levels 3").err, "");
+  const Outcome outcome = surface(input, output, "--scheme catmull-clark --levels 8");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("round 8 of 8: 393216 faces"), std::string::npos) << outcome.err;
+  EXPECT_EQ(surface(input, output, "--scheme catmull-clark --levels 8 --quiet").err, "");
+}
+
+// --- repair ---
+
+TEST_F(Pn_subdivide, SoupsThatAreNoManifoldAreRefusedOrRepaired)
+{
+  const struct
+  {
+    const char *content, *error, *report;
+    std::size_t points;
+  } cases[] = {
+    {book, "1 edge has more than two faces (first: 0-1)", "0 faces reversed, 4 vertices added", 9},
+    {twisted, "1 edge has two faces of opposite orientation (first: 1-2)", "1 face reversed, 0", 4},
+    {bow_tie, "1 vertex joins fans of faces that share no edge (first: 0)", "1 vertex added", 6}};
+  for (const auto& c : cases) {
+    const std::string input = folder.write("soup.off", c.content);
+    expect_failure(input, "--scheme loop", 1, c.error);
+    expect_failure(input, "--scheme loop", 1, "--repair");
+    const Outcome outcome =
+      surface(input, folder.file("o.ply"), "--scheme loop --levels 0 --repair");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find(c.report), std::string::npos) << outcome.err;
+    const Mesh_data mesh = read_mesh(folder.file("o.ply"));
+    EXPECT_EQ(mesh.points.size(), c.points);
+    EXPECT_EQ(surface(input, folder.file("o.ply"), "--scheme loop --levels 2 --repair").code, 0);
+    std::filesystem::remove(folder.file("o.ply"));
+  }
+  const Outcome sound =
+    surface(folder.write("c.off", cube), folder.file("o.ply"), "--scheme catmull-clark --repair");
+  EXPECT_EQ(sound.code, 0);
+  EXPECT_EQ(sound.err, "");
+}
+
+// --- failures ---
+
+TEST_F(Pn_subdivide, BadMeshesFailWithOneLine)
+{
+  const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
+  const struct
+  {
+    const char* name;
+    std::string content, part;
+  } cases[] = {
+    {"empty.off", "", "empty"},
+    {"no_mesh.off", "Dear Sir or Madam,\n", "not an OFF file"},
+    {"no_mesh.ply", "Dear Sir or Madam,\n", "not a PLY file"},
+    {"no_mesh.obj", "Dear Sir or Madam,\n", "not an OBJ mesh"},
+    {"no_mesh.stl", "Dear Sir or Madam,\n", "not an STL file"},
+    {"truncated.off", head, "truncated"},
+    {"index.off", head + "0 1 0\n3 0 1 3\n", "out of range"},
+    {"degenerate.off", head + "0 1 0\n3 0 1 1\n", "visits vertex 1 twice"},
+    {"nan.off", head + "0 nan 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
+    {"inf.off", head + "0 1e999 0\n3 0 1 2\n", "vertex 2 has a coordinate"},
+    {"nan_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 nan 1\n3 0 1 2\n",
+     "vertex 2 has a normal"},
+    {"short_normal.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", "line 4"},
+    {"faceless.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no face"}};
+  for (const auto& c : cases) {
+    const std::string input = folder.write(c.name, c.content);
+    expect_failure(input, "--scheme loop", 1, c.part);
+    expect_failure(input, "--scheme loop", 1, input);
+    expect_failure(input, "--scheme loop --levels 0 --normals none", 1, c.part);
+  }
+  expect_failure(folder.file("missing.off"), "--scheme loop", 1, "No such file");
+  expect_failure(folder.write("cube.off", cube), "--scheme loop", 1, "face");
+  expect_failure(folder.write("cube.off", cube), "--scheme catmull-clark --normals file", 1,
+                 "no vertex normals");
+  expect_failure(folder.write("cube.off", cube), "--scheme catmull-clark --levels 20", 1, "round");
+}
+
+TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
+{
+  const std::string input = folder.write("cube.off", cube);
+  const std::string scheme = "--scheme catmull-clark ";
+  expect_failure(input, "", 2, "--scheme");
+  expect_failure(input, "--scheme bezier", 2, "bezier");
+  expect_failure(input, scheme + "--levels -1", 2, "--levels");
+  expect_failure(input, scheme + "--levels two", 2, "--levels");
+  for (const char* levels : {"''", "0x2", "+1", "' 1'", "1e1", "4294967296"})
+    expect_failure(input, scheme + "--levels " + levels, 2, "--levels");
+  expect_failure(input, scheme + "--threads ''", 2, "--threads");
+  expect_failure(input, scheme + "--colour red", 2, "--colour");
+  expect_failure(input, scheme + "--linear --normals none", 2, "exclude each other");
+  for (const char* normals : {"guess", "sphere", "sphere:1,2", "sphere:1,2,x", "sphere:1,2,nan",
+                              "cylinder:0,0,0", "cylinder:0,0,0,0,0,0", "file:1"})
+    expect_failure(input, scheme + "--normals " + normals, 2, "--normals");
+  expect_failure(input, scheme, 2, "must end in one of", "stl");
+  expect_failure(input, scheme, 2, "must end in one of", "xyz");
+  expect_failure(folder.write("cube.xyz", cube), scheme, 2, "must end in one of");
+  expect_one_line(run(""), 2, "subcommand");
+  expect_one_line(run("volume a b"), 2, "subcommand");
+  expect_one_line(run("surface"), 2, "required");
+}
+
+TEST_F(Pn_subdivide, NumbersWithZerosInFrontAreDecimal)
+{
+  const std::string input = folder.write("cube.off", cube), output = folder.file("o.ply");
+  EXPECT_EQ(surface(input, output, "--scheme doo-sabin --linear --levels 002 --threads 08").code,
+            0);
+  EXPECT_EQ(read_mesh(output).points.size(), 96u);
+  EXPECT_EQ(surface(input, output, "--scheme doo-sabin --linear --levels 00").code, 0);
+  EXPECT_EQ(read_mesh(output).points.size(), 8u);
+}
+
+TEST_F(Pn_subdivide, SchemesThatDoNotGoTogether)
+{
+  const std::string input = folder.write("cube.off", cube);
+  expect_failure(input, "--scheme catmull-clark --normal-scheme loop", 2, "split");
+  expect_failure(input, "--scheme catmull-clark --normal-scheme spline", 2, "no such scheme");
+  expect_failure(input, "--scheme catmull-clark --normal-scheme kobbelt --linear", 2, "exclude");
+  expect_failure(input, "--scheme catmull-clark --normal-scheme kobbelt --normals none", 2,
+                 "exclude");
+  expect_failure(input, "--scheme catmull-clark --tension 1/16", 2, "kobbelt");
+  for (const char* tension : {"x", "1/", "1/0", "1/16x", "0.5", "-1"})
+    expect_failure(input, std::string("--scheme kobbelt --tension ") + tension, 2, "--tension");
+  expect_failure(input, "--scheme catmull-clark --cap 1/2", 2, "modified-catmull-clark");
+  expect_failure(input, "--scheme kobbelt --cap 1/2 --tension 0", 2, "--cap belongs");
+  for (const char* cap : {"x", "1/", "1/0", "1/2x", "0", "-0.5", "1.01", "3/2"})
+    expect_failure(input, std::string("--scheme modified-catmull-clark --cap ") + cap, 2, "--cap");
+  expect_failure(input, "--scheme modified-loop --normal-scheme modified-catmull-clark", 2,
+                 "split");
+  expect_failure(input, "--scheme modified-loop", 1, "triangle");
+  expect_failure(input, "--scheme sqrt3", 1, "triangles");
+  expect_failure(input, "--scheme butterfly", 1, "triangles");
+}
+
+TEST_F(Pn_subdivide, OutputThatCannotBeWritten)
+{
+  const std::string input = folder.write("cube.off", cube);
+  const std::string options = "--quiet --scheme catmull-clark --levels ";
+  expect_one_line(surface(input, folder.file("no/such/folder/o.ply"), options + "1"), 1, "folder");
+  std::filesystem::create_directory(folder.file("folder.ply"));
+  expect_one_line(surface(input, folder.file("folder.ply"), options + "1"), 1, "directory");
+  if (std::filesystem::exists("/dev/full")) {
+    std::filesystem::create_symlink("/dev/full", folder.file("full.ply"));
+    expect_one_line(surface(input, folder.file("full.ply"), options + "5"), 1, "space");
+  }
+#ifdef __unix__
+  const std::string output = folder.write("o.ply", "untouched");
+  const std::size_t files = folder.number_of_files();
+  const std::string arguments = "surface '" + input + "' '" + output + "' " + options + "6";
+  expect_one_line(run(arguments, "ulimit -f 100; "), 1, "writing failed");
+  EXPECT_EQ(Temporary_folder::content(output), "untouched");
+  EXPECT_EQ(folder.number_of_files(), files);
+#endif
+}
+
+TEST_F(Pn_subdivide, HelpAndVersion)
+{
+  for (const char* arguments : {"--help", "surface --help", "curve --help", "--version"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out, "");
+  }
+  EXPECT_NE(run("--help").out.find("Exit code"), std::string::npos);
+}

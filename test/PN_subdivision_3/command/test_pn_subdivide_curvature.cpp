@@ -1,0 +1,243 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// `pn_subdivide surface --curvature`: the scalars, their colors, and the files that hold them.
+
+#include "Command_test.h"
+
+#include "io/mesh_io.h"
+#include "surface/diverging_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+// The columns of the vertices of a text PLY, read without the command's own reader.
+using Columns = std::map<std::string, std::vector<double>>;
+
+Columns read_columns(const std::string& file)
+{
+  std::istringstream in(Temporary_folder::content(file));
+  std::vector<std::string> names;
+  std::size_t vertices = 0;
+  for (std::string line; std::getline(in, line) && line != "end_header";) {
+    std::istringstream words(line);
+    std::string word, type, name;
+    words >> word >> type >> name;
+    if (word == "element" && type == "vertex") vertices = std::stoul(name);
+    if (word == "property" && type != "list") names.push_back(name);
+  }
+  Columns columns;
+  for (std::size_t v = 0; v < vertices; ++v)
+    for (const std::string& name : names) {
+      double x = 0;
+      EXPECT_TRUE(in >> x);
+      columns[name].push_back(x);
+    }
+  return columns;
+}
+
+class Pn_subdivide_curvature : public Command_test
+{
+protected:
+  Outcome surface(const std::string& input, const std::string& output,
+                  const std::string& options) const
+  {
+    return run("surface '" + input + "' '" + output + "' --scheme catmull-clark " + options);
+  }
+
+  Columns columns(const std::string& input, const std::string& options) const
+  {
+    const std::string output = folder.file("columns.ply");
+    const Outcome outcome = surface(input, output, "--ascii " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    return read_columns(output);
+  }
+
+  static std::string data(const char* file) { return std::string(PN_DATA_DIR) + "/" + file; }
+};
+
+} // namespace
+
+TEST_F(Pn_subdivide_curvature, Sphere)
+{
+  for (const char* threads : {"1", "2"}) {
+    const Columns c = columns(data("cube.off"), std::string("--normals sphere:0,0,0 --levels 5 "
+                                                            "--curvature mean --threads ") +
+                                                  threads);
+    const Columns g =
+      columns(data("cube.off"), "--normals sphere:0,0,0 --levels 5 --curvature gaussian");
+    const double mean = 1 / std::sqrt(3.), gaussian = 1. / 3;
+    ASSERT_EQ(c.at("mean_curvature").size(), c.at("x").size());
+    for (const double x : c.at("mean_curvature")) EXPECT_NEAR(x, mean, 0.003);
+    for (const double x : g.at("gaussian_curvature")) EXPECT_NEAR(x, gaussian, 0.003);
+    EXPECT_EQ(c.count("gaussian_curvature"), 0u);
+    EXPECT_EQ(g.count("mean_curvature"), 0u);
+  }
+}
+
+// Red where the Gaussian curvature is positive, at the outer side of a torus, blue at the inner one.
+TEST_F(Pn_subdivide_curvature, TorusIsRedOutsideAndBlueInside)
+{
+  const Columns c = columns(data("torus_quads.ply"), "--levels 2 --curvature gaussian");
+  const auto& k = c.at("gaussian_curvature");
+  std::size_t full = 0;
+  for (std::size_t v = 0; v < k.size(); ++v) {
+    const double rho = std::hypot(c.at("x")[v], c.at("y")[v]);
+    if (std::abs(rho - 2) > 0.1) {
+      EXPECT_EQ(k[v] > 0, rho > 2);
+      EXPECT_EQ(c.at("red")[v] > c.at("blue")[v], rho > 2);
+    }
+    const double exact = (rho - 2) / (0.75 * 0.75 * rho);
+    EXPECT_NEAR(k[v], exact, 0.1);
+    if (c.at("red")[v] == 59 && c.at("blue")[v] == 192) ++full;
+  }
+  EXPECT_GT(full, 0u); // the inner side has the largest values, and they are beyond the end
+  EXPECT_LT(full, k.size() / 8);
+}
+
+TEST_F(Pn_subdivide_curvature, LinearSchemeWithoutNormals)
+{
+  const Columns c = columns(data("spoon.obj"), "--levels 2 --linear --curvature mean");
+  EXPECT_EQ(c.count("nx"), 0u);
+  EXPECT_EQ(c.at("mean_curvature").size(), c.at("x").size());
+  EXPECT_EQ(c.at("green").size(), c.at("x").size());
+}
+
+// What is added changes nothing else, and the file can be read again.
+TEST_F(Pn_subdivide_curvature, RoundTrip)
+{
+  for (const char* options : {"--levels 1 --threads 1", "--levels 1 --ascii", "--levels 0"}) {
+    const std::string plain = folder.file("plain.ply"), colored = folder.file("colored.ply");
+    ASSERT_EQ(surface(data("creature.obj"), plain, options).code, 0);
+    ASSERT_EQ(
+      surface(data("creature.obj"), colored, options + std::string(" --curvature mean")).code, 0);
+    const Mesh_data a = read_mesh(plain), b = read_mesh(colored);
+    EXPECT_EQ(a.points, b.points);
+    EXPECT_EQ(a.normals, b.normals);
+    ASSERT_EQ(a.number_of_faces(), b.number_of_faces());
+    for (std::size_t f = 0; f < a.number_of_faces(); ++f) EXPECT_EQ(a.face(f), b.face(f));
+    EXPECT_NE(Temporary_folder::content(plain).size(), Temporary_folder::content(colored).size());
+    EXPECT_EQ(surface(colored, plain, "--levels 1").code, 0);
+  }
+}
+
+// The numbers of the text VTP are those of the text PLY, and the binary one has as many bytes.
+TEST_F(Pn_subdivide_curvature, Vtp)
+{
+  const std::string input = data("mixed_borders.off"), output = folder.file("c.vtp");
+  const Columns ply = columns(input, "--curvature gaussian");
+  ASSERT_EQ(surface(input, output, "--ascii --curvature gaussian").code, 0);
+  const std::string text = Temporary_folder::content(output);
+  EXPECT_NE(text.find("<PointData Normals=\"Normals\" Scalars=\"gaussian_curvature\">"),
+            std::string::npos);
+  const auto expect_array = [&](const std::string& name, const std::vector<double>& expected) {
+    std::size_t at = text.find(name);
+    ASSERT_NE(at, std::string::npos);
+    std::istringstream in(text.substr(text.find('\n', at)));
+    for (const double x : expected) {
+      double y = 0;
+      ASSERT_TRUE(in >> y);
+      EXPECT_EQ(x, y);
+    }
+    std::string end;
+    in >> end;
+    EXPECT_EQ(end, "</DataArray>");
+  };
+  expect_array("type=\"Float64\" Name=\"gaussian_curvature\" NumberOfComponents=\"1\"",
+               ply.at("gaussian_curvature"));
+  std::vector<double> colors;
+  for (std::size_t v = 0; v < ply.at("red").size(); ++v)
+    for (const char* channel : {"red", "green", "blue"}) colors.push_back(ply.at(channel)[v]);
+  expect_array("type=\"UInt8\" Name=\"colors\" NumberOfComponents=\"3\"", colors);
+
+  ASSERT_EQ(surface(input, output, "").code, 0);
+  const std::string plain = Temporary_folder::content(output);
+  ASSERT_EQ(surface(input, output, "--curvature gaussian").code, 0);
+  const std::string binary = Temporary_folder::content(output);
+  const auto appended = [](const std::string& file) { return file.size() - file.find("\n_"); };
+  const std::size_t vertices = ply.at("x").size();
+  EXPECT_EQ(appended(binary), appended(plain) + 2 * 8 + vertices * (8 + 3));
+}
+
+TEST_F(Pn_subdivide_curvature, PlaneIsWhiteAndHasNoCurvature)
+{
+  std::string plane = "OFF\n36 25 0\n";
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      plane += std::to_string(0.1 * i) + ' ' + std::to_string(0.1 * j) + ' ' +
+               std::to_string(0.3 * i - 0.2 * j) + '\n';
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const int v = 6 * i + j;
+      for (int w : {4, v, v + 6, v + 7, v + 1}) plane += std::to_string(w) + ' ';
+      plane += '\n';
+    }
+  const std::string input = folder.write("plane.off", plane);
+  const Columns c = columns(input, "--levels 2 --curvature mean");
+  for (std::size_t v = 0; v < c.at("x").size(); ++v) {
+    EXPECT_NEAR(c.at("mean_curvature")[v], 0, 1e-10);
+    for (const char* channel : {"red", "green", "blue"}) EXPECT_NEAR(c.at(channel)[v], 242, 10);
+  }
+}
+
+// 0 is white where even the smallest curvature that is told from rounding is out of range.
+TEST_F(Pn_subdivide_curvature, HugeMeshesAreWhite)
+{
+  const std::string input =
+    folder.write("huge.off", "OFF\n4 4 0\n0 0 0\n1e200 0 0\n0 1e200 0\n0 0 1e200\n"
+                             "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  const Columns c = columns(input, "--levels 1 --curvature gaussian");
+  for (std::size_t v = 0; v < c.at("x").size(); ++v)
+    for (const char* channel : {"red", "green", "blue"}) EXPECT_EQ(c.at(channel)[v], 242);
+}
+
+TEST_F(Pn_subdivide_curvature, SaysTheRange)
+{
+  const std::string output = folder.file("o.ply");
+  const Outcome said = surface(data("torus_quads.ply"), output, "--curvature gaussian");
+  EXPECT_EQ(said.err.rfind("Gaussian curvature from -", 0), 0u) << said.err;
+  EXPECT_NE(said.err.find(", colors from -"), std::string::npos) << said.err;
+  EXPECT_EQ(surface(data("torus_quads.ply"), output, "--quiet --curvature gaussian").err, "");
+  const std::string lone =
+    folder.write("lone.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n");
+  const Outcome few = surface(lone, output, "--levels 0 --normals none --curvature mean");
+  EXPECT_NE(few.err.find("4 vertices allow no estimate"), std::string::npos) << few.err;
+  EXPECT_EQ(few.code, 0);
+}
+
+// Before the input is read: it need not be there.
+TEST_F(Pn_subdivide_curvature, WrongCommandLines)
+{
+  for (const char* extension : {"off", "obj"}) {
+    const std::string output = folder.file(std::string("o.") + extension);
+    expect_one_line(surface("missing.ply", output, "--curvature mean"), 2,
+                    "only .ply and .vtp can");
+  }
+  expect_one_line(surface("missing.ply", folder.file("o.ply"), "--curvature maximal"), 2,
+                  "expected gaussian or mean");
+  EXPECT_EQ(folder.number_of_files(), 0u);
+}
+
+TEST(Diverging_color, WhiteAt0AndEvenOnBothSides)
+{
+  EXPECT_EQ(diverging_color(0), (Color{242, 242, 242}));
+  EXPECT_EQ(diverging_color(-1), (Color{59, 76, 192}));
+  EXPECT_EQ(diverging_color(1), (Color{180, 4, 38}));
+  EXPECT_EQ(diverging_color(7), diverging_color(1));
+  EXPECT_EQ(diverging_color(-7), diverging_color(-1));
+  for (int i = 0; i < 20; ++i) { // green follows lightness
+    EXPECT_GT(diverging_color(i / 20.)[1], diverging_color((i + 1) / 20.)[1]);
+    EXPECT_GT(diverging_color(-i / 20.)[1], diverging_color(-(i + 1) / 20.)[1]);
+  }
+}

@@ -1,0 +1,658 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Reading and writing of mesh files: every format, to the last bit where the format allows it, and
+// every kind of damage.
+
+#include "Temporary_folder.h"
+
+#include "io/Error.h"
+#include "io/mesh_io.h"
+#include "io/soup_check.h"
+#include "io/soup_repair.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace pn_subdivide;
+
+namespace {
+
+using Faces = std::vector<std::vector<unsigned>>;
+
+Faces faces_of(const Mesh_data& mesh)
+{
+  Faces faces;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    faces.emplace_back(mesh.face(f).begin(), mesh.face(f).end());
+  return faces;
+}
+
+// Bit patterns, so that -0 and the last bit count.
+template <class Triple>
+std::vector<std::uint64_t> bits(const std::vector<Triple>& triples)
+{
+  std::vector<std::uint64_t> result;
+  for (const Triple& t : triples)
+    for (int i = 0; i < 3; ++i) {
+      const double x = t[i];
+      std::uint64_t b;
+      std::memcpy(&b, &x, sizeof(b));
+      result.push_back(b);
+    }
+  return result;
+}
+
+void expect_same(const Mesh_data& a, const Mesh_data& b)
+{
+  EXPECT_EQ(bits(a.points), bits(b.points));
+  EXPECT_EQ(bits(a.normals), bits(b.normals));
+  EXPECT_EQ(faces_of(a), faces_of(b));
+}
+
+// A triangle, a quad, a hexagon and a vertex without faces, with awkward numbers.
+Mesh_data awkward_mesh(bool with_normals)
+{
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Mesh_data mesh;
+  for (int i = 0; i < 20; ++i) {
+    const double scale = std::ldexp(1.0, 13 * (i % 7) - 40);
+    mesh.points.emplace_back(scale * uniform(random), uniform(random), uniform(random) / 3);
+    if (with_normals) mesh.normals.emplace_back(uniform(random), uniform(random), uniform(random));
+  }
+  mesh.points[3] = Point_3(DBL_MAX, DBL_TRUE_MIN, -0.0);
+  mesh.points[4] = Point_3(1 + DBL_EPSILON, DBL_MIN, 0.1);
+  if (with_normals) mesh.normals[5] = Vector_3(0, 0, 0);
+  mesh.add_face(std::vector<int>{0, 1, 2});
+  mesh.add_face(std::vector<int>{2, 1, 3, 4});
+  mesh.add_face(std::vector<int>{4, 3, 5, 6, 7, 8});
+  return mesh;
+}
+
+std::string error_of(const std::string& file)
+{
+  try {
+    read_mesh(file);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+class Mesh_io : public testing::Test
+{
+protected:
+  Mesh_data read(const std::string& name, const std::string& content) const
+  {
+    return read_mesh(folder.write(name, content));
+  }
+
+  // The message must begin with the file's name, hold `part` and be one line.
+  void expect_error(const std::string& name, const std::string& content,
+                    const std::string& part) const
+  {
+    const std::string file = folder.write(name, content);
+    const std::string message = error_of(file);
+    EXPECT_EQ(message.rfind(file + ": ", 0), 0u) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+
+  Temporary_folder folder;
+};
+
+template <class T>
+std::string raw(T x, bool big_endian)
+{
+  std::string s(sizeof(T), '\0');
+  std::memcpy(&s[0], &x, sizeof(T));
+  const std::uint16_t one = 1;
+  const bool host_is_big_endian = *reinterpret_cast<const unsigned char*>(&one) == 0;
+  return big_endian == host_is_big_endian ? s : std::string(s.rbegin(), s.rend());
+}
+
+} // namespace
+
+// --- round trips ---
+
+TEST_F(Mesh_io, EveryFormatThatIsReadAndWrittenKeepsEveryBit)
+{
+  for (const char* extension : {"ply", "PLY", "off", "obj"})
+    for (const Encoding encoding : {Encoding::binary, Encoding::text})
+      for (const bool with_normals : {true, false}) {
+        SCOPED_TRACE(std::string(extension) + (encoding == Encoding::text ? " text" : " binary"));
+        Mesh_data mesh = awkward_mesh(with_normals);
+        // OBJ has no place for the normal of a vertex without faces
+        if (with_normals && extension[0] == 'o' && extension[1] == 'b')
+          std::fill(mesh.normals.begin() + 9, mesh.normals.end(), Vector_3(0, 0, 0));
+        const std::string file = folder.file(std::string("mesh.") + extension);
+        write_mesh(file, mesh, encoding);
+        expect_same(read_mesh(file), mesh);
+      }
+}
+
+TEST_F(Mesh_io, PlyFacesWithMoreThan255VerticesSurvive)
+{
+  Mesh_data mesh;
+  std::vector<int> face;
+  for (int i = 0; i < 300; ++i) {
+    mesh.points.emplace_back(std::cos(i), std::sin(i), i);
+    face.push_back(i);
+  }
+  mesh.add_face(face);
+  for (const Encoding encoding : {Encoding::binary, Encoding::text}) {
+    write_mesh(folder.file("big.ply"), mesh, encoding);
+    expect_same(read_mesh(folder.file("big.ply")), mesh);
+  }
+}
+
+TEST_F(Mesh_io, TextHas17SignificantDigits)
+{
+  Mesh_data mesh = awkward_mesh(false);
+  mesh.points[0] = Point_3(1.0 / 3, 0.1, 2);
+  write_mesh(folder.file("t.ply"), mesh, Encoding::text);
+  EXPECT_NE(Temporary_folder::content(folder.file("t.ply"))
+              .find("0.33333333333333331 0.10000000000000001 2\n"),
+            std::string::npos);
+}
+
+// --- PLY ---
+
+TEST_F(Mesh_io, PlyTextWithOtherPropertiesAndElements)
+{
+  const Mesh_data mesh = read("a.ply", "ply\r\nformat ascii 1.0\r\ncomment some words\r\n"
+                                       "obj_info more words\r\n"
+                                       "element vertex 4\r\nproperty uchar red\r\n"
+                                       "property float32 nx\r\nproperty float ny\r\n"
+                                       "property float nz\r\nproperty double x\r\n"
+                                       "property float64 y\r\nproperty double z\r\n"
+                                       "element edge 2\r\nproperty int vertex1\r\n"
+                                       "property int vertex2\r\n"
+                                       "element face 1\r\nproperty float quality\r\n"
+                                       "property list uchar float texcoord\r\n"
+                                       "property list uint8 uint32 vertex_index\r\nend_header\r\n"
+                                       "255 0 0 1 1 2 3\r\n255 0 1 0 4 5 6\r\n\r\n"
+                                       "0 1 0 0 7 8 9\r\n0 0 0 0 +1e1 0.1 -2\r\n"
+                                       "0 1\r\n1 2\r\n0.5 2 0.1 0.2 4 3 2 1 0\r\n");
+  ASSERT_EQ(mesh.points.size(), 4u);
+  EXPECT_EQ(mesh.points[0], Point_3(1, 2, 3));
+  EXPECT_EQ(mesh.points[3], Point_3(10, 0.1, -2));
+  EXPECT_EQ(mesh.normals[1], Vector_3(0, 1, 0));
+  EXPECT_EQ(mesh.normals[3], Vector_3(0, 0, 0));
+  EXPECT_EQ(faces_of(mesh), (Faces{{3, 2, 1, 0}}));
+}
+
+TEST_F(Mesh_io, PlyBinaryOfBothByteOrdersWithFloatsAndDoubles)
+{
+  for (const bool big : {false, true}) {
+    std::string s = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                    "_endian 1.0\nelement vertex 3\nproperty float x\nproperty double y\n"
+                    "property short z\nproperty char flag\nelement face 1\n"
+                    "property list ushort short vertex_indices\nend_header\n";
+    for (int i = 0; i < 3; ++i)
+      s += raw(0.1f * float(i), big) + raw(0.1 * i, big) +
+           raw(static_cast<std::int16_t>(-300 * i), big) + raw(static_cast<std::int8_t>(-1), big);
+    s += raw(std::uint16_t(3), big) + raw(std::int16_t(0), big) + raw(std::int16_t(1), big) +
+         raw(std::int16_t(2), big);
+    const Mesh_data mesh = read("b.ply", s);
+    ASSERT_EQ(mesh.points.size(), 3u);
+    EXPECT_EQ(mesh.points[2], Point_3(double(0.1f * 2.f), 0.1 * 2, -600));
+    EXPECT_FALSE(mesh.has_normals());
+    EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}}));
+
+    for (std::size_t n = 1; n <= s.size() - s.find("end_header") - 11; ++n)
+      expect_error("short.ply", s.substr(0, s.size() - n), "truncated");
+    expect_error("long.ply", s + "x", "more data");
+  }
+}
+
+TEST_F(Mesh_io, PlyDamage)
+{
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                           "property float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(read("ok.ply", head + faces + "end_header\n" + points + "3 0 1 2").points.size(), 3u);
+
+  expect_error("a.ply", "", "empty");
+  expect_error("a.ply", "solid\n", "not a PLY file");
+  expect_error("a.ply", head + faces, "truncated");
+  expect_error("a.ply", "ply\nend_header\n", "format");
+  expect_error("a.ply", "ply\nformat binary_middle_endian 1.0\n", "binary_middle_endian");
+  expect_error("a.ply", head + "property quaternion q\nend_header\n", "line 7: not a PLY type");
+  expect_error("a.ply", head + "property \x1b[2J\xe4 q\nend_header\n", "'?[2J?'");
+  expect_error("a.ply", head + faces + faces + "end_header\n" + points + "3 0 1 2\n3 0 2 1\n",
+               "line 9: a second element 'face'");
+  expect_error("a.ply", head + "end_header\n" + points, "no element 'face'");
+  expect_error("a.ply", "ply\nformat ascii 1.0\n" + faces + "end_header\n3 0 1 2\n",
+               "no element 'vertex'");
+  expect_error("a.ply", head + "property float nx\nproperty float ny\n" + faces + "end_header\n",
+               "only 2 of the properties nx ny nz");
+  expect_error("a.ply", head + faces + "end_header\n" + points, "truncated (in face 0 of 1)");
+  expect_error("a.ply", head + faces + "end_header\n0 0 0\n1 0 zero\n", "line 11: 'zero'");
+  expect_error("a.ply", head + faces + "end_header\n" + points + "3 0 1 3", "out of range");
+  expect_error("a.ply", head + faces + "end_header\n" + points + "3 0 1 -1", "negative");
+  expect_error("a.ply", head + faces + "end_header\n" + points + "3 0 1 1.5", "broken");
+  expect_error("a.ply", head + faces + "end_header\n" + points + "-3 0 1 2", "negative");
+  expect_error("a.ply", head + faces + "end_header\n" + points + "2 0 1", "2 vertices");
+  expect_error("a.ply", head + faces + "end_header\n" + points + "3 0 1 2\n3 0 1 2\n", "more data");
+  expect_error("a.ply",
+               "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
+               "property double x\nproperty double y\nproperty double z\n" +
+                 faces + "end_header\n",
+               "truncated");
+  expect_error("a.ply",
+               head + "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
+                 points + "4000000000 0 1 2",
+               "truncated");
+}
+
+// --- OFF ---
+
+TEST_F(Mesh_io, OffVariants)
+{
+  const Faces face{{0, 1, 2}};
+  const std::string faces = "3 0 1 2\n";
+
+  Mesh_data mesh = read("a.off", "# made by hand\nOFF # keyword\n\n3 1 0\n 0 0 0.1 # here\n\n"
+                                 "1 0 0\n0 1 0\n3 0 1 2 255 0 0\n# the end\n");
+  EXPECT_EQ(mesh.points[0], Point_3(0, 0, 0.1));
+  EXPECT_EQ(faces_of(mesh), face);
+  EXPECT_FALSE(mesh.has_normals());
+
+  mesh = read("a.off", "NOFF 3 1 3\n0 0 0 0 0 2\n1 0 0 0 0 0\n0 1 0 0 1 0\n" + faces);
+  EXPECT_EQ(mesh.normals[0], Vector_3(0, 0, 2));
+  EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 0));
+
+  mesh = read("a.off", "COFF\n3 1\n0 0 0 255 0 0 255\n1 0 0 0.5 0 0\n0 1 0 7\n" + faces);
+  EXPECT_EQ(mesh.points[2], Point_3(0, 1, 0));
+  EXPECT_FALSE(mesh.has_normals());
+
+  for (const char* keyword : {"STCNOFF", "CNSTOFF", "NCSTOFF"}) {
+    mesh = read("a.off", std::string(keyword) +
+                           "\n3 1 0\n0 0 0 0 0 1 9 9 9 9 0.5 0.5\n1 0 0 0 0 1 9 9 9 9 0 0\n"
+                           "0 1 0 0 1 0 9 9 9 9 0 1\n" +
+                           faces);
+    EXPECT_EQ(mesh.normals[2], Vector_3(0, 1, 0));
+  }
+
+  mesh = read("a.off", "OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + faces);
+  EXPECT_EQ(faces_of(mesh), face);
+}
+
+TEST_F(Mesh_io, OffDamage)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  expect_error("a.off", "", "empty");
+  expect_error("a.off", "\n# nothing\n", "not an OFF file");
+  expect_error("a.off", "hello\n", "not an OFF file");
+  expect_error("a.off", "4OFF\n3 1 0\n", "not supported");
+  expect_error("a.off", "OFF BINARY\n", "not supported");
+  expect_error("a.off", "OFF\n", "number of vertices");
+  expect_error("a.off", "OFF\n-3 1 0\n", "negative");
+  expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "after 2 of 3 vertices");
+  expect_error("a.off", "OFF\n3 2 0\n" + points + "3 0 1 2\n", "after 1 of 2 faces");
+  expect_error("a.off", "OFF\n3 1 0\n0 0\n", "line 3");
+  expect_error("a.off", "OFF\n3 1 0\n0 0 x\n", "'x'");
+  expect_error("a.off", "OFF\n3 1 0\n0 0 0 1 1 1\n", "3 numbers behind its coordinates");
+  expect_error("a.off", "NOFF\n3 1 0\n0 0 0 1 1\n", "a normal's coordinate");
+  expect_error("a.off", "NOFF\n3 1 0\n0 0 0 1 1 1 1\n", "1 numbers");
+  expect_error("a.off", "OFF\n3 1 0\n" + points + "3 0 1 3\n", "index 3 is out of range");
+  expect_error("a.off", "OFF\n3 1 0\n" + points + "3 0 1 -1\n", "index -1 is out of range");
+  expect_error("a.off", "OFF\n3 1 0\n" + points + "4 0 1 2\n", "line 6");
+  expect_error("a.off", "OFF\n3 1 0\n" + points + "2 0 1\n", "2 vertices");
+  expect_error("a.off", "OFF\n3 1 0\n" + points + "3 0 1 2.5\n", "'2.5'");
+  expect_error("a.off", "OFF\n3 1 0\n" + points + "3 0 1 2\n3 0 1 2\n", "more lines");
+  expect_error("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", "after 1 of 4000000000");
+}
+
+// --- OBJ ---
+
+TEST_F(Mesh_io, ObjCornersAndNegativeIndices)
+{
+  const std::string head =
+    "# c\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\n"
+    "v 0 1 0.1\nvt 0 0\nvn 0 0 1\nvn 1 0 0\nvn 0 1 0\nvn 0 0 -1\ng a b\ns off\n";
+  const Vector_3 n[] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+
+  Mesh_data mesh = read("a.obj", head + "f 1//1 2//2 3//3 4//4\n");
+  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(mesh.points[3], Point_3(0, 1, 0.1));
+  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(mesh.normals[v], n[v]);
+
+  mesh = read("a.obj", head + "f -4/1/-4 -3/1/-3 \\\n -2/1/-2 -1/-1/-1\nl 1 2\nusemtl m\n");
+  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2, 3}}));
+  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(mesh.normals[v], n[v]);
+
+  mesh = read("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}}));
+  EXPECT_FALSE(mesh.has_normals());
+
+  mesh = read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
+  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}}));
+
+  mesh = read("a.obj", head + "f 1//1 2 3//3\n"); // vertices 1 and 3 are given none
+  EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 0));
+  EXPECT_EQ(mesh.normals[3], Vector_3(0, 0, 0));
+}
+
+TEST_F(Mesh_io, ObjSeveralNormalsAtAVertexAreSummed)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  // At vertex 0: (1,0,0) twice, once by another number, and (0,1,0). At vertex 2: opposite ones.
+  const Mesh_data mesh =
+    read("a.obj", points + "vn 1 0 0\nvn 0 1 0\nvn 1 0 0\nvn -1 0 0\nvn 0 0 3\n"
+                           "f 1//1 2//5 3//1\nf 1//3 3//4 4//2\nf 1//2 4//2 2//5\n");
+  EXPECT_NEAR(mesh.normals[0].x(), std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(mesh.normals[0].y(), std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(mesh.normals[0].z(), 0);
+  EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 3)); // a single one as it is
+  EXPECT_EQ(mesh.normals[2], Vector_3(0, 0, 0));
+  EXPECT_EQ(mesh.normals[3], Vector_3(0, 1, 0));
+}
+
+TEST_F(Mesh_io, ObjNormalsThatNoFaceNames)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nvn 0 1 0\n";
+  const Mesh_data mesh = read("a.obj", points + "vn 0 0 1\nf 1 2 3\n");
+  ASSERT_EQ(mesh.normals.size(), 3u);
+  EXPECT_EQ(mesh.normals[1], Vector_3(0, 1, 0));
+  expect_error("a.obj", points + "f 1 2 3\n", "2 normals (vn) for 3 vertices");
+}
+
+TEST_F(Mesh_io, ObjDamage)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  expect_error("a.obj", "", "empty");
+  expect_error("a.obj", "hello world\n", "not an OBJ mesh");
+  expect_error("a.obj", "v 0 0\n", "line 1");
+  expect_error("a.obj", "v 0 0 x\n", "'x'");
+  expect_error("a.obj", points + "vn 0 1\n", "line 4");
+  expect_error("a.obj", points + "f 1 2\n", "2 vertices");
+  expect_error("a.obj", points + "f 1 2 4\n", "line 4: the face's vertex index 4");
+  expect_error("a.obj", points + "f 1 2 0\n", "out of range");
+  expect_error("a.obj", points + "f 1 2 -4\n", "out of range");
+  expect_error("a.obj", points + "f 1 2 x\n", "'x'");
+  expect_error("a.obj", points + "f 1/1/ 2 3\n", "a normal index");
+  expect_error("a.obj", points + "vn 0 0 1\nf 1//1 2//2 3//1\n", "normal index 2");
+}
+
+// --- STL ---
+
+TEST_F(Mesh_io, StlTextAndBinaryMergeEqualPoints)
+{
+  const double p[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0.25}};
+  const int t[2][3] = {{0, 1, 2}, {0, 2, 3}};
+  std::string text = "solid a square\n", binary(80, ' ');
+  binary += raw(std::uint32_t(2), false);
+  for (const auto& triangle : t) {
+    text += "facet normal 0 0 1\nouter loop\n";
+    binary += raw(0.f, false) + raw(0.f, false) + raw(1.f, false);
+    for (const int v : triangle) {
+      text += "vertex";
+      for (const double x : p[v]) {
+        text += " " + std::to_string(x);
+        binary += raw(static_cast<float>(x), false);
+      }
+      text += "\n";
+    }
+    text += "endloop\nendfacet\n";
+    binary += std::string(2, '\0');
+  }
+  text += "endsolid a square\n";
+  std::string misleading = binary; // a binary file whose header begins like text
+  misleading.replace(0, 6, "solid ");
+
+  for (const std::string& content : {text, binary, misleading}) {
+    const Mesh_data mesh = read("a.stl", content);
+    ASSERT_EQ(mesh.points.size(), 4u);
+    for (int v = 0; v < 4; ++v) EXPECT_EQ(mesh.points[v], Point_3(p[v][0], p[v][1], p[v][2]));
+    EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_FALSE(mesh.has_normals());
+  }
+  expect_error("a.stl", "", "empty");
+  expect_error("a.stl", "nonsense", "not an STL file");
+  expect_error("a.stl", text.substr(0, text.size() - 30), "damaged or truncated");
+  expect_error("a.stl", binary.substr(0, binary.size() - 1), "truncated");
+  expect_error("a.stl", binary + "12", "truncated");
+}
+
+// No facet may get lost.
+TEST_F(Mesh_io, StlDamage)
+{
+  const std::string corners = "outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+  const std::string facet = "facet normal 0 0 -nan(ind)\n" + corners + "endfacet\n";
+  EXPECT_EQ(read("a.stl", "\nsolid\n" + facet + facet + "endsolid\nsolid vertex facet\r\n" + facet +
+                            "endsolid vertex facet\n\n")
+              .number_of_faces(),
+            3u);
+  const auto damaged = [&](std::size_t at, char c) {
+    std::string text = "solid a\n" + facet + facet + "endsolid a\n";
+    text[at] = c;
+    return text;
+  };
+  const std::size_t second = 8 + facet.size();
+  expect_error("a.stl", damaged(second + 4, 'x'), "line 9: damaged or truncated STL file: 'facex'");
+  expect_error("a.stl", damaged(second - 2, 'x'), "line 8: damaged");
+  expect_error("a.stl", damaged(second + facet.find("vertex 1") + 7, 'x'), "'x' stands");
+  expect_error("a.stl", damaged(second + facet.find("vertex 1") + 8, '7'), "stands where a coord");
+  expect_error("a.stl", "solid a\n" + facet, "it ends where 'facet' or 'endsolid'");
+  expect_error("a.stl", "solid a\n" + facet + "endsolid a\n" + facet, "'solid' is expected");
+  expect_error("a.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 inf\nvertex 0 1 0\n",
+               "finite");
+
+  std::string binary = std::string(80, ' ') + raw(std::uint32_t(2), false);
+  for (int f = 0; f < 2; ++f) {
+    for (const float x : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+      binary += raw(x, false);
+    binary += std::string(2, '\0');
+  }
+  EXPECT_EQ(read("b.stl", binary).number_of_faces(), 2u);
+  binary.replace(84 + 50 + 24, 4, raw(std::numeric_limits<float>::quiet_NaN(), false));
+  expect_error("b.stl", binary, "triangle 1 has a coordinate that is not finite");
+}
+
+// --- files ---
+
+TEST_F(Mesh_io, ByteOrderMarksAreSkipped)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(read("a.off", mark + "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").points.size(), 3u);
+  EXPECT_EQ(read("a.obj", mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").points.size(), 3u);
+  expect_error("a.off", "\xFF\xFEO", "not an OFF file");
+}
+
+TEST_F(Mesh_io, MissingFilesFoldersAndUnknownFormats)
+{
+  EXPECT_NE(error_of(folder.file("missing.ply")).find("No such file"), std::string::npos);
+  std::filesystem::create_directory(folder.file("folder.ply"));
+  EXPECT_NE(error_of(folder.file("folder.ply")).find("directory"), std::string::npos);
+  EXPECT_THROW(require_readable_format("a.vtp"), Usage_error);
+  EXPECT_THROW(require_readable_format("a"), Usage_error);
+  EXPECT_THROW(require_writable_format("a.stl"), Usage_error);
+  EXPECT_NO_THROW(require_readable_format("a.STL"));
+  EXPECT_NO_THROW(require_writable_format("a.b.VTP"));
+}
+
+TEST_F(Mesh_io, WritingReplacesAFileAsAWholeAndLeavesNothingElse)
+{
+  const std::string file = folder.write("a.ply", "old");
+  std::filesystem::permissions(file, std::filesystem::perms(0640));
+  write_mesh(file, awkward_mesh(true), Encoding::binary);
+  EXPECT_EQ(read_mesh(file).points.size(), 20u);
+  EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0640));
+  EXPECT_EQ(folder.number_of_files(), 1u);
+}
+
+TEST_F(Mesh_io, LinksAreFollowed)
+{
+  const std::string file = folder.write("a.ply", "old");
+  std::filesystem::create_symlink("a.ply", folder.file("link.ply"));
+  write_mesh(folder.file("link.ply"), awkward_mesh(true), Encoding::binary);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.ply")));
+  EXPECT_EQ(read_mesh(file).points.size(), 20u);
+}
+
+TEST_F(Mesh_io, FullDeviceIsAnError)
+{
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  std::filesystem::create_symlink("/dev/full", folder.file("full.ply"));
+  EXPECT_THROW(write_mesh(folder.file("full.ply"), awkward_mesh(true), Encoding::binary), Error);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("full.ply")));
+}
+
+TEST_F(Mesh_io, VtpTextHoldsTheArrays)
+{
+  Mesh_data mesh;
+  mesh.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0.5)};
+  mesh.normals.assign(3, Vector_3(0, 0, 1));
+  mesh.add_face(std::vector<int>{0, 1, 2});
+  write_mesh(folder.file("a.vtp"), mesh, Encoding::text);
+  const std::string s = Temporary_folder::content(folder.file("a.vtp"));
+  EXPECT_NE(s.find("0 0 0\n1 0 0\n0 1 0.5\n"), std::string::npos) << s;
+  EXPECT_NE(s.find("NumberOfPoints=\"3\""), std::string::npos) << s;
+  EXPECT_NE(s.find("NumberOfPolys=\"1\""), std::string::npos) << s;
+}
+
+TEST_F(Mesh_io, VtpBinaryOffsetsLeadToTheArrays)
+{
+  const Mesh_data mesh = awkward_mesh(true);
+  write_mesh(folder.file("a.vtp"), mesh, Encoding::binary);
+  const std::string s = Temporary_folder::content(folder.file("a.vtp"));
+  const std::size_t data = s.find('_', s.find("<AppendedData")) + 1;
+  const auto array = [&](const std::string& name) {
+    const std::size_t tag = s.find("Name=\"" + name + "\"");
+    const std::size_t offset = s.find("offset=\"", tag) + 8;
+    const std::size_t begin = data + std::stoul(s.substr(offset, s.find('"', offset) - offset));
+    std::uint64_t bytes;
+    std::memcpy(&bytes, s.data() + begin, 8); // the test's machine is little-endian, as all are
+    return s.substr(begin + 8, bytes);
+  };
+  std::string points, normals;
+  for (const Point_3& p : mesh.points)
+    for (int i = 0; i < 3; ++i) points += raw(p[i], false);
+  for (const Vector_3& n : mesh.normals)
+    for (int i = 0; i < 3; ++i) normals += raw(n[i], false);
+  EXPECT_EQ(array("Points"), points);
+  EXPECT_EQ(array("Normals"), normals);
+  std::string connectivity, offsets;
+  std::int64_t end = 0;
+  for (const auto& face : faces_of(mesh)) {
+    for (const unsigned v : face) connectivity += raw(std::int64_t(v), false);
+    end += static_cast<std::int64_t>(face.size());
+    offsets += raw(end, false);
+  }
+  EXPECT_EQ(array("connectivity"), connectivity);
+  EXPECT_EQ(array("offsets"), offsets);
+}
+
+// --- checks and repair of soups ---
+
+namespace {
+
+Mesh_data soup(std::size_t points, const Faces& faces)
+{
+  Mesh_data mesh;
+  for (std::size_t i = 0; i < points; ++i) {
+    mesh.points.emplace_back(double(i), double(i * i), 1.0);
+    mesh.normals.emplace_back(0, double(i), 1);
+  }
+  for (const auto& face : faces) mesh.add_face(face);
+  return mesh;
+}
+
+std::string element_error(const Mesh_data& mesh)
+{
+  try {
+    require_sound_elements(mesh);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(Soup, ManifoldsHaveNoDefects)
+{
+  EXPECT_TRUE(find_defects(soup(5, {{0, 1, 2}, {2, 1, 3}})).none());
+  EXPECT_TRUE(find_defects(soup(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})).none());
+  EXPECT_TRUE(find_defects(soup(6, {{0, 1, 2}, {3, 4, 5}})).none());
+}
+
+TEST(Soup, DefectsAreCountedAndMended)
+{
+  // three pages of a book; two triangles of opposite orientation; a bow-tie of open fans; two
+  // tetrahedra that share a vertex
+  const Faces book{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+  const Faces twisted{{0, 1, 2}, {1, 2, 3}};
+  const Faces bow_tie{{0, 1, 2}, {0, 3, 4}};
+  const Faces pinched{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2},
+                      {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
+  const Faces moebius{{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 0, 1}};
+
+  EXPECT_EQ(find_defects(soup(5, book)).crowded.number, 1u);
+  EXPECT_EQ(find_defects(soup(5, book)).description(),
+            "1 edge has more than two faces (first: 0-1)");
+  EXPECT_EQ(find_defects(soup(4, twisted)).unoriented.number, 1u);
+  EXPECT_EQ(find_defects(soup(5, bow_tie)).pinched.number, 1u);
+  EXPECT_EQ(find_defects(soup(7, pinched)).pinched.number, 1u);
+  EXPECT_EQ(find_defects(soup(6, moebius)).unoriented.number, 1u);
+
+  const struct
+  {
+    Faces faces;
+    std::size_t points, reversed, added;
+  } cases[] = {{book, 5, 0, 4}, {twisted, 4, 1, 0}, {bow_tie, 5, 0, 1}, {pinched, 7, 0, 1}};
+  for (const auto& c : cases) {
+    Mesh_data mesh = soup(c.points, c.faces);
+    const Mesh_data old = mesh;
+    const Soup_repair repair = repair_soup(mesh);
+    EXPECT_EQ(repair.reversed_faces, c.reversed);
+    EXPECT_EQ(repair.added_vertices, c.added);
+    EXPECT_TRUE(find_defects(mesh).none());
+    EXPECT_EQ(mesh.number_of_faces(), c.faces.size());
+    ASSERT_EQ(mesh.points.size(), c.points + c.added);
+    ASSERT_EQ(mesh.normals.size(), mesh.points.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) { // here y = x² marks each original
+      const std::size_t original = static_cast<std::size_t>(mesh.points[v].x());
+      EXPECT_TRUE(original == v || v >= c.points);
+      EXPECT_EQ(mesh.normals[v], old.normals[original]);
+    }
+  }
+  Mesh_data mesh = soup(6, moebius);
+  repair_soup(mesh);
+  EXPECT_TRUE(find_defects(mesh).none());
+  EXPECT_EQ(mesh.number_of_faces(), 3u);
+}
+
+TEST(Soup, UnsoundElementsAreNamed)
+{
+  const Faces face{{0, 1, 2}};
+  EXPECT_EQ(element_error(soup(3, face)), "");
+  EXPECT_NE(element_error(soup(3, {})).find("no face"), std::string::npos);
+  EXPECT_NE(element_error(soup(4, {{0, 1, 2}, {0, 1, 2, 1}})).find("face 1 visits vertex 1 twice"),
+            std::string::npos);
+  EXPECT_NE(element_error(soup(2, face)).find("out of range"), std::string::npos);
+
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    Mesh_data mesh = soup(3, face);
+    mesh.points[2] = Point_3(0, 0, bad);
+    EXPECT_NE(element_error(mesh).find("vertex 2 has a coordinate"), std::string::npos);
+    mesh = soup(3, face);
+    mesh.normals[1] = Vector_3(bad, 0, 0);
+    EXPECT_NE(element_error(mesh).find("vertex 1 has a normal"), std::string::npos);
+  }
+  Mesh_data mesh = soup(3, face);
+  mesh.normals.pop_back();
+  EXPECT_NE(element_error(mesh).find("2 normals for 3 vertices"), std::string::npos);
+}
