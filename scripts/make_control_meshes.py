@@ -17,10 +17,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from control_meshes import head, models, shapes, star
+from control_meshes import head, models, parts, shapes, star
 from control_meshes.domain import Domain, Saddle, Sphere, Tube
 from control_meshes.mesh import Mesh, check
-from control_meshes.output import as_text
+from control_meshes.output import as_text, selection_text
+from control_meshes.part import Part
 from control_meshes.sampling import (VALENCES, Sampling, cut_away, merge_faces, shake,
                                      split_into_quads, split_quads, triangulated_sampling)
 from control_meshes.vector import Vec, lerp
@@ -123,6 +124,17 @@ ENTRIES = [
     Entry("bezier_7.ply", "bicubic Bézier patch about its middle", make=lambda: star.bezier(7)),
     Entry("cylinder_cap_8.ply", "cylinder of radius 15 and height 10, with a vertex above its base",
           make=lambda: star.cylinder_cap(8)),
+    Entry("parts/capped_cylinder.obj", "unevenly divided cylinder with flat ends",
+          make=parts.capped_cylinder),
+    Entry("parts/half_ball.obj", "half of a sphere with its base", make=parts.half_ball),
+    Entry("parts/lens.obj", "caps of two spheres", make=parts.lens),
+    Entry("parts/washer.obj", "two cylinders and two planes", make=parts.washer),
+    Entry("parts/plate_with_holes.obj", "plate with two round holes", make=parts.plate_with_holes),
+    Entry("parts/d_section.obj", "shaft with a flat", make=parts.d_section),
+    Entry("parts/bolt.obj", "hexagonal head, shank and round end", make=parts.bolt),
+    Entry("parts/bracket.obj", "angle with a fillet; tangent surfaces", make=parts.bracket),
+    Entry("parts/bearing_housing.obj", "plate with bolt holes, boss, bore and a spherical seat",
+          make=parts.bearing_housing),
 ]
 
 
@@ -140,7 +152,7 @@ def readme_line(entry: Entry, mesh: Mesh) -> str:
     sides = Counter(map(len, mesh.faces))
     polygons = ", ".join(f"{count} × {corners}" for corners, count in sorted(sides.items()))
     inside = sorted(set(mesh.interior_valences()))
-    known = "none" if mesh.normals is None else "all" if all(map(any, mesh.normals)) else "some"
+    known = "corners" if isinstance(mesh, Part) else "none" if mesh.normals is None else "all" if all(map(any, mesh.normals)) else "some"
     return (f"| `{entry.name}` | {entry.purpose} | {len(mesh.points)} | {polygons} | "
             f"{', '.join(map(str, inside))} | {mesh.number_of_borders()} | {known} |")
 
@@ -159,6 +171,10 @@ def readme(lines: list[str]) -> str:
         "X Y Z R` or `comment cylinder X Y Z DX DY DZ R` (a point of the axis and its direction).",
         "A zero vector means that the vertex has no control normal.",
         "",
+        "Parts have a group per surface, which a comment in the file describes, a normal per corner",
+        "and, beside them, `NAME.selection.txt` with their creases: the edges between two surfaces,",
+        "also where these are tangent, in CGAL's format of selections.",
+        "",
         "| file | what | vertices | faces × corners | interior valences | borders | normals |",
         "|---|---|---|---|---|---|---|",
         *lines]) + "\n"
@@ -174,6 +190,8 @@ def make_all() -> dict[str, str]:
         except ValueError as error:
             raise SystemExit(f"{entry.name}: {error}") from error
         files[entry.name] = as_text(mesh, entry.name)
+        if isinstance(mesh, Part):
+            files[entry.name.removesuffix(".obj") + ".selection.txt"] = selection_text(mesh)
         lines.append(readme_line(entry, mesh))
     return files | {"README.md": readme(lines)}
 
@@ -200,6 +218,7 @@ def main() -> int:
         return 1 if stale else 0
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for name, text in files.items():
+        (arguments.folder / name).parent.mkdir(exist_ok=True)
         (arguments.folder / name).write_bytes(text.encode())
     return 0
 

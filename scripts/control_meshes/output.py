@@ -2,12 +2,15 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Meshes as text: PLY where there are normals, OFF or OBJ where there are none."""
+"""Meshes as text: PLY where there are normals, OFF or OBJ where there are none, OBJ with a normal per
+corner and a group per surface for parts."""
 
 from collections.abc import Callable
 from pathlib import PurePath
 
 from .mesh import Mesh
+from .part import Part
+from .vector import Vec
 
 
 def as_text(mesh: Mesh, name: str) -> str:
@@ -38,6 +41,29 @@ def _off(mesh: Mesh) -> list[str]:
             + [" ".join(map(str, (len(f), *f))) for f in mesh.faces])
 
 
+def selection_text(part: Part) -> str:
+    """The creases in CGAL's format of selections: no vertices, no faces, edges as pairs."""
+    return "\n\n" + " ".join(f"{a} {b}" for a, b in part.creases()) + "\n"
+
+
 def _obj(mesh: Mesh) -> list[str]:
+    if isinstance(mesh, Part):
+        return _obj_part(mesh)
     return ([f"v {_numbers(p)}" for p in mesh.points]
             + ["f " + " ".join(str(v + 1) for v in f) for f in mesh.faces])
+
+
+def _obj_part(part: Part) -> list[str]:
+    number: dict[Vec, int] = {}
+    faces: list[str] = []
+    group = None
+    for f, surface, normals in zip(part.faces, part.surfaces, part.corner_normals()):
+        if surface != group:
+            faces.append(f"g {surface.name}")
+            group = surface
+        for n in normals:
+            number.setdefault(n, len(number) + 1)
+        faces.append("f " + " ".join(f"{v + 1}//{number[n]}" for v, n in zip(f, normals)))
+    shapes = dict.fromkeys(f"# group {s.name} is {s.shape()}" for s in part.surfaces)
+    return ([*shapes] + [f"v {_numbers(p)}" for p in part.points]
+            + [f"vn {_numbers(n)}" for n in number] + faces)
