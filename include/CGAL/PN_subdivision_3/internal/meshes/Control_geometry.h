@@ -12,7 +12,9 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/utils.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -48,8 +50,8 @@ void check_finite(const Coordinates<FT, dimension>& x, const char* what, const N
 
 // Coordinates near the end of the range of a floating point type may overflow in between. Below the
 // root of the largest number new points are not looked at: they grow by small factors only.
-template <class FT, int dimension>
-bool is_near_overflow([[maybe_unused]] const Coordinates<FT, dimension>& p)
+template <class FT, std::size_t dimension>
+bool is_near_overflow([[maybe_unused]] const std::array<FT, dimension>& p)
 {
   if constexpr (std::is_floating_point_v<FT>)
     for (const FT& x : p)
@@ -57,8 +59,8 @@ bool is_near_overflow([[maybe_unused]] const Coordinates<FT, dimension>& p)
   return false;
 }
 
-template <class FT, int dimension, class Name>
-void check_in_range([[maybe_unused]] const Coordinates<FT, dimension>& p,
+template <class FT, std::size_t dimension, class Name>
+void check_in_range([[maybe_unused]] const std::array<FT, dimension>& p,
                     [[maybe_unused]] const Name& name)
 {
   if constexpr (std::is_floating_point_v<FT>)
