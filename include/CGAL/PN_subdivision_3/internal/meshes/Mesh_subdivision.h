@@ -11,6 +11,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -99,11 +100,17 @@ private:
     std::vector<Value>().swap(values);
 
     // the mesh grows while the levels before the last one are made
+    const Caller_precision<FT> precision;
     run_together<Concurrency_tag>([&] { access.grow(size); },
-                                  [&] { refine_up_to_last(refiner, rounds); });
+                                  [&] {
+                                    const typename Caller_precision<FT>::In_this_thread scope(
+                                      precision);
+                                    refine_up_to_last(refiner, rounds);
+                                  });
     const One_round last = refiner.next_round();
     put_values(refiner, last, writer);
     round_done_(rounds, static_cast<std::size_t>(size.faces));
+    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
     put_connectivity(refiner, last, access, [&] { writer.keep(); });
     if constexpr (!Scheme::Host::keeps_vertices) access.trim(size, writer.has_own_maps);
   }

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
@@ -80,7 +81,9 @@ public:
   // which come from several threads if for_chunks does.
   void evaluate(const One_round& round, Index begin, Index end, Sink sink) const
   {
+    const Precision precision;
     for_chunks_(end - begin, [&](Index first, Index last) {
+      const typename Precision::In_this_thread scope(precision);
       round.evaluate(begin + first, begin + last, values_.data(), sink);
     });
   }
@@ -92,6 +95,8 @@ public:
   }
 
 private:
+  using Precision = Caller_precision<typename Average::FT>;
+
   const Scheme& scheme_;
   Level_connectivity level_;
   Values values_;

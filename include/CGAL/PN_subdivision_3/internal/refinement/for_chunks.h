@@ -26,6 +26,14 @@ namespace internal {
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
 
+#ifdef CGAL_LINKED_WITH_TBB
+// isolated: a cancelled task group around it would leave elements undefined
+constexpr auto task_kind = tbb::task_group_context::isolated;
+// the workers round as the caller does: intervals rely on it
+constexpr auto task_traits =
+  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings;
+#endif
+
 // Calls f(begin, end) for pieces that cover [0, n), in this thread or in several. Every element has
 // one owner, so that the result does not depend on the pieces nor on the number of threads.
 class For_chunks
@@ -69,8 +77,7 @@ private:
   {
     constexpr Index grain = 2048; // a multiple of the block of the averages
     const Index chunks = n / grain + (n % grain != 0);
-    // isolated: a cancelled task group around it would leave elements undefined
-    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::task_group_context context(task_kind, task_traits);
     const auto do_chunks = [&](const auto& range) {
       const Index end = range.end() == chunks ? n : range.end() * grain;
       f(range.begin() * grain, end);
@@ -89,7 +96,7 @@ void run_together(Function_ref<void()> f, Function_ref<void()> g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel_v<Concurrency_tag>) {
-    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::task_group_context context(task_kind, task_traits);
     tbb::parallel_invoke(g, f, context); // the last one is not spawned
     return;
   }
