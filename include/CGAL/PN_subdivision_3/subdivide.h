@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/tags.h>
 
@@ -131,18 +132,20 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void subdivide(PolygonMesh& mesh, const Scheme& scheme,
                const NamedParameters& np = parameters::default_values())
 {
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  const unsigned iterations = Parameters::number_of_iterations(np);
-  if (iterations == 0) return;
-  auto visitor = Parameters::visitor(np);
-  const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
-    internal::unwrapped(visitor).round_done(k, number_of_faces);
-  };
-  const internal::Mesh_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision(
-    scheme, iterations, round_done);
-  internal::with_mesh_access(mesh, [&](auto& access) {
-    subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np));
-  });
+  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    const unsigned iterations = Parameters::number_of_iterations(np);
+    if (iterations == 0) return;
+    auto visitor = Parameters::visitor(np);
+    const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
+      internal::unwrapped(visitor).round_done(k, number_of_faces);
+    };
+    const internal::Mesh_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision(
+      scheme, iterations, round_done);
+    internal::with_mesh_access(mesh, [&](auto& access) {
+      subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np));
+    });
+  }
 }
 
 } // namespace PN_subdivision_3
