@@ -10,8 +10,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <vector>
-
 namespace CGAL {
 namespace PN_subdivision_3 {
 
@@ -46,23 +44,23 @@ template <class PolygonMesh, class VertexNormalMap,
 void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
                               const NamedParameters& np = parameters::default_values())
 {
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  using Normal = typename boost::property_traits<VertexNormalMap>::value_type;
-  using Index = Level_connectivity::Index;
-  const auto points = Parameters::const_point_map(mesh, np);
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    std::vector<Coordinates<FT, 3>> coordinates;
-    coordinates.reserve(level.number_of_vertices());
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      coordinates.push_back(internal::checked_point<FT>(access, points, v));
-    internal::angle_weighted_normals<FT>(
-      level, [&](Index v) -> const Coordinates<FT, 3>& { return coordinates[v]; },
-      [&](Index v, const Coordinates<FT, 3>& n) {
+  if constexpr (internal::check_estimation_arguments<PolygonMesh, VertexNormalMap,
+                                                     NamedParameters>()) {
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    using Normal = typename boost::property_traits<VertexNormalMap>::value_type;
+    using Index = Level_connectivity::Index;
+    const auto points = Parameters::const_point_map(mesh, np);
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      const auto values =
+        internal::read_values<PN_average<FT, 3>>(access, level, points, internal::No_normal_map());
+      for (Index v = 0; v < level.number_of_vertices(); ++v) {
+        const Coordinates<FT, 3>& n = values[v].normal;
         put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
-      });
-  });
+      }
+    });
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -194,7 +194,7 @@ void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
       internal::curvature_data<typename Parameters::FT>(access, points, Parameters::normal_map(np));
     const Index n = data.level.number_of_vertices();
     std::vector<internal::Principal_curvatures> results(n);
-    internal::For_chunks<Concurrency_tag>()(n, [&](Index begin, Index end) {
+    internal::For_chunks::with(Concurrency_tag())(n, [&](Index begin, Index end) {
       internal::Curvature_estimation estimate(data);
       for (Index v = begin; v < end; ++v) results[v] = estimate(v);
     });

@@ -8,45 +8,33 @@
 
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/tags.h>
 
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+template <class Mesh>
+constexpr bool is_surface_mesh_v = false;
+template <class Point>
+constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
+
 // calls f(access) with the access that fits the mesh
 template <class Mesh, class Function>
 void with_mesh_access(Mesh& mesh, const Function& f)
 {
+  if constexpr (is_surface_mesh_v<std::remove_const_t<Mesh>>)
+    if (!mesh.has_garbage()) {
+      Surface_mesh_access<Mesh> access(mesh);
+      return f(access);
+    }
   Bgl_mesh_access<Mesh> access(mesh);
   f(access);
-}
-
-template <class Mesh, class Function>
-void with_surface_mesh_access(Mesh& mesh, const Function& f)
-{
-  if (mesh.has_garbage()) {
-    Bgl_mesh_access<Mesh> access(mesh);
-    f(access);
-  } else {
-    Surface_mesh_access<Mesh> access(mesh);
-    f(access);
-  }
-}
-
-template <class Point, class Function>
-void with_mesh_access(Surface_mesh<Point>& mesh, const Function& f)
-{
-  with_surface_mesh_access(mesh, f);
-}
-
-template <class Point, class Function>
-void with_mesh_access(const Surface_mesh<Point>& mesh, const Function& f)
-{
-  with_surface_mesh_access(mesh, f);
 }
 
 } // namespace internal
@@ -144,17 +132,20 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void subdivide(PolygonMesh& mesh, const Scheme& scheme,
                const NamedParameters& np = parameters::default_values())
 {
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  const unsigned iterations = Parameters::number_of_iterations(np);
-  if (iterations == 0) return;
-  internal::with_mesh_access(mesh, [&](auto& access) {
-    using Access = std::decay_t<decltype(access)>;
-    internal::Mesh_subdivision<Concurrency_tag, Access, Scheme, typename Parameters::FT,
-                               typename Parameters::Point_map, typename Parameters::Normal_map>
-      subdivision(access, scheme, Parameters::point_map(mesh, np), Parameters::normal_map(np));
+  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    const unsigned iterations = Parameters::number_of_iterations(np);
+    if (iterations == 0) return;
     auto visitor = Parameters::visitor(np);
-    subdivision(iterations, internal::unwrapped(visitor));
-  });
+    const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
+      internal::unwrapped(visitor).round_done(k, number_of_faces);
+    };
+    const internal::Mesh_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision(
+      scheme, iterations, round_done);
+    internal::with_mesh_access(mesh, [&](auto& access) {
+      subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np));
+    });
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -28,6 +28,10 @@ struct Lanes
   {
     return {a.x0 < b.x0 ? a.x0 : b.x0, a.x1 < b.x1 ? a.x1 : b.x1};
   }
+  friend Lanes greater(Lanes a, Lanes b)
+  {
+    return {a.x0 > b.x0 ? a.x0 : b.x0, a.x1 > b.x1 ? a.x1 : b.x1};
+  }
 
   FT x0, x1;
 };
@@ -48,6 +52,7 @@ struct Lanes<double>
   friend Lanes first_of(Lanes a, Lanes b) { return {Packed{a.packed[0], b.packed[0]}}; }
   friend Lanes second_of(Lanes a, Lanes b) { return {Packed{a.packed[1], b.packed[1]}}; }
   friend Lanes lesser(Lanes a, Lanes b) { return {a.packed < b.packed ? a.packed : b.packed}; }
+  friend Lanes greater(Lanes a, Lanes b) { return {a.packed > b.packed ? a.packed : b.packed}; }
 
   Packed packed;
 };

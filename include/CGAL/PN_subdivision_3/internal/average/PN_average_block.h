@@ -209,7 +209,8 @@ private:
     FT scale[capacity];
     for (std::size_t r = begin; r < end; ++r) {
       result[r] = sums(rows, normal_rows, r, old);
-      scale[r] = dot<FT, dimension>(result[r].normal, result[r].normal);
+      scale[r] = (std::max)(dot<FT, dimension>(result[r].normal, result[r].normal),
+                            least_squared_length<FT>());
     }
     for (std::size_t r = begin; r < end; ++r) scale[r] = std::sqrt(scale[r]);
     for (std::size_t r = begin; r < end; ++r) scale[r] = FT(1) / scale[r];
@@ -218,9 +219,8 @@ private:
       FT least_denominator(2);
       const FT h = height(rows, r, old, result[r], least_denominator);
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
-      // a length |N| of 1/4 is far from vanishing for any mask that is of use
-      if (!(least_denominator >= fade_begin<FT>() && scale[r] < FT(4)) || rows.length(r) == 1 ||
-          normal_rows.length(r) == 1)
+      if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
+          rows.length(r) == 1 || normal_rows.length(r) == 1)
         result[r] = careful_row(rows, normal_rows, r, old);
     }
   }
@@ -276,7 +276,8 @@ private:
         numerator = c == 0 ? numerator_c : numerator + numerator_c;
         denominator = c == 0 ? denominator_c : denominator + denominator_c;
       }
-      sum = sum + Two::of(e[j].weight, e[j + 1].weight) * (numerator / denominator);
+      sum = sum + Two::of(e[j].weight, e[j + 1].weight) *
+                    (numerator / greater(denominator, Two::both(fade_begin<FT>())));
       least = lesser(denominator, least);
     }
     FT last(0);
@@ -285,7 +286,7 @@ private:
       const Entry& odd = e[length - 1];
       const auto h = pn_height<FT, dimension>(Value(old[odd.vertex]), result.point, result.normal);
       least_denominator = (std::min)(least_denominator, h.denominator);
-      last = odd.weight * (h.numerator / h.denominator);
+      last = odd.weight * (h.numerator / (std::max)(h.denominator, fade_begin<FT>()));
     }
     return sum[0] + sum[1] + last;
   }

@@ -12,7 +12,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__GNUC__) && defined(__x86_64__) // and clang
+// g++ and clang++. On Windows the stack is aligned for 16 bytes, and wide registers spilled there
+// crash (MinGW).
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(__CYGWIN__) &&        \
+  !defined(CGAL_PN_SUBDIVISION_3_NO_AVX2)
 #  include <immintrin.h>
 #  define CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
 #endif
@@ -20,6 +23,20 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// What a row's fast forms are good for: a 1/|N| below greatest_scale(), which is far from vanishing
+// for any mask that is of use, and no d_j below fade_begin(). Both are limited before something is
+// divided by them, so that rows left to PN_average divide by zero nowhere: programs may trap that.
+template <class FT>
+constexpr FT greatest_scale()
+{
+  return FT(4);
+}
+template <class FT>
+constexpr FT least_squared_length() // of a normal that is too short
+{
+  return FT(1) / FT(64);
+}
 
 // The PN averages of rows of the same length side by side in the lanes of wide registers. For this
 // number type and compiler there are none.
@@ -113,6 +130,8 @@ private:
     }
     sums.squared_length = n[0] * n[0];
     for (int c = 1; c < dimension; ++c) sums.squared_length += n[c] * n[c];
+    sums.squared_length =
+      _mm256_max_pd(sums.squared_length, _mm256_set1_pd(least_squared_length<double>()));
     for (int c = 0; c < dimension; ++c) {
       sums.q[c] = q[c];
       sums.normal[c] = n[c];
@@ -166,9 +185,9 @@ private:
         values[i]->normal[c] = n[c][i];
       }
     }
-    const Packed holds =
-      _mm256_and_pd(_mm256_cmp_pd(least, _mm256_set1_pd(fade_begin<double>()), _CMP_GE_OQ),
-                    _mm256_cmp_pd(sums.scale, _mm256_set1_pd(4), _CMP_LT_OQ));
+    const Packed holds = _mm256_and_pd(
+      _mm256_cmp_pd(least, _mm256_set1_pd(fade_begin<double>()), _CMP_GE_OQ),
+      _mm256_cmp_pd(sums.scale, _mm256_set1_pd(greatest_scale<double>()), _CMP_LT_OQ));
     return static_cast<std::uint32_t>(_mm256_movemask_pd(holds)) ^ 15u;
   }
 
@@ -184,7 +203,8 @@ private:
       denominator += s * n[c];
     }
     least_denominator = _mm256_min_pd(denominator, least_denominator);
-    return entry.weight * (numerator / denominator);
+    return entry.weight *
+           (numerator / _mm256_max_pd(denominator, _mm256_set1_pd(fade_begin<double>())));
   }
 };
 #endif

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -59,23 +60,6 @@ constexpr std::uint64_t index_limit()
     return largest < Level_connectivity::null ? largest : Level_connectivity::null;
   } else
     return Level_connectivity::null;
-}
-
-// The functions of BGL, found by argument-dependent lookup, under names that hide none of them.
-template <class Halfedge, class Vertex, class Graph>
-void bgl_set_target(Halfedge h, Vertex v, Graph& g)
-{
-  set_target(h, v, g);
-}
-template <class Halfedge, class Graph>
-void bgl_set_next(Halfedge h, Halfedge n, Graph& g)
-{
-  set_next(h, n, g);
-}
-template <class Halfedge, class Face, class Graph>
-void bgl_set_face(Halfedge h, Face f, Graph& g)
-{
-  set_face(h, f, g);
 }
 
 template <class Mesh, class Vertex, class = void>
@@ -151,7 +135,7 @@ struct Recycling_pause<Mesh, std::void_t<decltype(std::declval<Mesh&>().does_rec
 // Any MutableFaceGraph through BGL. Elements are numbered in the order of iteration; the elements
 // that grow() adds follow.
 template <class Graph>
-class Bgl_mesh_access
+class Bgl_mesh_access : public Element_names
 {
   using Traits = boost::graph_traits<std::remove_const_t<Graph>>;
   using Vertex = typename Traits::vertex_descriptor;
@@ -174,17 +158,22 @@ public:
     old_size_.faces = faces_.size();
   }
 
+  static constexpr bool is_child_of_hosts = false;
+
   static constexpr std::uint64_t index_limit() { return internal::index_limit<Vertex>(); }
 
   Level_size size() const { return old_size_; }
   Vertex vertex(Index v) const { return vertices_[v]; }
 
-  std::string vertex_name(Index v) const { return element_name("vertex", vertices_[v], v); }
-  std::string halfedge_name(Index h) const
+  std::string vertex_name(Index v) const override
+  {
+    return element_name("vertex", vertices_[v], v);
+  }
+  std::string halfedge_name(Index h) const override
   {
     return element_name("half-edge", halfedge_descriptor(h), h);
   }
-  std::string face_name(Index f) const { return element_name("face", faces_[f], f); }
+  std::string face_name(Index f) const override { return element_name("face", faces_[f], f); }
 
   // copies the connectivity; an element that does not belong to the mesh becomes an invalid index
   void read(Level_connectivity& level) const
@@ -244,28 +233,20 @@ public:
       }
   }
 
-  // the child of a host
-  void set_target(Index h, Index v)
+  // gives the grown mesh the connectivity of the level
+  void write(const Level_connectivity& level)
   {
-    bgl_set_target(halfedge_descriptor(h), vertices_[v], graph_);
-  }
-  void set_next(Index h, Index n)
-  {
-    bgl_set_next(halfedge_descriptor(h), halfedge_descriptor(n), graph_);
-  }
-  void set_face(Index h, Index f) { bgl_set_face(halfedge_descriptor(h), faces_[f], graph_); }
-  void set_border(Index h) { bgl_set_face(halfedge_descriptor(h), Traits::null_face(), graph_); }
-  void set_halfedge_of_vertex(Index v, Index h)
-  {
-    set_halfedge(vertices_[v], halfedge_descriptor(h), graph_);
-  }
-  void set_isolated(Index) {}
-  void set_halfedge_of_face(Index f, Index h)
-  {
-    set_halfedge(faces_[f], halfedge_descriptor(h), graph_);
-  }
-  void finish_connectivity()
-  {
+    for (Index h = 0; h < level.number_of_halfedges(); ++h) {
+      const Halfedge d = halfedge_descriptor(h);
+      set_target(d, vertices_[level.target(h)], graph_);
+      set_next(d, halfedge_descriptor(level.next(h)), graph_);
+      set_face(d, level.is_border(h) ? Traits::null_face() : faces_[level.face(h)], graph_);
+    }
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      if (!level.is_isolated(v))
+        set_halfedge(vertices_[v], halfedge_descriptor(level.halfedge_of_vertex(v)), graph_);
+    for (Index f = 0; f < level.number_of_faces(); ++f)
+      set_halfedge(faces_[f], halfedge_descriptor(level.halfedge_of_face(f)), graph_);
     if constexpr (Has_adjust_outgoing_halfedge<Graph, Vertex>::value)
       for (Vertex v : vertices_)
         if (halfedge(v, graph_) != Traits::null_halfedge()) graph_.adjust_outgoing_halfedge(v);

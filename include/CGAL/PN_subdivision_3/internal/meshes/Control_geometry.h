@@ -12,7 +12,11 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/utils.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -22,10 +26,19 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// also where -ffast-math tells the compiler that nothing else occurs: by the exponent's bits
 template <class FT>
 bool is_finite_number(const FT& x)
 {
-  if constexpr (std::is_floating_point_v<FT>)
+  if constexpr (std::is_same_v<FT, float> || std::is_same_v<FT, double>) {
+    using Bits = std::conditional_t<std::is_same_v<FT, float>, std::uint32_t, std::uint64_t>;
+    static_assert(sizeof(Bits) == sizeof(FT) && std::numeric_limits<FT>::is_iec559);
+    constexpr int fraction_bits = std::numeric_limits<FT>::digits - 1;
+    constexpr Bits all_ones = (Bits(-1) << fraction_bits) & (Bits(-1) >> 1);
+    Bits bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return (bits & all_ones) != all_ones;
+  } else if constexpr (std::is_floating_point_v<FT>)
     return std::isfinite(x);
   else
     return CGAL::is_valid(x) && CGAL::is_finite(x);
@@ -48,22 +61,24 @@ void check_finite(const Coordinates<FT, dimension>& x, const char* what, const N
 
 // Coordinates near the end of the range of a floating point type may overflow in between. Below the
 // root of the largest number new points are not looked at: they grow by small factors only.
-template <class FT, int dimension>
-bool is_near_overflow([[maybe_unused]] const Coordinates<FT, dimension>& p)
+template <class FT, std::size_t dimension>
+bool is_near_overflow([[maybe_unused]] const std::array<FT, dimension>& p)
 {
-  if constexpr (std::is_floating_point_v<FT>)
+  if constexpr (std::is_floating_point_v<FT>) {
+    static const FT root_of_largest = std::ldexp(FT(1), std::numeric_limits<FT>::max_exponent / 2);
     for (const FT& x : p)
-      if (x * x > (std::numeric_limits<FT>::max)()) return true;
+      if (std::abs(x) >= root_of_largest) return true;
+  }
   return false;
 }
 
-template <class FT, int dimension, class Name>
-void check_in_range([[maybe_unused]] const Coordinates<FT, dimension>& p,
+template <class FT, std::size_t dimension, class Name>
+void check_in_range([[maybe_unused]] const std::array<FT, dimension>& p,
                     [[maybe_unused]] const Name& name)
 {
   if constexpr (std::is_floating_point_v<FT>)
     for (const FT& x : p)
-      if (!std::isfinite(x))
+      if (!is_finite_number(x))
         throw std::overflow_error("PN_subdivision_3: " + name() +
                                   " is out of the range of the number type: scale the input down");
 }

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SURFACE_MESH_ACCESS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -30,7 +31,7 @@ namespace internal {
 // A Surface_mesh without removed elements: indices are those of the level, and the mesh grows by
 // one resize() into fresh memory. (A reserve() before it would make the resize() ten times slower.)
 template <class Mesh>
-class Surface_mesh_access
+class Surface_mesh_access : public Element_names
 {
   using Vertex = typename Mesh::Vertex_index;
   using Halfedge = typename Mesh::Halfedge_index;
@@ -48,14 +49,17 @@ public:
     old_size_.faces = mesh.number_of_faces();
   }
 
+  // the last round of a host writes the mesh itself
+  static constexpr bool is_child_of_hosts = true;
+
   static constexpr std::uint64_t index_limit() { return Level_connectivity::null; }
 
   Level_size size() const { return old_size_; }
   Vertex vertex(Index v) const { return Vertex(v); }
 
-  std::string vertex_name(Index v) const { return "vertex " + std::to_string(v); }
-  std::string halfedge_name(Index h) const { return "half-edge " + std::to_string(h); }
-  std::string face_name(Index f) const { return "face " + std::to_string(f); }
+  std::string vertex_name(Index v) const override { return "vertex " + std::to_string(v); }
+  std::string halfedge_name(Index h) const override { return "half-edge " + std::to_string(h); }
+  std::string face_name(Index f) const override { return "face " + std::to_string(f); }
 
   void read(Level_connectivity& level) const
   {
@@ -91,7 +95,6 @@ public:
   void set_halfedge_of_vertex(Index v, Index h) { mesh_.set_halfedge(Vertex(v), Halfedge(h)); }
   void set_isolated(Index) {}
   void set_halfedge_of_face(Index f, Index h) { mesh_.set_halfedge(Face(f), Halfedge(h)); }
-  void finish_connectivity() {}
 
 private:
   void resize(const Level_size& size)

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CHECK_CONNECTIVITY_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -24,7 +25,6 @@ namespace internal {
 //
 // Linear in the size of the level. is_valid_polygon_mesh() does not serve: it rejects vertices
 // without edges and accepts vertices with several border gaps.
-template <class Element_names>
 class Connectivity_check
 {
 public:

@@ -7,11 +7,15 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL {
@@ -46,8 +50,13 @@ struct Surface_parameters
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
-    return parameters::choose_parameter(
+    const auto n = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
+    if constexpr (std::is_signed_v<decltype(n)>)
+      if (n < 0)
+        throw std::invalid_argument("PN_subdivision_3: the number of iterations is negative");
+    constexpr std::uintmax_t most = (std::numeric_limits<unsigned>::max)();
+    return static_cast<unsigned>((std::min)(static_cast<std::uintmax_t>(n), most));
   }
   static Point_map point_map(PolygonMesh& mesh, const NamedParameters& np)
   {

@@ -8,13 +8,13 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -24,7 +24,8 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// One round of a scheme on a level: its host, its mask and the average of the rows.
+// One round of a scheme: its host on a level, its mask, and the average of the rows. The mask may
+// see another level than the host; the old values are those of the mask's level.
 template <class Scheme, class Average>
 class Round
 {
@@ -35,42 +36,37 @@ public:
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
+  // takes (first new vertex, values, how many)
+  using Sink = Function_ref<void(Index, const Value*, Index)>;
 
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
-    : host_(level, number)
-    , mask_(scheme.template mask<FT>(level, number))
-    , normal_mask_(make_normal_mask(scheme, level, number))
-    , size_(Host::refined_size(level.size(), number))
+    : Round(scheme, level, level, number)
+  {}
+  Round(const Scheme& scheme, const Level_connectivity& host_level,
+        const Level_connectivity& mask_level, unsigned number)
+    : host_(host_level, number)
+    , mask_(scheme.template mask<FT>(mask_level, number))
+    , normal_mask_(make_normal_mask(scheme, mask_level, number))
+    , size_(Host::refined_size(host_level.size(), number))
     , number_(number)
   {}
 
   const Level_size& refined_size() const { return size_; }
   const Host& host() const { return host_; }
+  unsigned number() const { return number_; }
 
-  // computes the new vertices [begin, end) from the old values, and hands them to
-  // sink(first new vertex, values, how many) block by block
-  template <class Sink>
-  void evaluate(Index begin, Index end, const Stored_value* old, const Sink& sink) const
+  // computes the new vertices [begin, end) from the old values, and hands them to the sink block by
+  // block
+  void evaluate(Index begin, Index end, const Stored_value* old, Sink sink) const
   {
     Stencil<FT> rows;
     [[maybe_unused]] Normal_rows normal_rows{};
     std::array<Value, block_size_v<FT>> values;
-    const Block average{};
     for (Index first = begin; first < end;) {
-      const Index n = std::min<Index>(end - first, block_size_v<FT>);
-      rows.clear();
-      for (Index i = 0; i < n; ++i) {
-        host_.stencil(mask_, first + i, rows);
-        rows.close_row();
-      }
-      if constexpr (has_normal_mask) {
-        normal_rows.clear();
-        for (Index i = 0; i < n; ++i) {
-          host_.stencil(normal_mask_, first + i, normal_rows);
-          normal_rows.close_row();
-        }
-      }
-      evaluate_block(average, rows, normal_rows, old, values.data(), first);
+      const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
+      emit(mask_, first, n, rows);
+      if constexpr (has_normal_mask) emit(normal_mask_, first, n, normal_rows);
+      average(rows, normal_rows, old, values.data(), first);
       sink(first, values.data(), n);
       first += n;
     }
@@ -98,24 +94,31 @@ private:
   using Normal_mask = decltype(make_normal_mask(std::declval<const Scheme&>(),
                                                 std::declval<const Level_connectivity&>(), 0u));
 
-  static void average_rows(const Block& average, const Stencil<FT>& rows,
-                           [[maybe_unused]] const Normal_rows& normal_rows, const Stored_value* old,
-                           Value* result)
+  template <class Any_mask>
+  void emit(const Any_mask& mask, Index first, Index n, Stencil<FT>& rows) const
   {
-    if constexpr (has_normal_mask)
-      average(rows, normal_rows, old, result);
-    else
-      average(rows, old, result);
+    rows.clear();
+    for (Index i = 0; i < n; ++i) {
+      host_.stencil(mask, first + i, rows);
+      rows.close_row();
+    }
   }
 
-  void evaluate_block(const Block& average, const Stencil<FT>& rows, const Normal_rows& normal_rows,
-                      const Stored_value* old, Value* result, Index first) const
+  void average(const Stencil<FT>& rows, [[maybe_unused]] const Normal_rows& normal_rows,
+               const Stored_value* old, Value* result, [[maybe_unused]] Index first) const
   {
+    const Block block{};
+    const auto averages = [&] {
+      if constexpr (has_normal_mask)
+        block(rows, normal_rows, old, result);
+      else
+        block(rows, old, result);
+    };
     if constexpr (std::is_floating_point_v<FT>)
-      average_rows(average, rows, normal_rows, old, result);
+      averages();
     else
       try {
-        average_rows(average, rows, normal_rows, old, result);
+        averages();
       } catch (const Uncertain_conversion_exception&) {
         throw std::domain_error(
           "PN_subdivision_3: the precision of the number type does not decide "

@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -22,52 +23,80 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Calls f(begin, end) for pieces that cover [0, n). Every element has one owner, so that the result
-// does not depend on the pieces nor on the number of threads.
-template <class Concurrency_tag>
-struct For_chunks
-{
-  using Index = Level_connectivity::Index;
-
-  template <class Function>
-  void operator()(Index n, const Function& f) const
-  {
-    static_assert(
-      std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
-        std::is_convertible_v<Concurrency_tag, Parallel_tag>,
-      "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
-#ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
-      constexpr Index grain = 2048; // a multiple of the block of the averages
-      const Index chunks = n / grain + (n % grain != 0);
-      // isolated: a cancelled task group around it would leave elements undefined
-      tbb::task_group_context context(tbb::task_group_context::isolated);
-      const auto do_chunks = [&](const auto& range) {
-        const Index end = range.end() == chunks ? n : range.end() * grain;
-        f(range.begin() * grain, end);
-      };
-      tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
-      return;
-    }
-#else
-    static_assert(!std::is_convertible_v<Concurrency_tag, Parallel_tag>,
-                  "Parallel_tag is enabled but TBB is unavailable.");
-#endif
-    if (n != 0) f(Index(0), n);
-  }
-};
-
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
 
+#ifdef CGAL_LINKED_WITH_TBB
+// isolated: a cancelled task group around it would leave elements undefined
+constexpr auto task_kind = tbb::task_group_context::isolated;
+// the workers round as the caller does: intervals rely on it
+constexpr auto task_traits =
+  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings;
+#endif
+
+// Calls f(begin, end) for pieces that cover [0, n), in this thread or in several. Every element has
+// one owner, so that the result does not depend on the pieces nor on the number of threads.
+class For_chunks
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Function = Function_ref<void(Index, Index)>;
+
+  For_chunks() = default;
+
+  template <class Concurrency_tag>
+  static For_chunks with(Concurrency_tag)
+  {
+    static_assert(
+      std::is_convertible_v<Concurrency_tag, Sequential_tag> || is_parallel_v<Concurrency_tag>,
+      "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
+    For_chunks for_chunks;
+#ifdef CGAL_LINKED_WITH_TBB
+    if constexpr (is_parallel_v<Concurrency_tag>) for_chunks.run_ = &run_in_parallel<>;
+#else
+    static_assert(!is_parallel_v<Concurrency_tag>,
+                  "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+    return for_chunks;
+  }
+
+  void operator()(Index n, Function f) const
+  {
+    run_(n, f);
+  }
+
+private:
+  static void run(Index n, Function f)
+  {
+    if (n != 0) f(0, n);
+  }
+
+#ifdef CGAL_LINKED_WITH_TBB
+  template <int = 0> // compiled where it is used only
+  static void run_in_parallel(Index n, Function f)
+  {
+    constexpr Index grain = 2048; // a multiple of the block of the averages
+    const Index chunks = n / grain + (n % grain != 0);
+    tbb::task_group_context context(task_kind, task_traits);
+    const auto do_chunks = [&](const auto& range) {
+      const Index end = range.end() == chunks ? n : range.end() * grain;
+      f(range.begin() * grain, end);
+    };
+    tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
+  }
+#endif
+
+  void (*run_)(Index, Function) = &run;
+};
+
 // Calls f() and g(), which do not touch the same data, in any order or at the same time; f() in the
 // calling thread: memory that a mesh gets from another thread's arena costs page faults in every call.
-template <class Concurrency_tag, class F, class G>
-void run_together(const F& f, const G& g)
+template <class Concurrency_tag>
+void run_together(Function_ref<void()> f, Function_ref<void()> g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel_v<Concurrency_tag>) {
-    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::task_group_context context(task_kind, task_traits);
     tbb::parallel_invoke(g, f, context); // the last one is not spawned
     return;
   }

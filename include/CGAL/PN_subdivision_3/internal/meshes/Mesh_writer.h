@@ -1,0 +1,143 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The values that a map has for the old vertices, to be put back.
+template <class Map>
+class Old_values
+{
+public:
+  template <class Access>
+  Old_values(const Access& access, std::size_t number_of_vertices, Map map)
+    : map_(map)
+  {
+    values_.reserve(number_of_vertices);
+    for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
+      values_.push_back(get(map_, access.vertex(v)));
+  }
+
+  // a map that throws here too keeps what it has
+  template <class Access>
+  void put_back(const Access& access) noexcept
+  {
+    for (Level_connectivity::Index v = 0; v < values_.size(); ++v) try {
+        put(map_, access.vertex(v), values_[v]);
+      } catch (...) {
+      }
+  }
+
+private:
+  Map map_;
+  std::vector<typename boost::property_traits<Map>::value_type> values_;
+};
+template <>
+class Old_values<No_normal_map>
+{
+public:
+  template <class Access>
+  Old_values(const Access&, std::size_t, No_normal_map)
+  {}
+  template <class Access>
+  void put_back(const Access&) noexcept
+  {}
+};
+
+// Lets a mesh grow and puts points and normals of its new vertices. Unless keep() is called, the mesh
+// and its maps get back what they had.
+template <class Value, class Access, class Point_map, class Normal_map>
+class Mesh_writer
+{
+  static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+
+public:
+  using Index = Level_connectivity::Index;
+
+  // the maps are those of a Surface_mesh
+  static constexpr bool has_own_maps =
+    has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>);
+
+  Mesh_writer(Access& access, Point_map points, Normal_map normals, bool is_near_overflow)
+    : access_(access)
+    , points_(points)
+    , normals_(normals)
+    , is_near_overflow_(is_near_overflow)
+    , number_of_old_vertices_(static_cast<Index>(access.size().vertices))
+    , old_points_(access, number_of_old_vertices_, points)
+    , old_normals_(access, number_of_old_vertices_, normals)
+  {}
+  ~Mesh_writer()
+  {
+    if (is_kept_) return;
+    if (old_values_put_) {
+      old_points_.put_back(access_);
+      old_normals_.put_back(access_);
+    }
+    access_.shrink();
+  }
+  Mesh_writer(const Mesh_writer&) = delete;
+  Mesh_writer& operator=(const Mesh_writer&) = delete;
+
+  Index number_of_old_vertices() const { return number_of_old_vertices_; }
+  // to be called before the first old vertex is put
+  void begin_old_vertices() { old_values_put_ = true; }
+  void keep() { is_kept_ = true; }
+
+  // values of the vertices from `first` on
+  void put_values(Index first, const Value* values, Index number) const
+  {
+    using Point = typename boost::property_traits<Point_map>::value_type;
+    for (Index i = 0; i < number; ++i) {
+      const auto v = access_.vertex(first + i);
+      const auto& p = point_of(values[i]);
+      if (is_near_overflow_)
+        check_in_range(p,
+                       [&] { return "the point of the new vertex " + std::to_string(first + i); });
+      put(points_, v, Point(p[0], p[1], p[2]));
+      if constexpr (has_normal_map) {
+        using Normal = typename boost::property_traits<Normal_map>::value_type;
+        const auto& n = values[i].normal;
+        put(normals_, v, Normal(n[0], n[1], n[2]));
+      }
+    }
+  }
+
+private:
+  Access& access_;
+  Point_map points_;
+  Normal_map normals_;
+  bool is_near_overflow_;
+  bool old_values_put_ = false;
+  bool is_kept_ = false;
+  Index number_of_old_vertices_;
+  Old_values<Point_map> old_points_;
+  Old_values<Normal_map> old_normals_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_WRITER_H

@@ -1,0 +1,21 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NO_NORMAL_MAP_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NO_NORMAL_MAP_H
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// stands for a normal map that the user has not given
+struct No_normal_map
+{};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NO_NORMAL_MAP_H

@@ -1,0 +1,244 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONCEPT_CHECKS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONCEPT_CHECKS_H
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+#include <utility>
+
+// What the surface functions ask of their arguments, each said in one readable line at compile time.
+// A function whose check returns false has nothing else to compile.
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// \name Named parameters
+
+template <class... Tags>
+struct Used_parameters
+{
+  template <class Tag>
+  static constexpr bool contain = (std::is_same_v<Tag, Tags> || ...);
+};
+
+// add here what a function learns to use
+using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
+using Subdivision_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
+                  internal_np::visitor_t>;
+
+template <class Used, class NamedParameters>
+constexpr bool are_used_v = true;
+template <class Used, class T, class Tag, class Base>
+constexpr bool are_used_v<Used, Named_function_parameters<T, Tag, Base>> =
+  (Used::template contain<Tag> ||
+   std::is_same_v<Tag, internal_np::all_default_t>)&&are_used_v<Used, Base>;
+
+// \name Meshes
+
+template <class Mesh, class = void>
+struct Is_mutable_face_graph : std::false_type
+{};
+template <class Mesh>
+struct Is_mutable_face_graph<
+  Mesh,
+  std::void_t<
+    decltype(set_target(std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
+                        std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
+                        std::declval<Mesh&>())),
+    decltype(set_next(std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
+                      std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
+                      std::declval<Mesh&>())),
+    decltype(add_edge(std::declval<Mesh&>())), typename boost::graph_traits<Mesh>::face_descriptor>>
+  : std::true_type
+{};
+
+template <class Mesh>
+constexpr bool check_mutable_mesh()
+{
+  constexpr bool is_mutable = !std::is_const_v<Mesh>;
+  constexpr bool is_mutable_face_graph = Is_mutable_face_graph<std::remove_const_t<Mesh>>::value;
+  static_assert(is_mutable, "PN_subdivision_3: the mesh is const, but it is to be refined");
+  static_assert(is_mutable_face_graph,
+                "PN_subdivision_3: the mesh is no model of MutableFaceGraph: views and filtered "
+                "graphs cannot be refined, copy the mesh (CGAL::copy_face_graph())");
+  return is_mutable && is_mutable_face_graph;
+}
+
+// \name Property maps
+
+template <class Map, class Key, class = void>
+struct Is_property_map_of : std::false_type
+{};
+template <class Map, class Key>
+struct Is_property_map_of<Map, Key,
+                          std::void_t<typename boost::property_traits<Map>::value_type,
+                                      typename boost::property_traits<Map>::category>>
+  : std::is_convertible<Key, typename boost::property_traits<Map>::key_type>
+{};
+
+template <class Map, class Tag>
+constexpr bool has_category_v =
+  std::is_convertible_v<typename boost::property_traits<Map>::category, Tag>;
+
+// A type of points or vectors may be the user's own; one of CGAL's has to be the right one.
+template <class T, class = void>
+struct Kernel_of_type
+{
+  static constexpr bool exists = false;
+};
+template <class T>
+struct Kernel_of_type<T, std::void_t<typename Kernel_traits<T>::Kernel::Point_3>>
+{
+  static constexpr bool exists = true;
+  using type = typename Kernel_traits<T>::Kernel;
+};
+
+template <class T>
+constexpr bool may_be_point_3()
+{
+  if constexpr (Kernel_of_type<T>::exists)
+    return std::is_same_v<T, typename Kernel_of_type<T>::type::Point_3>;
+  else
+    return true;
+}
+
+// the normals belong to the points' kernel, or to that of the computation
+template <class Normal, class Point, class Geom_traits>
+constexpr bool may_be_normal_of()
+{
+  if constexpr (!Kernel_of_type<Normal>::exists || !Kernel_of_type<Point>::exists)
+    return true;
+  else
+    return std::is_same_v<Normal, typename Kernel_of_type<Point>::type::Vector_3> ||
+           std::is_same_v<Normal, typename Geom_traits::Vector_3>;
+}
+
+// to be asked first: CGAL deduces the kernel from the map
+template <class Mesh, class NamedParameters>
+constexpr bool check_is_point_map()
+{
+  using Vertex = typename boost::graph_traits<std::remove_const_t<Mesh>>::vertex_descriptor;
+  using Map = typename GetVertexPointMap<Mesh, NamedParameters>::type;
+  constexpr bool is_map = Is_property_map_of<Map, Vertex>::value;
+  static_assert(is_map, "PN_subdivision_3: vertex_point_map is no property map of the mesh's "
+                        "vertices (a function object is none: see "
+                        "boost::make_function_property_map())");
+  return is_map;
+}
+
+template <class Map, class Access_tag>
+constexpr bool check_point_map()
+{
+  constexpr bool is_accessible = has_category_v<Map, Access_tag>;
+  static_assert(is_accessible, "PN_subdivision_3: vertex_point_map cannot be written");
+  constexpr bool has_points = may_be_point_3<typename boost::property_traits<Map>::value_type>();
+  static_assert(has_points, "PN_subdivision_3: the values of vertex_point_map are not Point_3");
+  return is_accessible && has_points;
+}
+
+template <class Mesh, class Map, class Point_map, class Geom_traits, class Access_tag>
+constexpr bool check_normal_map()
+{
+  using Vertex = typename boost::graph_traits<std::remove_const_t<Mesh>>::vertex_descriptor;
+  if constexpr (std::is_same_v<Map, No_normal_map>)
+    return true;
+  else if constexpr (!Is_property_map_of<Map, Vertex>::value) {
+    static_assert(Is_property_map_of<Map, Vertex>::value,
+                  "PN_subdivision_3: the normal map is no property map of the mesh's vertices "
+                  "(a function object is none: see boost::make_function_property_map())");
+    return false;
+  } else {
+    constexpr bool is_accessible = has_category_v<Map, Access_tag>;
+    static_assert(is_accessible, "PN_subdivision_3: the normal map cannot be written");
+    constexpr bool has_normals =
+      may_be_normal_of<typename boost::property_traits<Map>::value_type,
+                       typename boost::property_traits<Point_map>::value_type, Geom_traits>();
+    static_assert(has_normals, "PN_subdivision_3: the values of the normal map are not Vector_3 of "
+                               "the kernel of the points");
+    return is_accessible && has_normals;
+  }
+}
+
+// \name Schemes
+
+template <class Scheme, class FT, class = void>
+struct Is_scheme : std::false_type
+{};
+template <class Scheme, class FT>
+struct Is_scheme<
+  Scheme, FT,
+  std::void_t<typename Scheme::Host, decltype(std::declval<const Scheme&>().template mask<FT>(
+                                       std::declval<const Level_connectivity&>(), 0u))>>
+  : std::true_type
+{};
+
+// \name Functions
+
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_subdivision_arguments()
+{
+  constexpr bool are_used = are_used_v<Subdivision_parameters, NamedParameters>;
+  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
+                          "those that are: number_of_iterations, vertex_point_map, "
+                          "vertex_normal_map, geom_traits, visitor");
+  using Iterations =
+    typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
+                                                 NamedParameters, unsigned>::type;
+  constexpr bool is_integer = std::is_integral_v<std::decay_t<Iterations>>;
+  static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
+  if constexpr (!are_used || !is_integer || !check_mutable_mesh<Mesh>())
+    return false;
+  else if constexpr (!check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
+    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
+    if constexpr (is_scheme && check_point_map<typename Parameters::Point_map,
+                                               boost::writable_property_map_tag>())
+      return check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
+                              typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+    else
+      return false;
+  }
+}
+
+template <class Mesh, class Normal_map, class NamedParameters>
+constexpr bool check_estimation_arguments()
+{
+  constexpr bool are_used = are_used_v<Mesh_parameters, NamedParameters>;
+  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
+                          "those that are: vertex_point_map, geom_traits");
+  if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    if constexpr (check_point_map<typename Parameters::Point_map,
+                                  boost::readable_property_map_tag>())
+      return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
+                              typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+    else
+      return false;
+  }
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONCEPT_CHECKS_H

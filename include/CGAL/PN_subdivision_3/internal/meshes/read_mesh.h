@@ -1,0 +1,113 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_READ_MESH_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_READ_MESH_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The control level of a mesh, read through an access and checked.
+template <class Access>
+Level_connectivity checked_level(const Access& access)
+{
+  const Level_size size = access.size();
+  if (size.halfedges() >= Level_connectivity::null || size.vertices >= Level_connectivity::null)
+    throw std::length_error("PN_subdivision_3: the mesh has " + std::to_string(size.halfedges()) +
+                            " half-edges, more than can be numbered");
+  Level_connectivity level(size);
+  access.read(level);
+  Connectivity_check(level, access)();
+  return level;
+}
+
+// a point of a mesh, checked
+template <class FT, class Access, class Point_map>
+Coordinates<FT, 3> checked_point(const Access& access, Point_map points,
+                                 Level_connectivity::Index v)
+{
+  const Coordinates<FT, 3> p = coordinates_3<FT>(get(points, access.vertex(v)));
+  check_finite<FT, 3>(p, "point", [&] { return access.vertex_name(v); });
+  return p;
+}
+
+// the point of a value, with normal or without
+template <class FT, std::size_t dimension>
+std::array<FT, dimension>& point_of(std::array<FT, dimension>& value)
+{
+  return value;
+}
+template <class FT, std::size_t dimension>
+const std::array<FT, dimension>& point_of(const std::array<FT, dimension>& value)
+{
+  return value;
+}
+template <class FT, int dimension>
+Coordinates<FT, dimension>& point_of(Point_normal<FT, dimension>& value)
+{
+  return value.point;
+}
+template <class FT, int dimension>
+const Coordinates<FT, dimension>& point_of(const Point_normal<FT, dimension>& value)
+{
+  return value.point;
+}
+
+template <class FT, class Value, class Access, class Normal_map>
+void read_normals(const Access& access, Normal_map normals, std::vector<Value>& values)
+{
+  for (Level_connectivity::Index v = 0; v < values.size(); ++v) {
+    Coordinates<FT, 3>& normal = values[v].normal;
+    normal = coordinates_3<FT>(get(normals, access.vertex(v)));
+    const auto name = [&] { return access.vertex_name(v); };
+    check_finite<FT, 3>(normal, "normal", name);
+    normalize_control_normal<FT, 3>(normal, name);
+  }
+}
+
+// The points of a mesh and, of values that have them, the control normals: the user's, or estimated
+// ones if there is no map of them.
+template <class Average, class Access, class Point_map, class Normal_map>
+std::vector<typename Average::Value> read_values(const Access& access,
+                                                 const Level_connectivity& level, Point_map points,
+                                                 [[maybe_unused]] Normal_map normals)
+{
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  using Index = Level_connectivity::Index;
+  std::vector<Value> values(level.number_of_vertices());
+  for (Index v = 0; v < values.size(); ++v)
+    point_of(values[v]) = checked_point<FT>(access, points, v);
+  if constexpr (std::is_same_v<Value, Point_normal<FT, 3>>) {
+    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+      angle_weighted_normals<FT>(
+        level, [&](Index v) -> const Coordinates<FT, 3>& { return values[v].point; },
+        [&](Index v, const Coordinates<FT, 3>& n) { values[v].normal = n; });
+    else
+      read_normals<FT>(access, normals, values);
+  }
+  return values;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_READ_MESH_H

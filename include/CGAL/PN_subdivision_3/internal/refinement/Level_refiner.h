@@ -1,0 +1,111 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A level, the values of its vertices, and the rounds of a scheme on them. It knows neither a mesh
+// nor its maps.
+//
+// refine() replaces the level by its child. A round that is not to be stored is a next_round():
+// its values go to a sink, its connectivity to any child of a host. Where the rows are made on
+// another level than the child (cut open along creases, say), every level has more values than
+// vertices: those beyond the vertices are the caller's to set after the round.
+template <class Scheme, class Average>
+class Level_refiner
+{
+public:
+  using Index = Level_connectivity::Index;
+  using One_round = Round<Scheme, Average>;
+  using Value = typename One_round::Value;
+  using Sink = typename One_round::Sink;
+  using Stored_value = typename One_round::Stored_value;
+  using Values = boost::container::vector<Stored_value>;
+
+  // Level and values are those of the first round.
+  Level_refiner(const Scheme& scheme, Level_connectivity&& level, Values&& values,
+                const For_chunks& for_chunks = For_chunks())
+    : scheme_(scheme)
+    , level_(std::move(level))
+    , values_(std::move(values))
+    , for_chunks_(for_chunks)
+  {}
+
+  const Level_connectivity& level() const { return level_; }
+  const Values& values() const { return values_; }
+  Values& values() { return values_; }
+  unsigned rounds_done() const { return rounds_done_; }
+
+  // \pre the level stays while the round is used
+  One_round next_round() const { return {scheme_, level_, level_, rounds_done_ + 1}; }
+  // rows from `mask_level`, whose vertices the values belong to
+  One_round next_round(const Level_connectivity& mask_level) const
+  {
+    return {scheme_, level_, mask_level, rounds_done_ + 1};
+  }
+
+  void refine() { refine(next_round(), 0); }
+  void refine(const One_round& round, std::size_t number_of_further_values)
+  {
+    Level_connectivity child(round.refined_size());
+    child.set_uniform_degree(Scheme::Host::refined_degree);
+    connect(round, child);
+    const Index n = child.number_of_vertices();
+    Values refined(n + number_of_further_values, boost::container::default_init);
+    evaluate(round, 0, n, [&](Index first, const Value* values, Index number) {
+      std::copy(values, values + number, refined.begin() + first);
+    });
+    level_ = std::move(child);
+    values_ = std::move(refined);
+    ++rounds_done_;
+  }
+
+  // The new vertices [begin, end) of a round. The sink gets a few neighboring ones with every call,
+  // which come from several threads if for_chunks does.
+  void evaluate(const One_round& round, Index begin, Index end, Sink sink) const
+  {
+    const Precision precision;
+    for_chunks_(end - begin, [&](Index first, Index last) {
+      const typename Precision::In_this_thread scope(precision);
+      round.evaluate(begin + first, begin + last, values_.data(), sink);
+    });
+  }
+
+  template <class Child>
+  void connect(const One_round& round, Child& child) const
+  {
+    round.host().connect(child, for_chunks_);
+  }
+
+private:
+  using Precision = Caller_precision<typename Average::FT>;
+
+  const Scheme& scheme_;
+  Level_connectivity level_;
+  Values values_;
+  unsigned rounds_done_ = 0;
+  For_chunks for_chunks_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_LEVEL_REFINER_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Calls that must not compile, each with the line that the compiler is to say. The test
+// rejected_arguments compiles this file and looks for the lines; nothing else may be an error.
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Dual.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Float_kernel = CGAL::Simple_cartesian<float>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Edge = Mesh::Edge_index;
+
+void reject(Mesh& mesh)
+{
+  const Mesh& constant = mesh;
+  PN::CatmullClark_subdivision(constant);
+  // expected: the mesh is const
+
+  CGAL::Face_filtered_graph<Mesh> part(mesh);
+  PN::CatmullClark_subdivision(part);
+  // expected: the mesh is no model of MutableFaceGraph
+
+  CGAL::Dual<Mesh> dual(mesh);
+  PN::Loop_subdivision(dual);
+  // expected: the mesh is no model of MutableFaceGraph
+
+  auto creases = mesh.add_property_map<Edge, bool>("creases").first;
+  PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(creases));
+  // expected: a named parameter is given that is not used here
+
+  PN::Loop_subdivision(mesh, params::number_of_iterations(2).face_index_map(1));
+  // expected: a named parameter is given that is not used here
+
+  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2.5));
+  // expected: number_of_iterations is not an integer
+
+  PN::subdivide(mesh, 3);
+  // expected: the scheme is no model of PNSubdivisionScheme_3
+
+  PN::CatmullClark_subdivision(mesh, params::vertex_normal_map(mesh.points()));
+  // expected: the values of the normal map are not Vector_3
+
+  auto others = mesh.add_property_map<Vertex, Float_kernel::Vector_3>("others").first;
+  PN::CatmullClark_subdivision(mesh, params::vertex_normal_map(others));
+  // expected: the values of the normal map are not Vector_3
+
+  const auto function = [](Vertex) { return Kernel::Vector_3(0, 0, 1); };
+  PN::CatmullClark_subdivision(mesh, params::vertex_normal_map(function));
+  // expected: the normal map is no property map of the mesh's vertices
+
+  auto normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("normals").first;
+  PN::CatmullClark_subdivision(mesh, params::vertex_point_map(normals));
+  // expected: the values of vertex_point_map are not Point_3
+
+  PN::CatmullClark_subdivision(mesh, params::vertex_point_map(function));
+  // expected: vertex_point_map is no property map of the mesh's vertices
+
+  auto points = mesh.add_property_map<Vertex, Float_kernel::Point_3>("points").first;
+  PN::estimate_control_normals(mesh, points);
+  // expected: the values of the normal map are not Vector_3
+
+  PN::estimate_control_normals(mesh, normals, params::number_of_iterations(2));
+  // expected: a named parameter is given that is not used here
+}
