@@ -116,16 +116,17 @@ back, and what such a map stores for vertices that exist no longer.
 \cgalNamedParamsEnd
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
-  joins several fans of faces, an edge without a face, broken connectivity), if a face is none that
-  the scheme can refine, or if a point or normal is not finite. The message names the element. These
+  joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
+  refine one of the faces, or if a point or normal is not finite. The message names the element. These
   checks do not depend on `NDEBUG`.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
 \cost linear in the size of the output, in time and memory, while the degrees of the faces and the
-valences are bounded: a face of degree m or a vertex of valence m takes time m<sup>2</sup>,
-m<sup>3</sup> at a vertex of Kobbelt's scheme
+valences are bounded. Loop, Catmull-Clark and \f$ \sqrt{3} \f$ subdivision are linear whatever the
+valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes, and a face of degree m
+with all that take polygons; `estimated_row_entries()` tells beforehand.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>

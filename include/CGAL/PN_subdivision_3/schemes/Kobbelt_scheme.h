@@ -9,7 +9,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
 #include <stdexcept>
 #include <string>
@@ -184,9 +186,15 @@ class Kobbelt_scheme
 public:
   using Host = PQQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "kobbelt"; }
+  /// the name of the parameter that the constructor takes, and its default value.
+  static constexpr const char* parameter_name() { return "tension"; }
+  static constexpr double default_parameter() { return 1. / 16; }
+
   /// \pre `-1/2 < tension < 1/2`
   /// \throws std::invalid_argument otherwise
-  explicit Kobbelt_scheme(double tension = 1. / 16)
+  explicit Kobbelt_scheme(double tension = default_parameter())
     : tension_(tension)
   {
     if (!(tension > -0.5 && tension < 0.5))
@@ -204,13 +212,14 @@ public:
   template <class Element_names>
   static void check(const Level_connectivity& level, const Element_names& names)
   {
-    for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-      if (!level.has_degree(level.halfedge_of_face(f), 4))
-        throw std::invalid_argument(
-          "PN_subdivision_3: " + names.face_name(f) + " has " +
-          std::to_string(level.degree(level.halfedge_of_face(f))) +
-          " corners: the scheme takes quadrilaterals only; apply one round of Catmull-Clark first");
+    internal::check_quadrilaterals(level, names);
     internal::check_interior_valences(level, names);
+  }
+
+  /// see `estimated_row_entries()`: at an irregular vertex of valence n, edges have 2n entries; faces have as many, merged from 16n.
+  static double dense_row_entries(const Level_connectivity& level, unsigned /*round*/)
+  {
+    return 18 * internal::squared_irregular_valences(level, 4);
   }
 
 private:

@@ -9,7 +9,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/schemes/border_rules.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -94,6 +94,9 @@ Loop subdivision: `Loop_mask` on `PTQ_host`. Accepts triangles only.
 struct Loop_scheme
 {
   using Host = PTQ_host;
+
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "loop"; }
 
   template <class FT>
   Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const

@@ -9,7 +9,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Tuned_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
@@ -83,9 +85,8 @@ struct Tuned_CatmullClark_frequencies
 template <class Number>
 using Matrix_3x3 = std::array<std::array<Number, 3>, 3>;
 
-// A_0', given the root in the eigenvalues of A_0:
-// A_0 + sum of (p' - p) (A_0 - 1)(A_0 - q) / ((p - 1)(p - q)) over its eigenvalues p and q, and q
-// and p.
+// A_0', given the square root that occurs in the eigenvalues p and q of A_0: the matrix A_0, plus
+// (p' - p) (A_0 - 1)(A_0 - q) / ((p - 1)(p - q)), plus the same with p and q exchanged.
 template <class Number>
 Matrix_3x3<Number> tuned_CatmullClark_mean(std::size_t valence, const Number& root,
                                            const Number& bound)
@@ -280,7 +281,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Modified Catmull-Clark subdivision: `modified_CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
-On a mesh without separated extraordinary vertices a round is one of `CatmullClark_scheme`.
+On a mesh without separated extraordinary vertices a round gives the same as one of `CatmullClark_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
 class modified_CatmullClark_scheme
@@ -288,9 +289,15 @@ class modified_CatmullClark_scheme
 public:
   using Host = PQQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "modified-catmull-clark"; }
+  /// the name of the parameter that the constructor takes, and its default value.
+  static constexpr const char* parameter_name() { return "cap"; }
+  static constexpr double default_parameter() { return 0.5; }
+
   /// \pre `0 < cap <= 1`
   /// \throws std::invalid_argument otherwise
-  explicit modified_CatmullClark_scheme(double cap = 0.5)
+  explicit modified_CatmullClark_scheme(double cap = default_parameter())
     : cap_(internal::checked_cap(cap))
   {}
 
@@ -298,6 +305,18 @@ public:
   modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return modified_CatmullClark_mask<FT>(level, cap_);
+  }
+
+  /// see `estimated_row_entries()`: the edges and faces of a separated vertex of valence n have 2n entries each, other faces those of `CatmullClark_scheme`.
+  /// A face of the first round is a vertex of the next.
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    if (round == 1)
+      return 4 * internal::squared_separated_valences(level, 4, 4) +
+             2 * internal::squared_irregular_degrees(level);
+    // nearly all are separated
+    return 4 * (internal::squared_irregular_valences(level, 4) +
+                internal::squared_irregular_degrees(level));
   }
 
 private:

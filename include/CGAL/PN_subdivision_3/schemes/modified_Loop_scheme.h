@@ -9,7 +9,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Tuned_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
@@ -132,7 +134,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Modified Loop subdivision: `modified_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
-without separated extraordinary vertices a round is one of `Loop_scheme`.
+without separated extraordinary vertices a round gives the same as one of `Loop_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
 class modified_Loop_scheme
@@ -140,9 +142,15 @@ class modified_Loop_scheme
 public:
   using Host = PTQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "modified-loop"; }
+  /// the name of the parameter that the constructor takes, and its default value.
+  static constexpr const char* parameter_name() { return "cap"; }
+  static constexpr double default_parameter() { return 0.5; }
+
   /// \pre `0 < cap <= 1`
   /// \throws std::invalid_argument otherwise
-  explicit modified_Loop_scheme(double cap = 0.5)
+  explicit modified_Loop_scheme(double cap = default_parameter())
     : cap_(internal::checked_cap(cap))
   {}
 
@@ -150,6 +158,14 @@ public:
   modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return modified_Loop_mask<FT>(level, cap_);
+  }
+
+  /// see `estimated_row_entries()`: the n edges of a separated vertex have n entries each.
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    // from the second round on all are separated
+    return round == 1 ? internal::squared_separated_valences(level, 6, 3)
+                      : internal::squared_irregular_valences(level, 6);
   }
 
 private:

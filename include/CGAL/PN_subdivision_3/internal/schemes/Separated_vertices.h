@@ -7,7 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SEPARATED_VERTICES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 
 #include <map>
 #include <utility>
@@ -28,10 +28,23 @@ inline bool is_separated(const Level_connectivity& level, Level_connectivity::In
   do {
     if (!level.has_degree(h, degree)) return false;
     for (Level_connectivity::Index g = level.next(h); g != h; g = level.next(g))
-      if (irregular_valence[level.target(g)] != 0) return false; // v again counts, too
+      if (irregular_valence[level.target(g)] != 0) return false; // also if v occurs again
     h = level.next_around_target(h);
   } while (h != first);
   return true;
+}
+
+// The sum of the squares of the valences of the separated vertices.
+inline double squared_separated_valences(const Level_connectivity& level,
+                                         Level_connectivity::Index regular_valence,
+                                         Level_connectivity::Index degree)
+{
+  const auto valence = irregular_valences(level, regular_valence);
+  double sum = 0;
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (valence[v] > 2 && is_separated(level, v, degree, valence))
+      sum += double(valence[v]) * double(valence[v]);
+  return sum;
 }
 
 // The separated vertices of a level: the extraordinary ones about which a modified scheme replaces
@@ -70,8 +83,8 @@ public:
     return &weights_.find(valence_[v])->second;
   }
 
-  // the half-edge of e that leads to a separated vertex, and the weights about that; null if there is
-  // none
+  // the half-edge of e that leads to a separated vertex and the weights about that vertex, null if neither
+  // end is separated
   std::pair<Index, const Weights*> at_edge(const Level_connectivity& level, Index e) const
   {
     const Index h = Level_connectivity::halfedge_of_edge(e);
