@@ -94,6 +94,15 @@ std::string caption(const Curve_rule& rule, const Curve_options& options)
   return s + ", " + std::to_string(options.levels) + (options.levels == 1 ? " round" : " rounds");
 }
 
+std::string input_title(const Curve_options& options)
+{
+  return options.input == "-" ? "standard input" : options.input;
+}
+std::string output_title(const Curve_options& options)
+{
+  return options.output == "-" ? "standard output" : options.output;
+}
+
 // Runs a step and names the file in what it throws.
 template <class Function>
 auto naming(const std::string& file, const Function& function)
@@ -112,7 +121,7 @@ void write_files(const Curve_options& options, const Curve_rule& rule, const Cur
                  const Curve_data& curve)
 {
   std::unique_ptr<Output_file> out, comb;
-  naming(options.output, [&] {
+  naming(output_title(options), [&] {
     out = std::make_unique<Output_file>(options.output);
     write_curve(*out, curve);
   });
@@ -122,7 +131,7 @@ void write_files(const Curve_options& options, const Curve_rule& rule, const Cur
       comb->text(curve_picture(caption(rule, options), polygon, curve, rule.end));
       comb->commit();
     });
-  naming(options.output, [&] { out->commit(); });
+  naming(output_title(options), [&] { out->commit(); });
 }
 
 std::string closing_line(const Curve_options& options, const Curve_rule& rule,
@@ -130,9 +139,9 @@ std::string closing_line(const Curve_options& options, const Curve_rule& rule,
 {
   char time[40];
   std::snprintf(time, sizeof time, ", %.2f s", report.seconds());
-  return (options.output == "-" ? "standard output" : options.output) + ": " +
-         std::to_string(curve.size()) + (curve.size() == 1 ? " point, " : " points, ") +
-         caption(rule, options) + ", " + normals + time;
+  return output_title(options) + ": " + std::to_string(curve.size()) +
+         (curve.size() == 1 ? " point, " : " points, ") + caption(rule, options) + ", " + normals +
+         time;
 }
 
 } // namespace
@@ -147,9 +156,10 @@ void run_curve_command(const Curve_options& options)
 
   Curve_data polygon = read_curve(options.input);
   if (polygon.size() >= points_worth_a_report)
-    report.progress("read " + options.input + ": " + std::to_string(polygon.size()) + " points");
+    report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
+                    " points");
   std::string normals = "no normals";
-  const Curve_data curve = naming(options.input, [&] {
+  const Curve_data curve = naming(input_title(options), [&] {
     if (!rule.linear) normals = set_control_normals(polygon, rule.end);
     polygon = refine_curve(polygon, rule, 0); // what the drawing shows: normals of unit length
     const Curve_data refined = refine_curve(polygon, rule, options.levels);
@@ -158,7 +168,8 @@ void run_curve_command(const Curve_options& options)
   });
   if (verification) verification->print(options.output == "-" ? stderr : stdout);
   if (curve.size() >= points_worth_a_report)
-    report.progress("writing " + options.output + ": " + std::to_string(curve.size()) + " points");
+    report.progress("writing " + output_title(options) + ": " + std::to_string(curve.size()) +
+                    " points");
   write_files(options, rule, polygon, curve);
   report.note(closing_line(options, rule, curve, normals, report));
   report.print_warnings();

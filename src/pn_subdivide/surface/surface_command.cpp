@@ -11,6 +11,7 @@
 #include "surface/Bounding_box.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
+#include "surface/expected_time.h"
 #include "surface/refine_surface.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
@@ -124,6 +125,19 @@ void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
                 " files need them");
 }
 
+// Said before the work begins, so that nobody waits for a result that takes a day.
+void announce_long_work(Surface& surface, const Surface_options& options,
+                        const Scheme_choice& scheme, const Report& report)
+{
+  constexpr double long_time = 10;
+  if (report.is_quiet() || options.levels == 0) return;
+  const double seconds = expected_seconds(surface, scheme, options.levels);
+  if (seconds < long_time) return;
+  char text[60];
+  std::snprintf(text, sizeof text, " takes about %.0f s on one thread", seconds);
+  report.progress(scheme.scheme + text);
+}
+
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, Report& report)
@@ -132,6 +146,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   if (options.levels == 0 && !plan.curvature && !must_split) return;
   Surface surface = make_surface(mesh);
   mesh = Mesh_data();
+  announce_long_work(surface, options, scheme, report);
   if (options.levels > 0)
     refine_surface(surface, scheme, refinement(options, plan.threads, report));
   std::optional<Curvature_values> curvature;

@@ -552,11 +552,11 @@ TEST_F(Mesh_io, MissingFilesFoldersAndUnknownFormats)
   EXPECT_NE(error_of(folder.file("missing.ply")).find("No such file"), std::string::npos);
   std::filesystem::create_directory(folder.file("folder.ply"));
   EXPECT_NE(error_of(folder.file("folder.ply")).find("directory"), std::string::npos);
-  EXPECT_THROW(require_readable_format("a.vtp"), Usage_error);
-  EXPECT_THROW(require_readable_format("a"), Usage_error);
-  EXPECT_THROW(require_writable_format("a.stl"), Usage_error);
-  EXPECT_NO_THROW(require_readable_format("a.STL"));
-  EXPECT_NO_THROW(require_writable_format("a.b.VTP"));
+  EXPECT_THROW(input_mesh_file("a.vtp", std::nullopt), Usage_error);
+  EXPECT_THROW(input_mesh_file("a", std::nullopt), Usage_error);
+  EXPECT_THROW(output_mesh_file("a.svg", std::nullopt), Usage_error);
+  EXPECT_NO_THROW(input_mesh_file("a.STL", std::nullopt));
+  EXPECT_NO_THROW(output_mesh_file("a.b.VTP", std::nullopt));
 }
 
 TEST_F(Mesh_io, WritingReplacesAFileAsAWholeAndLeavesNothingElse)
