@@ -8,8 +8,7 @@
 //
 //   curve_bottle [OUTPUT.svg]
 
-#include "Curve_svg.h"
-
+#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <cstdlib>
@@ -18,6 +17,7 @@
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
+namespace curve_svg = PN::curve_svg;
 using curve_svg::Curve;
 using curve_svg::Point;
 

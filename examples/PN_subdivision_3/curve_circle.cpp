@@ -8,8 +8,7 @@
 //
 //   curve_circle [OUTPUT.svg]
 
-#include "Curve_svg.h"
-
+#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_curve.h>
 
@@ -20,6 +19,7 @@
 #include <string>
 
 namespace PN = CGAL::PN_subdivision_3;
+namespace curve_svg = PN::curve_svg;
 using curve_svg::Curve;
 
 namespace {

@@ -8,8 +8,7 @@
 //
 //   curve_normal_edit [OUTPUT.svg]
 
-#include "Curve_svg.h"
-
+#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <cmath>
@@ -18,6 +17,7 @@
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
+namespace curve_svg = PN::curve_svg;
 using curve_svg::Curve;
 
 namespace {

@@ -8,10 +8,11 @@
 #include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
 #include "io/Error.h"
+#include "io/Report.h"
 #include "io/curve_io.h"
 #include "io/mesh_io.h"
+#include "surface/verification.h"
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -73,15 +74,17 @@ void require_writable_places(const Curve_options& options)
     throw Usage_error("--comb " + *options.comb + ": the drawing needs a file of its own");
 }
 
-void set_control_normals(Curve_data& polygon, PN::Curve_end end)
+// How it came to its normals, for the closing line.
+std::string set_control_normals(Curve_data& polygon, PN::Curve_end end)
 {
-  if (polygon.has_normals) return;
+  if (polygon.has_normals) return "normals of the file";
   Curve_2* const planar = std::get_if<Curve_2>(&polygon.points);
   if (planar == nullptr)
     throw Error("this is a curve in space without normals, and they can be estimated in the plane "
                 "only: give lines 'x y z nx ny nz', or use --linear");
   *planar = PN::estimate_control_normals(*planar, end);
   polygon.has_normals = true;
+  return "estimated normals";
 }
 
 std::string caption(const Curve_rule& rule, const Curve_options& options)
@@ -89,6 +92,15 @@ std::string caption(const Curve_rule& rule, const Curve_options& options)
   std::string s = (rule.linear ? "Linear " : "PN ") + rule.scheme.name;
   if (rule.normal_scheme) s += ", normals by " + rule.normal_scheme->name;
   return s + ", " + std::to_string(options.levels) + (options.levels == 1 ? " round" : " rounds");
+}
+
+std::string input_title(const Curve_options& options)
+{
+  return options.input == "-" ? "standard input" : options.input;
+}
+std::string output_title(const Curve_options& options)
+{
+  return options.output == "-" ? "standard output" : options.output;
 }
 
 // Runs a step and names the file in what it throws.
@@ -104,12 +116,12 @@ auto naming(const std::string& file, const Function& function)
   }
 }
 
-// All is written before anything gets its name.
+// All is written before anything gets its name, and standard output comes last.
 void write_files(const Curve_options& options, const Curve_rule& rule, const Curve_data& polygon,
                  const Curve_data& curve)
 {
   std::unique_ptr<Output_file> out, comb;
-  naming(options.output, [&] {
+  naming(output_title(options), [&] {
     out = std::make_unique<Output_file>(options.output);
     write_curve(*out, curve);
   });
@@ -119,35 +131,50 @@ void write_files(const Curve_options& options, const Curve_rule& rule, const Cur
       comb->text(curve_picture(caption(rule, options), polygon, curve, rule.end));
       comb->commit();
     });
-  naming(options.output, [&] { out->commit(); });
+  naming(output_title(options), [&] { out->commit(); });
+}
+
+std::string closing_line(const Curve_options& options, const Curve_rule& rule,
+                         const Curve_data& curve, const std::string& normals, const Report& report)
+{
+  char time[40];
+  std::snprintf(time, sizeof time, ", %.2f s", report.seconds());
+  return output_title(options) + ": " + std::to_string(curve.size()) +
+         (curve.size() == 1 ? " point, " : " points, ") + caption(rule, options) + ", " + normals +
+         time;
 }
 
 } // namespace
 
 void run_curve_command(const Curve_options& options)
 {
+  Report report(options.quiet);
   const Curve_rule rule = parse_rule(options);
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
 
-  const auto start = std::chrono::steady_clock::now();
   Curve_data polygon = read_curve(options.input);
-  const Curve_data curve = naming(options.input, [&] {
-    if (!rule.linear) set_control_normals(polygon, rule.end);
+  if (polygon.size() >= points_worth_a_report)
+    report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
+                    " points");
+  std::string normals = "no normals";
+  const Curve_data curve = naming(input_title(options), [&] {
+    if (!rule.linear) normals = set_control_normals(polygon, rule.end);
     polygon = refine_curve(polygon, rule, 0); // what the drawing shows: normals of unit length
     const Curve_data refined = refine_curve(polygon, rule, options.levels);
     if (verification) verification->measure(refined);
     return refined;
   });
-  if (verification) verification->print();
+  if (verification) verification->print(options.output == "-" ? stderr : stdout);
+  if (curve.size() >= points_worth_a_report)
+    report.progress("writing " + output_title(options) + ": " + std::to_string(curve.size()) +
+                    " points");
   write_files(options, rule, polygon, curve);
-  if (!options.quiet && curve.size() >= points_worth_a_report) {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::fprintf(stderr, "%s: %zu points, %.2f s\n", options.output.c_str(), curve.size(),
-                 seconds.count());
-  }
+  report.note(closing_line(options, rule, curve, normals, report));
+  report.print_warnings();
   if (verification) verification->require_tolerance();
+  report.print_notes();
 }
 
 } // namespace pn_subdivide

@@ -6,7 +6,7 @@
 #ifndef PN_SUBDIVIDE_CURVE_COMMAND_H
 #define PN_SUBDIVIDE_CURVE_COMMAND_H
 
-#include "surface/verification.h"
+#include "surface/Verify_options.h"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace pn_subdivide {
 
 struct Curve_options
 {
-  std::string input, output, scheme;
+  std::string input, output, scheme; // "-": standard input, output
   std::optional<std::string> normal_scheme, end, comb;
   Verify_options verify;
   unsigned levels = 1;

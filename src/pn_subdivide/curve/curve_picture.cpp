@@ -5,9 +5,8 @@
 
 #include "curve/curve_picture.h"
 
-#include "Curve_svg.h"
-
 #include <CGAL/Default_diagonalize_traits.h>
+#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
 #include <CGAL/centroid.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@ namespace pn_subdivide {
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
+namespace curve_svg = PN::curve_svg;
 using Point_3 = Curve_kernel::Point_3;
 using Vector_3 = Curve_kernel::Vector_3;
 

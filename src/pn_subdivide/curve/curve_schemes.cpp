@@ -81,6 +81,13 @@ Curve with_mask(const Curve_rule& rule, const Function& function)
 
 } // namespace
 
+std::string curve_scheme_names()
+{
+  return std::string(PN::B_spline_mask::name()) + " (DEGREE 2 to 9), chaikin (bspline:2) or " +
+         PN::Dubuc_Deslauriers_mask::name() + " (POINTS even, 2 to " +
+         std::to_string(PN::Dubuc_Deslauriers_mask::greatest_number_of_points) + ", as in 4-point)";
+}
+
 Curve_scheme parse_curve_scheme(const std::string& option, const std::string& name)
 {
   if (name == "chaikin") return b_spline(2);
@@ -91,12 +98,13 @@ Curve_scheme parse_curve_scheme(const std::string& option, const std::string& na
   }
   if (boost::algorithm::ends_with(name, "-point")) {
     const std::optional<int> points = to_int(name.substr(0, name.size() - 6));
-    if (points && *points >= 2 && *points <= 20 && *points % 2 == 0) return interpolatory(*points);
+    if (points && *points >= 2 &&
+        *points <= PN::Dubuc_Deslauriers_mask::greatest_number_of_points && *points % 2 == 0)
+      return interpolatory(*points);
     throw Usage_error(option + " '" + name + "': the number of points is even and at most 20");
   }
-  throw Usage_error(option + " '" + name +
-                    "': there is no such scheme, only bspline:DEGREE, chaikin, 4-point, 6-point, "
-                    "8-point, 10-point, ..., 20-point");
+  throw Usage_error(option + " '" + name + "': there is no such scheme, only " +
+                    curve_scheme_names());
 }
 
 Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels)

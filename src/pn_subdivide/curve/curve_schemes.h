@@ -6,6 +6,7 @@
 #ifndef PN_SUBDIVIDE_CURVE_SCHEMES_H
 #define PN_SUBDIVIDE_CURVE_SCHEMES_H
 
+#include "curve/curve_scheme_names.h"
 #include "io/curve_data.h"
 
 #include <CGAL/PN_subdivision_curve.h>

@@ -6,10 +6,9 @@
 #ifndef PN_SUBDIVIDE_MESH_DATA_H
 #define PN_SUBDIVIDE_MESH_DATA_H
 
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,9 +18,7 @@
 
 namespace pn_subdivide {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
+using Triple = std::array<double, 3>; // a point or a vector; a kernel's would cost compile time
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
 // A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
@@ -34,13 +31,23 @@ public:
   using Face = boost::iterator_range<const Index*>;
   static constexpr std::size_t max_number_of_points = std::numeric_limits<Index>::max();
 
-  std::vector<Point_3> points;
-  std::vector<Vector_3> normals;
+  std::vector<Triple> points;
+  std::vector<Triple> normals;
   std::string scalar_name;
   std::vector<double> scalars;
   std::vector<Color> colors;
 
+  // What the file says and this does not hold, for people: "materials".
+  std::vector<std::string> dropped;
+  // Vertices that the file gives normals in clearly different directions; they have the normalized
+  // sum.
+  std::size_t vertices_with_several_normals = 0;
+
   bool has_normals() const { return !normals.empty(); }
+  void drop(const std::string& what)
+  {
+    if (std::find(dropped.begin(), dropped.end(), what) == dropped.end()) dropped.push_back(what);
+  }
   std::size_t number_of_faces() const { return face_end_.size(); }
   std::size_t number_of_corners() const { return corners_.size(); }
 

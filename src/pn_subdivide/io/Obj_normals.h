@@ -16,13 +16,13 @@
 
 namespace pn_subdivide {
 
-// OBJ gives normals to the corners of faces; a vertex takes the normalised sum of the different
+// OBJ gives normals to the corners of faces; a vertex takes the normalized sum of the different
 // normals at its corners, and a single one as it is.
 class Obj_normals
 {
 public:
   std::size_t number_of_normals() const { return normals_.size(); }
-  void add_normal(const Vector_3& n) { normals_.push_back(n); }
+  void add_normal(const Triple& n) { normals_.push_back(n); }
 
   void add_corner(Mesh_data::Index vertex, std::size_t normal, std::size_t line)
   {
@@ -30,7 +30,7 @@ public:
   }
 
   // Empty if the file has no normals; zero for vertices that are given none.
-  std::vector<Vector_3> per_vertex(std::size_t number_of_vertices)
+  std::vector<Triple> per_vertex(std::size_t number_of_vertices)
   {
     if (corners_.empty()) return in_order(number_of_vertices);
     for (const Corner& c : corners_)
@@ -40,16 +40,25 @@ public:
                     std::to_string(normals_.size()) + " normals");
     sort_and_unite();
 
-    std::vector<Vector_3> result(number_of_vertices, Vector_3(0, 0, 0));
+    std::vector<Triple> result(number_of_vertices, Triple{0, 0, 0});
     for (std::size_t i = 0, end; i < corners_.size(); i = end) {
       const Mesh_data::Index v = corners_[i].vertex;
-      Vector_3 sum = normals_[corners_[i].normal];
-      for (end = i + 1; end < corners_.size() && corners_[end].vertex == v; ++end)
-        sum = sum + normals_[corners_[end].normal];
-      result[v] = end == i + 1 ? sum : normalised(sum);
+      const Triple& first = normals_[corners_[i].normal];
+      Triple sum = first;
+      bool differ = false;
+      for (end = i + 1; end < corners_.size() && corners_[end].vertex == v; ++end) {
+        const Triple& n = normals_[corners_[end].normal];
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
+        differ = differ || directions_differ(first, n);
+      }
+      result[v] = end == i + 1 ? sum : normalized(sum);
+      if (differ) ++vertices_with_several_normals_;
     }
     return result;
   }
+
+  // Those whose normals differ by more than files are rounded; per_vertex() counts them.
+  std::size_t vertices_with_several_normals() const { return vertices_with_several_normals_; }
 
 private:
   struct Corner
@@ -59,7 +68,7 @@ private:
   };
 
   // Some programs (CGAL's writer among them) list one normal per vertex and leave it at that.
-  std::vector<Vector_3> in_order(std::size_t number_of_vertices) const
+  std::vector<Triple> in_order(std::size_t number_of_vertices) const
   {
     if (!normals_.empty() && normals_.size() != number_of_vertices)
       throw Error(std::to_string(normals_.size()) + " normals (vn) for " +
@@ -78,8 +87,8 @@ private:
     };
     const auto by_value = [&](const Corner& a, const Corner& b) {
       if (a.vertex != b.vertex) return a.vertex < b.vertex;
-      const Vector_3 &m = normals[a.normal], &n = normals[b.normal];
-      for (int i = 0; i < 3; ++i)
+      const Triple &m = normals[a.normal], &n = normals[b.normal];
+      for (std::size_t i = 0; i < 3; ++i)
         if (m[i] < n[i] || n[i] < m[i]) return m[i] < n[i];
       return a.normal < b.normal;
     };
@@ -91,14 +100,23 @@ private:
     std::sort(corners_.begin(), corners_.end(), by_number);
   }
 
-  static Vector_3 normalised(const Vector_3& n)
+  static Triple normalized(const Triple& n)
   {
-    const double length = std::hypot(n.x(), n.y(), n.z());
-    return length > 0 ? n / length : Vector_3(0, 0, 0);
+    const double length = std::hypot(n[0], n[1], n[2]);
+    if (!(length > 0)) return {0, 0, 0};
+    return {n[0] / length, n[1] / length, n[2] / length};
   }
 
-  std::vector<Vector_3> normals_;
+  // by more than 0.1 degrees
+  static bool directions_differ(const Triple& m, const Triple& n)
+  {
+    const Triple a = normalized(m), b = normalized(n);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > 0.0017;
+  }
+
+  std::vector<Triple> normals_;
   std::vector<Corner> corners_;
+  std::size_t vertices_with_several_normals_ = 0;
 };
 
 } // namespace pn_subdivide

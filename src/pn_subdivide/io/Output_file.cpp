@@ -33,13 +33,18 @@ void require_changeable(const fs::path& file)
   std::fclose(f);
 }
 
-// What a link, or a chain of links, leads to.
-fs::path real_target(const fs::path& file)
+// What a link, or a chain of links, leads to, whether it is there or not.
+fs::path real_target(fs::path file)
 {
+  constexpr int longest_chain = 40; // as in Linux
   std::error_code error;
-  if (!fs::is_symlink(file, error)) return file;
-  const fs::path target = fs::weakly_canonical(file, error);
-  return error ? file : target;
+  for (int i = 0; i < longest_chain; ++i) {
+    if (!fs::is_symlink(file, error)) return file;
+    const fs::path next = fs::read_symlink(file, error);
+    if (error) throw Error("this link cannot be read: " + error.message());
+    file = next.is_absolute() ? next : file.parent_path() / next;
+  }
+  throw Error("this link leads to itself");
 }
 
 fs::file_status checked_status(const fs::path& target)
@@ -58,27 +63,31 @@ fs::file_status checked_status(const fs::path& target)
 
 void Output_file::check(const std::string& file)
 {
-  checked_status(real_target(file));
+  if (file != "-") checked_status(real_target(file));
 }
 
 Output_file::Output_file(const std::string& file)
-  : target_(real_target(file))
 {
-  const fs::file_status status = checked_status(target_);
-  std::error_code error;
   buffer_.reserve(buffer_size + 64);
-  if (!fs::exists(status) || fs::is_regular_file(status)) {
-    open_temporary();
-    if (fs::is_regular_file(status)) fs::permissions(temporary_, status.permissions(), error);
-  } else {
-    file_ = std::fopen(target_.string().c_str(), "wb");
-    if (file_ == nullptr) throw Error("cannot be written: " + reason(errno));
+  fs::file_status status;
+  if (file != "-") {
+    target_ = real_target(file);
+    status = checked_status(target_);
   }
+  const bool is_replaceable = !fs::exists(status) || fs::is_regular_file(status);
+  if (file == "-" || !is_replaceable) {
+    file_ = std::tmpfile();
+    if (file_ == nullptr) throw Error("no temporary file can be made: " + reason(errno));
+    return;
+  }
+  open_temporary();
+  std::error_code ignored;
+  if (fs::is_regular_file(status)) fs::permissions(temporary_, status.permissions(), ignored);
 }
 
 Output_file::~Output_file()
 {
-  if (file_ != nullptr) std::fclose(file_);
+  if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
@@ -89,14 +98,18 @@ void Output_file::open_temporary()
   for (int attempt = 0; attempt < 100; ++attempt) {
     const std::string name = ".pn_subdivide-" + std::to_string(random()) + ".tmp";
     const fs::path temporary = target_.parent_path() / name;
+    removal_ = std::make_unique<Temporary_on_signal>(temporary.string());
     file_ = std::fopen(temporary.string().c_str(), "wbx"); // x: never opens an existing file
     if (file_ != nullptr) {
       temporary_ = temporary;
       return;
     }
-    if (errno != EEXIST) break;
+    const int error = errno;
+    removal_.reset();
+    if (error != EEXIST)
+      throw Error("cannot be written, no file can be made in its folder: " + reason(error));
   }
-  throw Error("cannot be written, no file can be made in its folder: " + reason(errno));
+  throw Error("cannot be written: no name for a new file is free in its folder");
 }
 
 void Output_file::text(std::string_view s)
@@ -137,16 +150,38 @@ void Output_file::close()
   if (!flushed || !closed) throw Error("writing failed: " + reason(flushed ? errno : error));
 }
 
+void Output_file::pass_on()
+{
+  std::FILE* const collected = file_;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> closed_later(collected, std::fclose);
+  file_ = nullptr;
+  if (std::fflush(collected) != 0) throw Error("writing failed: " + reason(errno));
+  std::rewind(collected);
+  const bool is_standard_output = target_.empty();
+  file_ = is_standard_output ? stdout : std::fopen(target_.string().c_str(), "wb");
+  if (file_ == nullptr) throw Error("cannot be written: " + reason(errno));
+
+  buffer_.resize(buffer_size);
+  while (const std::size_t n = std::fread(&buffer_[0], 1, buffer_size, collected))
+    if (std::fwrite(buffer_.data(), 1, n, file_) != n)
+      throw Error("writing failed: " + reason(errno));
+  if (std::ferror(collected)) throw Error("writing failed: the collected file cannot be read back");
+  if (!is_standard_output) return close();
+  file_ = nullptr;
+  if (std::fflush(stdout) != 0) throw Error("writing failed: " + reason(errno));
+}
+
 void Output_file::commit()
 {
   flush();
+  if (temporary_.empty()) return pass_on();
   close();
-  if (temporary_.empty()) return;
 
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) throw Error("cannot be replaced: " + error.message());
   temporary_.clear();
+  removal_.reset();
 }
 
 } // namespace pn_subdivide

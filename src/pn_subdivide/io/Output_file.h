@@ -6,20 +6,24 @@
 #ifndef PN_SUBDIVIDE_OUTPUT_FILE_H
 #define PN_SUBDIVIDE_OUTPUT_FILE_H
 
+#include "io/Temporary_on_signal.h"
+
 #include <boost/endian/conversion.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace pn_subdivide {
 
 // Writes a file that appears as a whole, or not at all: everything goes into a temporary file in
-// the same folder, which `commit()` gives its name. Links are followed. Devices and pipes cannot be
-// replaced and are written to directly.
+// the same folder, which `commit()` gives its name. Links are followed, also to files that are not
+// there yet. Devices, pipes and standard output ("-") cannot be replaced: for them everything is
+// collected in a file without name, and `commit()` passes it on.
 class Output_file
 {
 public:
@@ -51,8 +55,10 @@ private:
   void open_temporary();
   void flush();
   void close();
+  void pass_on();
 
-  std::filesystem::path target_, temporary_; // `temporary_` is empty for devices
+  std::filesystem::path target_, temporary_; // `temporary_` is empty where nothing is replaced
+  std::unique_ptr<Temporary_on_signal> removal_;
   std::FILE* file_ = nullptr;
   std::string buffer_;
 };

@@ -45,12 +45,22 @@ bool Text_reader::next_line()
     next_ = std::min(newline + 1, text_.size());
     ++line_;
     const std::string_view line(text_.data() + pos_, newline - pos_);
+    if (newline == text_.size() && line_ == 1) require_newlines(line);
     end_ = newline;
     if (comment_sign_ != '\0') end_ = pos_ + std::min(line.find(comment_sign_), line.size());
     if (!at_end_of_line()) return true;
   }
   pos_ = end_ = text_.size();
   return false;
+}
+
+// A text of one line only: are there others that end with a carriage return?
+void Text_reader::require_newlines(std::string_view line) const
+{
+  const std::size_t end = line.find('\r');
+  if (end < line.size() && line.find_first_not_of("\r\n \t", end) < line.size())
+    throw Error("the lines end with carriage returns only (classic Mac OS): turn these into line "
+                "feeds, for instance with tr '\\r' '\\n'");
 }
 
 void Text_reader::skip_blanks()

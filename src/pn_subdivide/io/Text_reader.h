@@ -21,7 +21,8 @@ public:
   // What follows `comment_sign` in a line is skipped; '\0' if there are no comments.
   Text_reader(const std::string& text, char comment_sign);
 
-  // Goes to the next line that is not blank; false at the end of the text.
+  // Goes to the next line that is not blank; false at the end of the text. Throws Error if the lines
+  // end with carriage returns only.
   bool next_line();
   // The next word of the line; empty at its end.
   std::string_view word();
@@ -55,6 +56,7 @@ public:
   [[noreturn]] void fail(const std::string& what) const;
 
 private:
+  void require_newlines(std::string_view line) const;
   void skip_blanks();
   std::string_view required_word(const char* what);
 

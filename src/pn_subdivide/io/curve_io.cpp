@@ -80,7 +80,7 @@ Curve_data read_curve(const std::string& file)
   try {
     return parse_curve(file_content(file));
   } catch (const std::exception& e) {
-    throw Error(file + ": " + e.what());
+    throw Error((file == "-" ? "standard input" : file) + ": " + e.what());
   }
 }
 

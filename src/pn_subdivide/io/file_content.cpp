@@ -15,12 +15,23 @@
 
 namespace pn_subdivide {
 
+namespace {
+
+void close_unless_stdin(std::FILE* file)
+{
+  if (file != stdin) std::fclose(file);
+}
+
+} // namespace
+
 std::string file_content(const std::string& file)
 {
-  if (std::filesystem::is_directory(file)) throw Error("this is a directory, not a file to read");
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw Error("this is a directory, not a file to read");
 
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
-                                                           std::fclose);
+  const std::unique_ptr<std::FILE, void (*)(std::FILE*)> in(
+    file == "-" ? stdin : std::fopen(file.c_str(), "rb"), close_unless_stdin);
   if (!in) throw Error(std::string("cannot be opened: ") + std::strerror(errno));
 
   std::string content;
@@ -28,7 +39,7 @@ std::string file_content(const std::string& file)
   while (const std::size_t n = std::fread(&block[0], 1, block.size(), in.get()))
     content.append(block, 0, n);
   if (std::ferror(in.get())) throw Error(std::string("cannot be read: ") + std::strerror(errno));
-  if (content.empty()) throw Error("the file is empty");
+  if (content.empty()) throw Error(file == "-" ? "nothing came in" : "the file is empty");
   return content;
 }
 

@@ -10,7 +10,7 @@
 
 namespace pn_subdivide {
 
-// All bytes of a file. Throws Error if there are none or they cannot be read; the message does not
+// All bytes of a file or, for "-", of standard input. Throws Error if there are none or they cannot be read; the message does not
 // name the file.
 std::string file_content(const std::string& file);
 

@@ -25,6 +25,8 @@ Mesh_data read_stl(const std::string& content);
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_off(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_obj(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+// Binary. Faces must be triangles. Throws Error if a coordinate is too great for its float.
+void write_stl(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 
 } // namespace pn_subdivide

@@ -12,55 +12,106 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace pn_subdivide {
 namespace {
 
-template <class Function>
-struct Format
-{
-  const char* extension;
-  Function function;
-};
-
 using Reader = Mesh_data (*)(const std::string&);
 using Writer = void (*)(Output_file&, const Mesh_data&, Encoding);
 
-const Format<Reader> readers[] = {
-  {".ply", read_ply}, {".off", read_off}, {".obj", read_obj}, {".stl", read_stl}};
-const Format<Writer> writers[] = {
-  {".ply", write_ply}, {".off", write_off}, {".obj", write_obj}, {".vtp", write_vtp}};
-
-template <class Function, std::size_t n>
-Function find_format(const Format<Function> (&formats)[n], const std::string& file,
-                     const std::string& action)
+struct Format
 {
-  const std::string extension =
-    boost::algorithm::to_lower_copy(std::filesystem::path(file).extension().string());
-  std::string known;
-  for (const auto& format : formats) {
-    if (extension == format.extension) return format.function;
-    known += std::string(" ") + format.extension;
-  }
-  throw Usage_error(file + ": the file name must end in one of" + known + " to be " + action);
+  const char* name;
+  Reader read; // nullptr: not read
+  Writer write;
+  bool scalars, normals, polygons; // whether it holds them
+};
+
+const Format formats[] = {{"ply", read_ply, write_ply, true, true, true},
+                          {"off", read_off, write_off, false, true, true},
+                          {"obj", read_obj, write_obj, false, true, true},
+                          {"stl", read_stl, write_stl, false, false, false},
+                          {"vtp", nullptr, write_vtp, true, true, true}};
+
+bool is_readable(const Format& format)
+{
+  return format.read != nullptr;
+}
+bool is_writable(const Format&)
+{
+  return true;
+}
+
+template <class Predicate>
+std::string names_of(const Predicate& has_it, const char* before_each = "")
+{
+  std::string names;
+  for (const Format& format : formats)
+    if (has_it(format))
+      names += (names.empty() ? "" : " ") + (before_each + std::string(format.name));
+  return names;
+}
+
+template <class Predicate>
+Mesh_file mesh_file(const std::string& name, const std::optional<std::string>& format,
+                    const Predicate& has_it, const std::string& action)
+{
+  namespace algorithm = boost::algorithm;
+  const bool is_stream = name == "-";
+  if (is_stream && !format)
+    throw Usage_error("'-' needs --format and one of " + names_of(has_it) + " to be " + action);
+  const std::string extension = std::filesystem::path(name).extension().string();
+  const std::string word =
+    algorithm::to_lower_copy(is_stream ? *format : extension.substr(extension.empty() ? 0 : 1));
+  for (const Format& f : formats)
+    if (word == f.name && has_it(f)) return {name, word};
+  if (is_stream)
+    throw Usage_error("--format '" + *format + "': it must be one of " + names_of(has_it) +
+                      " to be " + action);
+  throw Usage_error(name + ": the file name must end in one of " + names_of(has_it, ".") +
+                    " to be " + action);
+}
+
+const Format& format_of(const Mesh_file& file)
+{
+  return *std::find_if(std::begin(formats), std::end(formats),
+                       [&file](const Format& format) { return file.format == format.name; });
 }
 
 } // namespace
 
-void require_readable_format(const std::string& file)
+std::string readable_formats()
 {
-  find_format(readers, file, "read");
+  return names_of(is_readable);
 }
-void require_writable_format(const std::string& file)
+std::string writable_formats()
 {
-  find_format(writers, file, "written");
+  return names_of(is_writable);
 }
 
-bool holds_scalars(const std::string& file)
+Mesh_file input_mesh_file(const std::string& name, const std::optional<std::string>& format)
 {
-  const Writer writer = find_format(writers, file, "written");
-  return writer == write_ply || writer == write_vtp;
+  return mesh_file(name, format, is_readable, "read");
+}
+Mesh_file output_mesh_file(const std::string& name, const std::optional<std::string>& format)
+{
+  return mesh_file(name, format, is_writable, "written");
+}
+
+bool holds_scalars(const Mesh_file& file)
+{
+  return format_of(file).scalars;
+}
+bool holds_normals(const Mesh_file& file)
+{
+  return format_of(file).normals;
+}
+bool holds_polygons(const Mesh_file& file)
+{
+  return format_of(file).polygons;
 }
 
 void require_writable_place(const std::string& file)
@@ -72,26 +123,34 @@ void require_writable_place(const std::string& file)
   }
 }
 
-Mesh_data read_mesh(const std::string& file)
+Mesh_data read_mesh(const Mesh_file& file)
 {
-  const Reader reader = find_format(readers, file, "read");
   try {
-    return reader(file_content(file));
+    return format_of(file).read(file_content(file.name));
   } catch (const std::exception& e) {
-    throw Error(file + ": " + e.what());
+    throw Error(file.title("standard input") + ": " + e.what());
   }
 }
 
-void write_mesh(const std::string& file, const Mesh_data& mesh, Encoding encoding)
+Mesh_data read_mesh(const std::string& name)
 {
-  const Writer writer = find_format(writers, file, "written");
+  return read_mesh(input_mesh_file(name, std::nullopt));
+}
+
+void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
+{
   try {
-    Output_file out(file);
-    writer(out, mesh, encoding);
+    Output_file out(file.name);
+    format_of(file).write(out, mesh, encoding);
     out.commit();
   } catch (const std::exception& e) {
-    throw Error(file + ": " + e.what());
+    throw Error(file.title("standard output") + ": " + e.what());
   }
+}
+
+void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encoding)
+{
+  write_mesh(output_mesh_file(name, std::nullopt), mesh, encoding);
 }
 
 } // namespace pn_subdivide

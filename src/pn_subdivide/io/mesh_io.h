@@ -8,34 +8,54 @@
 
 #include "io/Mesh_data.h"
 
+#include <optional>
 #include <string>
 
 namespace pn_subdivide {
 
-// The formats follow from the file name. CGAL's readers and writers of polygon soups are used for
-// STL only. The others lose what this command promises to keep: they drop normals (OBJ, PLY) or
-// write OBJ faces without normal indices, do not check indices (PLY), take damaged lines for short
-// ones (OFF), and in no case can tell where a file is damaged.
+// CGAL's readers and writers of polygon soups lose what this command promises to keep: they drop
+// normals (OBJ, PLY) or write OBJ faces without normal indices, do not check indices (PLY), take
+// damaged lines for short ones (OFF, STL), and in no case can tell where a file is damaged.
 
-// Both throw Usage_error if the extension of the file name is not among the known ones.
-void require_readable_format(const std::string& file);
-void require_writable_format(const std::string& file);
+// A file of the command line: its name, and its format as the extension or --format says.
+struct Mesh_file
+{
+  std::string name;   // "-": standard input or output
+  std::string format; // "ply", ...
 
-// Whether the format has a place for scalars and colors of the vertices.
-bool holds_scalars(const std::string& file);
+  // for messages
+  std::string title(const char* of_stream) const { return name == "-" ? of_stream : name; }
+};
+
+// The formats that are read and those that are written, as in "ply off obj".
+std::string readable_formats();
+std::string writable_formats();
+
+// The format follows from the extension or, for "-", is the one given. Throw Usage_error if there is
+// no such format.
+Mesh_file input_mesh_file(const std::string& name, const std::optional<std::string>& format);
+Mesh_file output_mesh_file(const std::string& name, const std::optional<std::string>& format);
+
+// Whether the format has a place for scalars and colors of the vertices, for their normals, for
+// faces with more than three vertices.
+bool holds_scalars(const Mesh_file& file);
+bool holds_normals(const Mesh_file& file);
+bool holds_polygons(const Mesh_file& file);
 
 // Throws Error if it can be seen beforehand that the file cannot be written.
 void require_writable_place(const std::string& file);
 
-// Reads .ply, .off, .obj and .stl. Indices are within range and faces have three vertices or more;
-// everything else is left to the soup checks. Throws Error, which names the file and the place.
-Mesh_data read_mesh(const std::string& file);
+// Indices are within range and faces have three vertices or more; everything else is left to the
+// soup checks. Throws Error, which names the file and the place.
+Mesh_data read_mesh(const Mesh_file& file);
+Mesh_data read_mesh(const std::string& name);
 
 enum class Encoding { binary, text };
 
-// Writes .ply, .off, .obj and .vtp (.off and .obj are always text). The file appears as a whole or
-// not at all. Throws Error.
-void write_mesh(const std::string& file, const Mesh_data& mesh, Encoding encoding);
+// The file appears as a whole or not at all; OFF and OBJ are always text, STL is always binary.
+// Throws Error.
+void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding);
+void write_mesh(const std::string& name, const Mesh_data& mesh, Encoding encoding);
 
 } // namespace pn_subdivide
 

@@ -33,16 +33,35 @@ public:
         read_normal();
       else if (keyword == "f")
         read_face();
-      // Everything else (textures, groups, materials, lines, ...) says nothing about the surface.
+      else
+        note_what_is_dropped(keyword);
     }
     if (mesh_.points.empty())
       throw Error("not an OBJ mesh: there is no vertex (no line 'v x y z')");
     check_indices();
     mesh_.normals = normals_.per_vertex(mesh_.points.size());
+    mesh_.vertices_with_several_normals = normals_.vertices_with_several_normals();
     return std::move(mesh_);
   }
 
 private:
+  // Nothing of it says anything about the surface.
+  void note_what_is_dropped(std::string_view keyword)
+  {
+    static const std::pair<std::string_view, const char*> names[] = {{"vt", "texture coordinates"},
+                                                                     {"usemtl", "materials"},
+                                                                     {"mtllib", "materials"},
+                                                                     {"g", "groups"},
+                                                                     {"o", "groups"},
+                                                                     {"l", "lines and points"},
+                                                                     {"p", "lines and points"}};
+    for (const auto& [word, what] : names)
+      if (word == keyword) mesh_.drop(what);
+    if (keyword != "s") return;
+    const std::string_view group = in_.word();
+    if (group != "off" && group != "0") mesh_.drop("smoothing groups");
+  }
+
   // A face's vertex or normal, counted from 0. Numbers in the file count from 1, negative ones back
   // from the last that was read.
   std::int64_t index(std::string_view word, std::size_t so_far, const char* what) const
@@ -59,7 +78,8 @@ private:
     const double x = in_.number("a coordinate");
     const double y = in_.number("a coordinate");
     const double z = in_.number("a coordinate");
-    mesh_.points.emplace_back(x, y, z); // a weight or a colour may follow
+    mesh_.points.push_back({x, y, z});
+    if (in_.words_left() >= 3) mesh_.drop("colors"); // otherwise a weight may follow
     if (mesh_.points.size() > Mesh_data::max_number_of_points) in_.fail("too many vertices");
   }
 
@@ -68,7 +88,7 @@ private:
     const double x = in_.number("a normal's coordinate");
     const double y = in_.number("a normal's coordinate");
     const double z = in_.number("a normal's coordinate");
-    normals_.add_normal(Vector_3(x, y, z));
+    normals_.add_normal({x, y, z});
   }
 
   void read_face()

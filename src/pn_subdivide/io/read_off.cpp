@@ -23,6 +23,7 @@ struct Off_header
 std::string_view read_keyword(Text_reader& in, Off_header& header)
 {
   std::string_view word = in.word();
+  const bool begins_with_a_number = word.find_first_not_of("0123456789") == std::string_view::npos;
   const auto take = [&word](std::string_view prefix) {
     const bool found = word.substr(0, prefix.size()) == prefix;
     if (found) word.remove_prefix(prefix.size());
@@ -37,6 +38,10 @@ std::string_view read_keyword(Text_reader& in, Off_header& header)
       header.normals = true;
     else if (take("4") || take("n"))
       in.fail("OFF files with points that are not x y z are not supported");
+    else if (begins_with_a_number)
+      in.fail(
+        "this looks like an OFF file without its first word: put a line OFF in front (or NOFF "
+        "if normals follow the points)");
     else
       in.fail("not an OFF file: it does not begin with OFF, NOFF, COFF or the like");
   }
@@ -72,24 +77,24 @@ void next_line_of(Text_reader& in, const char* what, std::size_t i, std::size_t 
                 std::to_string(number) + " " + what);
 }
 
-Point_3 read_point(Text_reader& in)
+Triple read_point(Text_reader& in)
 {
   const double x = in.number("a coordinate");
   const double y = in.number("a coordinate");
   const double z = in.number("a coordinate");
-  return Point_3(x, y, z);
+  return {x, y, z};
 }
 
-Vector_3 read_normal(Text_reader& in)
+Triple read_normal(Text_reader& in)
 {
   const double x = in.number("a normal's coordinate");
   const double y = in.number("a normal's coordinate");
   const double z = in.number("a normal's coordinate");
-  return Vector_3(x, y, z);
+  return {x, y, z};
 }
 
-// Colours have 0 to 4 numbers, whatever the header says, and are skipped with the texture. A plain
-// OFF file with three more numbers could mean normals or colours; this is not guessed.
+// Colors have 0 to 4 numbers, whatever the header says, and are skipped with the texture. A plain
+// OFF file with three more numbers could mean normals or colors; this is not guessed.
 void read_rest_of_vertex(Text_reader& in, const Off_header& header)
 {
   const std::size_t texture = header.texture ? 2 : 0;
@@ -103,7 +108,8 @@ void read_rest_of_vertex(Text_reader& in, const Off_header& header)
   while (!in.at_end_of_line()) in.number("a number");
 }
 
-void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face)
+// Whether a color follows, which is skipped.
+bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face)
 {
   const std::int64_t n = in.integer("the face's number of vertices");
   if (n < 3) in.fail("a face with " + std::to_string(n) + " vertices");
@@ -115,8 +121,10 @@ void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_d
               std::to_string(number_of_points) + " vertices");
     face.push_back(static_cast<Mesh_data::Index>(v));
   }
-  if (in.words_left() > 4)
-    in.fail("too many numbers for a face with " + std::to_string(n) + " vertices and a colour");
+  const std::size_t left = in.words_left();
+  if (left > 4)
+    in.fail("too many numbers for a face with " + std::to_string(n) + " vertices and a color");
+  return left > 0;
 }
 
 } // namespace
@@ -127,6 +135,8 @@ Mesh_data read_off(const std::string& content)
   const Off_header header = read_header(in);
 
   Mesh_data mesh;
+  if (header.texture) mesh.drop("texture coordinates");
+  if (header.colors) mesh.drop("colors");
   const std::size_t plausible = content.size() / 6; // a damaged header may announce anything
   mesh.points.reserve(std::min(header.points, plausible));
   for (std::size_t i = 0; i < header.points; ++i) {
@@ -139,7 +149,7 @@ Mesh_data read_off(const std::string& content)
   mesh.reserve_faces(std::min(header.faces, plausible), 4 * std::min(header.faces, plausible));
   for (std::size_t i = 0; i < header.faces; ++i) {
     next_line_of(in, "faces", i, header.faces);
-    read_face(in, header.points, face);
+    if (read_face(in, header.points, face)) mesh.drop("colors");
     mesh.add_face(face);
   }
   if (in.next_line()) in.fail("more lines than the header announces");

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace pn_subdivide {
 namespace {
@@ -40,13 +41,49 @@ std::array<std::size_t, 3> find_three(const Ply_element& element,
   return positions;
 }
 
+// A property that a mesh has no place for, as people call it.
+std::string name_of_dropped(const std::string& property)
+{
+  static const char* const colors[] = {"red",         "green",         "blue",        "alpha",
+                                       "diffuse_red", "diffuse_green", "diffuse_blue"};
+  static const char* const texture[] = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"};
+  const auto is_one_of = [&](const auto& names) {
+    return std::find(std::begin(names), std::end(names), property) != std::end(names);
+  };
+  if (is_one_of(colors)) return "colors";
+  if (is_one_of(texture)) return "texture coordinates";
+  return "the property '" + Text_reader::printable(property) + "'";
+}
+
+void note_what_is_dropped(const Ply_header& header, Mesh_data& mesh)
+{
+  static const std::array<const char*, 6> of_vertices = {"x", "y", "z", "nx", "ny", "nz"};
+  static const std::array<const char*, 2> of_faces = {"vertex_indices", "vertex_index"};
+  const auto drop_others = [&mesh](const Ply_element& element, const auto& known) {
+    for (const Ply_property& p : element.properties)
+      if (std::find(known.begin(), known.end(), p.name) == known.end())
+        mesh.drop(name_of_dropped(p.name));
+  };
+  for (const Ply_element& element : header.elements) {
+    if (element.size == 0) continue;
+    if (element.name == "vertex")
+      drop_others(element, of_vertices);
+    else if (element.name == "face")
+      drop_others(element, of_faces);
+    else
+      mesh.drop("the element '" + Text_reader::printable(element.name) + "'");
+  }
+}
+
 class Ply_reader
 {
 public:
   Ply_reader(const std::string& content, const Ply_header& header, const Text_reader& behind_header)
     : header_(header)
     , values_(content, behind_header, header.format)
-  {}
+  {
+    note_what_is_dropped(header, mesh_);
+  }
 
   Mesh_data read()
   {
@@ -120,8 +157,8 @@ private:
     scalars_.assign(element.properties.size(), 0);
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, Ply_element::none);
-      mesh_.points.emplace_back(scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]);
-      if (has_normals) mesh_.normals.emplace_back(scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]);
+      mesh_.points.push_back({scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]});
+      if (has_normals) mesh_.normals.push_back({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]});
     }
   }
 

@@ -7,11 +7,14 @@
 #include "io/Text_reader.h"
 #include "io/formats.h"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/endian/conversion.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 namespace pn_subdivide {
 namespace {
@@ -35,14 +38,20 @@ bool is_binary(const std::string& content)
          content.size() == header_size + facet_size * announced_facets(content);
 }
 
-bool is_text(const std::string& content)
+// The first word, perhaps behind a byte order mark.
+std::string first_word(const std::string& content)
 {
-  Text_reader in(content, '\0');
-  return in.next_line() && in.word() == "solid";
+  const std::string_view blanks = "\xEF\xBB\xBF \t\r\n";
+  const std::size_t begin = std::min(content.find_first_not_of(blanks), content.size());
+  const std::size_t end = content.find_first_of(blanks, begin);
+  return content.substr(begin, std::min(end - begin, std::size_t(20)));
 }
 
 [[noreturn]] void fail_as_no_stl(const std::string& content)
 {
+  if (boost::algorithm::iequals(first_word(content), "solid"))
+    throw Error("an STL file with the keyword '" + first_word(content) +
+                "': its keywords must be in lower case ('solid', 'facet', ...)");
   if (content.size() < header_size)
     throw Error("not an STL file: neither text that begins with 'solid' nor long enough for a "
                 "binary one");
@@ -73,24 +82,23 @@ public:
       const unsigned char* const facet = bytes(content) + header_size + facet_size * f;
       for (std::size_t i = 0; i < 3; ++i) triangle_[i] = index(corner(facet + 12 * (i + 1)));
       mesh_.add_face(triangle_);
+      if (facet[48] != 0 || facet[49] != 0) mesh_.drop("colors (attribute bytes of triangles)");
     }
     return std::move(mesh_);
   }
 
 private:
-  using Corner = std::array<double, 3>;
-
-  static Corner corner(const unsigned char* p)
+  static Triple corner(const unsigned char* p)
   {
     using boost::endian::endian_load;
     using boost::endian::order;
-    Corner c;
+    Triple c;
     for (std::size_t k = 0; k < 3; ++k)
       c[k] = endian_load<float, sizeof(float), order::little>(p + sizeof(float) * k);
     return c;
   }
 
-  Mesh_data::Index index(const Corner& c)
+  Mesh_data::Index index(const Triple& c)
   {
     for (const double x : c)
       if (!std::isfinite(x))
@@ -98,7 +106,7 @@ private:
                     " has a coordinate that is not finite");
     const auto next = static_cast<Mesh_data::Index>(mesh_.points.size());
     const auto [place, is_new] = indices_.emplace(c, next);
-    if (is_new) mesh_.points.emplace_back(c[0], c[1], c[2]);
+    if (is_new) mesh_.points.push_back(c);
     return place->second;
   }
 
@@ -137,7 +145,7 @@ private:
     expect(in, "loop");
     for (Mesh_data::Index& i : triangle_) {
       expect(in, "vertex");
-      Corner c;
+      Triple c;
       for (double& x : c) x = in.to_number(in.word_across_lines(), "a coordinate");
       i = index(c);
     }
@@ -147,7 +155,7 @@ private:
   }
 
   Mesh_data mesh_;
-  std::map<Corner, Mesh_data::Index> indices_;
+  std::map<Triple, Mesh_data::Index> indices_;
   std::array<Mesh_data::Index, 3> triangle_;
 };
 
@@ -156,7 +164,7 @@ private:
 Mesh_data read_stl(const std::string& content)
 {
   if (is_binary(content)) return Stl_reader().read_binary(content);
-  if (is_text(content)) return Stl_reader().read_text(content);
+  if (first_word(content) == "solid") return Stl_reader().read_text(content);
   fail_as_no_stl(content);
 }
 

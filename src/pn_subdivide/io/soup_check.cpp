@@ -101,15 +101,14 @@ std::string first_of(const Soup_defects::Edges& edges)
   return " (first: " + std::to_string(edges.first[0]) + "-" + std::to_string(edges.first[1]) + ")";
 }
 
-template <class Triple>
 void require_finite(const std::vector<Triple>& triples, const char* what)
 {
   for (std::size_t v = 0; v < triples.size(); ++v) {
     const Triple& t = triples[v];
-    if (std::isfinite(t.x()) && std::isfinite(t.y()) && std::isfinite(t.z())) continue;
+    if (std::isfinite(t[0]) && std::isfinite(t[1]) && std::isfinite(t[2])) continue;
     std::ostringstream message;
-    message << "vertex " << v << " has " << what << " that is not finite: (" << t.x() << ", "
-            << t.y() << ", " << t.z() << ")";
+    message << "vertex " << v << " has " << what << " that is not finite: (" << t[0] << ", " << t[1]
+            << ", " << t[2] << ")";
     throw Error(message.str());
   }
 }
@@ -150,7 +149,7 @@ std::string Soup_defects::description() const
   return s;
 }
 
-void require_sound_elements(const Mesh_data& mesh)
+void require_finite_elements(const Mesh_data& mesh)
 {
   if (mesh.points.empty() || mesh.number_of_faces() == 0)
     throw Error("there is no face in " + plural(mesh.points.size(), "vertex", "vertices"));
@@ -159,7 +158,11 @@ void require_sound_elements(const Mesh_data& mesh)
                 plural(mesh.points.size(), "vertex", "vertices"));
   require_finite(mesh.points, "a coordinate");
   require_finite(mesh.normals, "a normal");
+}
 
+void require_sound_elements(const Mesh_data& mesh)
+{
+  require_finite_elements(mesh);
   std::vector<std::size_t> last_face(mesh.points.size(), static_cast<std::size_t>(-1));
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     if (mesh.face(f).size() < 3)
@@ -170,7 +173,7 @@ void require_sound_elements(const Mesh_data& mesh)
                     " is out of range");
       if (last_face[v] == f)
         throw Error("face " + std::to_string(f) + " visits vertex " + std::to_string(v) +
-                    " twice; split or remove such faces");
+                    " twice; --repair splits or removes such faces");
       last_face[v] = f;
     }
   }

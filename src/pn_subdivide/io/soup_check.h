@@ -38,8 +38,11 @@ struct Soup_defects
 Soup_defects find_defects(const Mesh_data& mesh);
 
 // What no repair mends: no faces, coordinates or normals that are not finite, a number of normals
-// other than that of vertices, a face that visits a vertex twice. Throws Error, which names the
-// first such element; vertices and faces are counted from 0.
+// other than that of vertices. Throws Error, which names the first such element; vertices and faces
+// are counted from 0.
+void require_finite_elements(const Mesh_data& mesh);
+
+// That, and a face that visits a vertex twice.
 void require_sound_elements(const Mesh_data& mesh);
 
 } // namespace pn_subdivide

@@ -5,10 +5,103 @@
 
 #include "io/soup_repair.h"
 
+#include "io/soup_check.h"
+
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace pn_subdivide {
 namespace {
+
+using Index = Mesh_data::Index;
+using Polygon = std::vector<Index>;
+
+// Cuts the loops off faces that visit a vertex twice.
+class Face_splitter
+{
+public:
+  explicit Face_splitter(std::size_t number_of_vertices)
+    : place_(number_of_vertices, none)
+  {}
+
+  // The parts with three vertices or more; the face itself if it visits no vertex twice.
+  std::vector<Polygon> parts(const Mesh_data::Face& face)
+  {
+    std::vector<Polygon> result;
+    Polygon path;
+    for (const Index v : face) {
+      if (place_[v] != none) {
+        const auto loop = path.begin() + std::ptrdiff_t(place_[v]);
+        for (auto i = loop; i != path.end(); ++i) place_[*i] = none;
+        keep(Polygon(loop, path.end()), result);
+        path.erase(loop, path.end());
+      }
+      place_[v] = path.size();
+      path.push_back(v);
+    }
+    for (const Index v : path) place_[v] = none;
+    keep(std::move(path), result);
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  static void keep(Polygon polygon, std::vector<Polygon>& polygons)
+  {
+    if (polygon.size() >= 3) polygons.push_back(std::move(polygon));
+  }
+
+  std::vector<std::size_t> place_; // of a vertex in the path so far
+};
+
+void split_faces(Mesh_data& mesh, Soup_repair& repair)
+{
+  Face_splitter splitter(mesh.points.size());
+  std::vector<Polygon> faces;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    std::vector<Polygon> parts = splitter.parts(mesh.face(f));
+    if (parts.empty())
+      ++repair.removed_degenerate_faces;
+    else if (parts.size() > 1 || parts[0].size() != std::size_t(mesh.face(f).size()))
+      ++repair.split_faces;
+    for (Polygon& part : parts) faces.push_back(std::move(part));
+  }
+  if (repair.removed_degenerate_faces + repair.split_faces == 0) return;
+  mesh.clear_faces();
+  for (const Polygon& face : faces) mesh.add_face(face);
+}
+
+// The same for all faces with these vertices in this order or its reverse.
+Polygon key_of(const Mesh_data::Face& face)
+{
+  Polygon key(face.begin(), face.end());
+  std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
+  if (key.back() < key[1]) std::reverse(key.begin() + 1, key.end());
+  return key;
+}
+
+void remove_duplicates(Mesh_data& mesh, Soup_repair& repair)
+{
+  const std::size_t n = mesh.number_of_faces();
+  std::vector<Polygon> keys(n);
+  for (std::size_t f = 0; f < n; ++f) keys[f] = key_of(mesh.face(f));
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  std::vector<bool> is_duplicate(n, false);
+  for (std::size_t i = 1; i < n; ++i)
+    if (keys[order[i]] == keys[order[i - 1]]) is_duplicate[order[i]] = true;
+
+  const Mesh_data old = mesh;
+  mesh.clear_faces();
+  for (std::size_t f = 0; f < n; ++f)
+    if (!is_duplicate[f]) mesh.add_face(old.face(f));
+  repair.removed_duplicate_faces = n - mesh.number_of_faces();
+}
 
 struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
 {
@@ -24,30 +117,46 @@ struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
   Soup_repair* repair;
 };
 
-} // namespace
-
-Soup_repair repair_soup(Mesh_data& mesh)
+void orient(Mesh_data& mesh, Soup_repair& repair)
 {
   std::vector<std::vector<std::size_t>> faces(mesh.number_of_faces());
   for (std::size_t f = 0; f < faces.size(); ++f)
     faces[f].assign(mesh.face(f).begin(), mesh.face(f).end());
-
-  Soup_repair repair;
   const Visitor visitor{{}, &mesh, &repair};
   CGAL::Polygon_mesh_processing::orient_polygon_soup(mesh.points, faces,
                                                      CGAL::parameters::visitor(visitor));
-
   mesh.clear_faces();
   for (const auto& face : faces) mesh.add_face(face);
+}
+
+std::string plural(std::size_t n, const char* one, const char* many)
+{
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+} // namespace
+
+Soup_repair repair_soup(Mesh_data& mesh)
+{
+  Soup_repair repair;
+  split_faces(mesh, repair);
+  if (find_defects(mesh).none()) return repair;
+  remove_duplicates(mesh, repair);
+  if (!find_defects(mesh).none()) orient(mesh, repair);
   return repair;
 }
 
 std::string Soup_repair::description() const
 {
-  return "repaired: " + std::to_string(reversed_faces) +
-         (reversed_faces == 1 ? " face" : " faces") + " reversed, " +
-         std::to_string(added_vertices) + (added_vertices == 1 ? " vertex" : " vertices") +
-         " added as copies";
+  std::string s = "repaired: ";
+  if (removed_degenerate_faces > 0)
+    s += plural(removed_degenerate_faces, "degenerate face", "degenerate faces") + " removed, ";
+  if (split_faces > 0)
+    s += plural(split_faces, "face", "faces") + " split at vertices visited twice, ";
+  if (removed_duplicate_faces > 0)
+    s += plural(removed_duplicate_faces, "duplicate face", "duplicate faces") + " removed, ";
+  return s + plural(reversed_faces, "face", "faces") + " reversed, " +
+         plural(added_vertices, "vertex", "vertices") + " added as copies";
 }
 
 } // namespace pn_subdivide

@@ -14,17 +14,33 @@ namespace pn_subdivide {
 
 struct Soup_repair
 {
+  std::size_t removed_degenerate_faces = 0;
+  std::size_t split_faces = 0; // that visited a vertex twice and are still there, as one or more
+  std::size_t removed_duplicate_faces = 0;
   std::size_t reversed_faces = 0;
   std::size_t added_vertices = 0; // copies, behind the old vertices
 
-  bool changed_anything() const { return reversed_faces + added_vertices > 0; }
+  bool changed_anything() const
+  {
+    return removed_degenerate_faces + split_faces + removed_duplicate_faces + reversed_faces +
+             added_vertices >
+           0;
+  }
   std::string description() const; // one line
 };
 
-// Orients the faces consistently and gives vertices and edges that join too many faces a copy for
-// each part, with CGAL's orient_polygon_soup(). Copies take the normal of their original; normals
-// are not reversed along with faces, because they say by themselves which way they point.
+// Makes an oriented 2-manifold of a soup:
+// Faces that visit a vertex twice are split there, and what has less than three vertices is removed.
+// If the soup is no oriented 2-manifold then, faces with the same vertices in the same order, whatever
+// their orientation, are removed but for the first; the faces are oriented consistently, and vertices
+// and edges that join too many faces get a copy for each part, with CGAL's orient_polygon_soup().
+// Copies take the normal of their original; normals are not reversed along with faces, because they
+// say by themselves which way they point.
 Soup_repair repair_soup(Mesh_data& mesh);
+
+// Merges vertices with equal points into the first of them; the number of those that are gone. Where
+// their normals differ, the normalized sum is taken. Coordinates must be finite.
+std::size_t merge_equal_points(Mesh_data& mesh);
 
 } // namespace pn_subdivide
 

@@ -10,12 +10,12 @@ namespace pn_subdivide {
 
 void write_obj(Output_file& out, const Mesh_data& mesh, Encoding)
 {
-  for (const Point_3& p : mesh.points) {
+  for (const Triple& p : mesh.points) {
     out.text("v ");
     write_triple(out, p);
     out.text("\n");
   }
-  for (const Vector_3& n : mesh.normals) {
+  for (const Triple& n : mesh.normals) {
     out.text("vn ");
     write_triple(out, n);
     out.text("\n");

@@ -41,10 +41,9 @@ void write_header(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   out.text(" vertex_indices\nend_header\n");
 }
 
-template <class Triple>
 void write_doubles(Output_file& out, const Triple& t)
 {
-  for (int i = 0; i < 3; ++i) out.little_endian<double>(t[i]);
+  for (const double x : t) out.little_endian(x);
 }
 
 void write_as_binary(Output_file& out, const Mesh_data& mesh)

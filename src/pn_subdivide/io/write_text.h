@@ -15,14 +15,13 @@
 namespace pn_subdivide {
 
 // The three coordinates of a point or vector with blanks between.
-template <class Triple>
-void write_triple(Output_file& out, const Triple& t)
+inline void write_triple(Output_file& out, const Triple& t)
 {
-  out.number(t.x());
+  out.number(t[0]);
   out.text(" ");
-  out.number(t.y());
+  out.number(t[1]);
   out.text(" ");
-  out.number(t.z());
+  out.number(t[2]);
 }
 
 inline void write_count(Output_file& out, std::size_t n)

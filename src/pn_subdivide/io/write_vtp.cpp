@@ -41,12 +41,11 @@ public:
     out_.text("\n");
   }
 
-  template <class Triple>
   void triples(const char* name, const std::vector<Triple>& values)
   {
     array_tag("Float64", name, 3, 24 * values.size(), [this, &values] {
       for (const Triple& t : values)
-        for (int i = 0; i < 3; ++i) value<double>(t[i], i == 2);
+        for (std::size_t i = 0; i < 3; ++i) value<double>(t[i], i == 2);
     });
   }
 

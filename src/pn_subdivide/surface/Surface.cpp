@@ -9,51 +9,178 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace pn_subdivide {
 namespace {
 
-void add_faces(Surface& surface, const Mesh_data& mesh)
+using Index = Mesh_data::Index;
+using Vertex = Surface::Vertex_index;
+using Halfedge = Surface::Halfedge_index;
+
+constexpr Index none = std::numeric_limits<Index>::max();
+constexpr const char* normals_name = "v:normal";
+
+// The sides of all faces, numbered through; side i of a face goes from its vertex i to the next.
+struct Side_list
 {
-  std::size_t refused = 0, first_refused = 0;
-  std::vector<Surface::Vertex_index> vertices;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    vertices.clear();
-    for (const Mesh_data::Index v : mesh.face(f)) vertices.emplace_back(v);
-    if (surface.add_face(vertices) != Surface::null_face()) continue;
-    if (refused++ == 0) first_refused = f;
+  struct Side
+  {
+    Index source, target;
+  };
+  std::vector<Side> sides;
+  std::vector<Index> across; // the side of the next face, or `none`
+
+  explicit Side_list(const Mesh_data& mesh)
+  {
+    sides.reserve(mesh.number_of_corners());
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const Mesh_data::Face face = mesh.face(f);
+      for (const Index& v : face)
+        sides.push_back({v, &v + 1 == face.end() ? *face.begin() : *(&v + 1)});
+    }
+    across.assign(sides.size(), none);
+    join(mesh.points.size());
   }
-  if (refused > 0)
-    throw Error(std::to_string(refused) + " faces do not fit into a 2-manifold (first: face " +
-                std::to_string(first_refused) + ")");
+
+private:
+  struct At_low_end
+  {
+    Index high, side;
+  };
+
+  // Each side is looked for among those whose end with the lower number is the same.
+  void join(std::size_t number_of_vertices)
+  {
+    const auto low = [](const Side& s) { return (std::min)(s.source, s.target); };
+    std::vector<std::size_t> end(number_of_vertices + 1, 0);
+    for (const Side& s : sides) ++end[low(s) + std::size_t(1)];
+    for (std::size_t v = 0; v < number_of_vertices; ++v) end[v + 1] += end[v];
+    std::vector<At_low_end> by_low(sides.size());
+    std::vector<std::size_t> place(end.begin(), end.end() - 1);
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      by_low[place[low(sides[i])]++] = {(std::max)(sides[i].source, sides[i].target), Index(i)};
+    for (std::size_t v = 0; v < number_of_vertices; ++v)
+      join_equal(by_low.begin() + std::ptrdiff_t(end[v]),
+                 by_low.begin() + std::ptrdiff_t(end[v + 1]));
+  }
+
+  template <class Iterator>
+  void join_equal(Iterator begin, Iterator end)
+  {
+    std::sort(begin, end, [](const At_low_end& a, const At_low_end& b) {
+      return a.high != b.high ? a.high < b.high : a.side < b.side;
+    });
+    for (Iterator i = begin; i != end && i + 1 != end; ++i) {
+      const Index s = i->side, t = (i + 1)->side;
+      if (i->high != (i + 1)->high) continue;
+      if (across[s] != none || sides[s].source == sides[t].source)
+        throw Error("the faces at the edge from vertex " + std::to_string(sides[t].source) +
+                    " to " + std::to_string(sides[t].target) +
+                    " do not fit into an oriented 2-manifold");
+      across[s] = t;
+      across[t] = s;
+    }
+  }
+};
+
+void require_room(const Mesh_data& mesh)
+{
+  if (mesh.number_of_corners() >= std::numeric_limits<Index>::max() / 2)
+    throw Error("too large: the faces have " + std::to_string(mesh.number_of_corners()) +
+                " corners, and CGAL's Surface_mesh numbers half-edges with 32 bits");
+}
+
+// Edges in the order in which the faces first come to them.
+std::vector<Halfedge> add_edges(Surface& surface, const Side_list& list)
+{
+  std::vector<Halfedge> halfedge_of(list.sides.size());
+  for (std::size_t i = 0; i < list.sides.size(); ++i) {
+    const Index across = list.across[i];
+    halfedge_of[i] =
+      across < i ? surface.opposite(halfedge_of[across])
+                 : surface.add_edge(Vertex(list.sides[i].source), Vertex(list.sides[i].target));
+  }
+  return halfedge_of;
+}
+
+void add_faces(Surface& surface, const Mesh_data& mesh, const std::vector<Halfedge>& halfedge_of)
+{
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto size = static_cast<std::size_t>(mesh.face(f).size());
+    const Surface::Face_index face = surface.add_face();
+    Halfedge last = halfedge_of[first + size - 1];
+    surface.set_halfedge(face, last);
+    for (std::size_t i = first; i < first + size; ++i) {
+      const Halfedge h = halfedge_of[i];
+      surface.set_face(h, face);
+      surface.set_next(last, h);
+      surface.set_halfedge(surface.target(h), h); // at inner vertices that of the last face
+      last = h;
+    }
+    first += size;
+  }
+}
+
+// At each vertex of the border one half-edge of it ends and one begins.
+void add_border(Surface& surface)
+{
+  std::vector<Halfedge> leaving(surface.num_vertices());
+  for (const Halfedge h : surface.halfedges())
+    if (surface.is_border(h)) leaving[surface.source(h)] = h;
+  for (const Halfedge h : surface.halfedges()) {
+    if (!surface.is_border(h)) continue;
+    surface.set_next(h, leaving[surface.target(h)]);
+    surface.set_halfedge(surface.target(h), h);
+  }
 }
 
 } // namespace
 
 Surface make_surface(const Mesh_data& mesh)
 {
+  require_room(mesh);
   Surface surface;
   surface.reserve(static_cast<Surface::size_type>(mesh.points.size()),
                   static_cast<Surface::size_type>(mesh.number_of_corners()),
                   static_cast<Surface::size_type>(mesh.number_of_faces()));
-  for (const Point_3& p : mesh.points) surface.add_vertex(p);
-  add_faces(surface, mesh);
+  for (const Triple& p : mesh.points) surface.add_vertex(to_point(p));
+  add_faces(surface, mesh, add_edges(surface, Side_list(mesh)));
+  add_border(surface);
+  if (mesh.has_normals()) {
+    const Normal_map normals = surface.add_property_map<Vertex, Vector_3>(normals_name).first;
+    for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
+  }
   return surface;
+}
+
+std::optional<Normal_map> normals_of(const Surface& surface)
+{
+  const auto [normals, found] = surface.property_map<Vertex, Vector_3>(normals_name);
+  if (!found) return std::nullopt;
+  return normals;
 }
 
 Mesh_data to_mesh_data(const Surface& surface)
 {
   Mesh_data mesh;
   mesh.points.reserve(surface.number_of_vertices());
-  for (const Surface::Vertex_index v : surface.vertices()) mesh.points.push_back(surface.point(v));
+  for (const Vertex v : surface.vertices()) mesh.points.push_back(to_triple(surface.point(v)));
+  if (const std::optional<Normal_map> normals = normals_of(surface)) {
+    mesh.normals.reserve(surface.number_of_vertices());
+    for (const Vertex v : surface.vertices()) mesh.normals.push_back(to_triple((*normals)[v]));
+  }
 
   mesh.reserve_faces(surface.number_of_faces(), surface.number_of_halfedges());
-  std::vector<std::size_t> face;
+  std::vector<Index> face;
   for (const Surface::Face_index f : surface.faces()) {
     face.clear();
-    for (const Surface::Vertex_index v : vertices_around_face(surface.halfedge(f), surface))
-      face.push_back(v);
+    for (const Vertex v : vertices_around_face(surface.halfedge(f), surface))
+      face.push_back(static_cast<Index>(v));
     mesh.add_face(face);
   }
   return mesh;

@@ -8,18 +8,49 @@
 
 #include "io/Mesh_data.h"
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <optional>
 
 namespace pn_subdivide {
 
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
 using Surface = CGAL::Surface_mesh<Point_3>;
+using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
 
-// Vertices and faces keep the order of the soup, vertices without faces are there too. Throws Error
-// if CGAL refuses a face. Normals are not passed on.
+inline Point_3 to_point(const Triple& t)
+{
+  return {t[0], t[1], t[2]};
+}
+inline Vector_3 to_vector(const Triple& t)
+{
+  return {t[0], t[1], t[2]};
+}
+template <class Point_or_vector>
+Triple to_triple(const Point_or_vector& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+// The mesh of a soup that is an oriented 2-manifold, with its normals. Vertices and faces keep their
+// order, vertices without faces are there too. Numbers and half-edges are as Surface_mesh::add_face()
+// makes them; the time is near-linear, also where a vertex has a hundred thousand neighbors, round
+// which add_face() walks for each face. Throws Error if an edge has more than two faces, or two that
+// run along it in one direction, or if the mesh is too large.
 Surface make_surface(const Mesh_data& mesh);
 
-// Points and faces in the order of the mesh, which must not hold garbage.
+// Those of a mesh that has some.
+std::optional<Normal_map> normals_of(const Surface& surface);
+
+// Points, normals and faces in the order of the mesh, which must not hold garbage.
 Mesh_data to_mesh_data(const Surface& surface);
+
+// Splits the faces with more than three vertices into triangles, with CGAL's triangulate_faces();
+// the number of those faces. Throws Error if one cannot be split.
+std::size_t triangulate(Surface& surface);
 
 } // namespace pn_subdivide
 

@@ -23,27 +23,26 @@ using Source = Normals_option::Source;
 // In long double, so that normals of exact control data are correct to the last bit or nearly so.
 using Long_vector = CGAL::Simple_cartesian<long double>::Vector_3;
 
-Long_vector between(const Point_3& p, const Point_3& q)
+Long_vector between(const Triple& p, const Triple& q)
 {
-  return Long_vector(static_cast<long double>(q.x()) - p.x(),
-                     static_cast<long double>(q.y()) - p.y(),
-                     static_cast<long double>(q.z()) - p.z());
+  return Long_vector(static_cast<long double>(q[0]) - p[0], static_cast<long double>(q[1]) - p[1],
+                     static_cast<long double>(q[2]) - p[2]);
 }
 
-Vector_3 unit(const Long_vector& v)
+Triple unit(const Long_vector& v)
 {
   const long double length = std::sqrt(v.squared_length());
-  if (!(length > 0)) return Vector_3(0, 0, 0);
-  return Vector_3(static_cast<double>(v.x() / length), static_cast<double>(v.y() / length),
-                  static_cast<double>(v.z() / length));
+  if (!(length > 0)) return {0, 0, 0};
+  return {static_cast<double>(v.x() / length), static_cast<double>(v.y() / length),
+          static_cast<double>(v.z() / length)};
 }
 
 void point_away(Mesh_data& mesh, const Normals_option& option)
 {
-  const Long_vector d(option.axis.x(), option.axis.y(), option.axis.z());
+  const Long_vector d(option.axis[0], option.axis[1], option.axis[2]);
   mesh.normals.clear();
   mesh.normals.reserve(mesh.points.size());
-  for (const Point_3& p : mesh.points) {
+  for (const Triple& p : mesh.points) {
     Long_vector v = between(option.center, p);
     if (option.source == Source::cylinder) v = v - d * ((v * d) / d.squared_length());
     mesh.normals.push_back(unit(v));
@@ -57,7 +56,8 @@ void estimate(Mesh_data& mesh)
   auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
   CGAL::PN_subdivision_3::estimate_control_normals(surface, normals);
   mesh.normals.reserve(mesh.points.size());
-  for (const Surface::Vertex_index v : surface.vertices()) mesh.normals.push_back(normals[v]);
+  for (const Surface::Vertex_index v : surface.vertices())
+    mesh.normals.push_back(to_triple(normals[v]));
 }
 
 // As the library does it on entry, so that no round and several rounds start from the same normals.
@@ -89,14 +89,14 @@ Normals_option parse_normals_option(const std::string& text)
   else if (name == "sphere") {
     const std::vector<double> x = parse_numbers(arguments, 3, "--normals sphere:X,Y,Z");
     option.source = Source::sphere;
-    option.center = Point_3(x[0], x[1], x[2]);
+    option.center = {x[0], x[1], x[2]};
   } else if (name == "cylinder") {
     const std::vector<double> x = parse_numbers(arguments, 6, "--normals cylinder:X,Y,Z,DX,DY,DZ");
     require_direction(&x[3], "--normals cylinder");
     option.source = Source::cylinder;
-    option.center = Point_3(x[0], x[1], x[2]);
+    option.center = {x[0], x[1], x[2]};
     const double largest = (std::max)({std::abs(x[3]), std::abs(x[4]), std::abs(x[5])});
-    option.axis = Vector_3(x[3] / largest, x[4] / largest, x[5] / largest);
+    option.axis = {x[3] / largest, x[4] / largest, x[5] / largest};
   } else
     throw Usage_error("--normals '" + text + "': expected auto, file, estimate, none, " +
                       "sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
@@ -125,7 +125,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
     point_away(mesh, option);
     break;
   }
-  for (Vector_3& n : mesh.normals) n = normalized(n);
+  for (Triple& n : mesh.normals) n = to_triple(normalized(to_vector(n)));
 }
 
 } // namespace pn_subdivide

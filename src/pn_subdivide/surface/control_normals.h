@@ -18,8 +18,8 @@ struct Normals_option
   enum class Source { automatic, file, estimate, none, sphere, cylinder };
 
   Source source = Source::automatic;
-  Point_3 center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
-  Vector_3 axis{0, 0, 1};  // of the cylinder
+  Triple center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
+  Triple axis{0, 0, 1};   // of the cylinder
 };
 
 // auto | file | estimate | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.

@@ -6,29 +6,42 @@
 #include "surface/surface_command.h"
 
 #include "io/Error.h"
+#include "io/Report.h"
 #include "io/mesh_io.h"
-#include "io/soup_check.h"
-#include "io/soup_repair.h"
+#include "surface/Bounding_box.h"
+#include "surface/control_mesh.h"
 #include "surface/control_normals.h"
+#include "surface/expected_time.h"
+#include "surface/refine_surface.h"
+#include "surface/verification.h"
 #include "surface/vertex_curvature.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <new>
 #include <thread>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
 
-// Rounds with fewer faces are done before anybody could read about them.
-constexpr std::size_t faces_worth_a_report = 100000;
+// What the command line says, looked through before anything is read.
+struct Plan
+{
+  Mesh_file input, output;
+  Normals_option normals;
+  std::optional<Curvature_kind> curvature;
+  std::optional<Verification> verification;
+  unsigned threads;
+};
 
 void require_consistent(const Surface_options& options)
 {
-  require_readable_format(options.input);
-  require_writable_format(options.output);
   require_surface_schemes(options.scheme);
+  if (options.format && options.input != "-" && options.output != "-")
+    throw Usage_error(
+      "--format is for standard input and output ('-'): the format of a file follows "
+      "from its name");
   if (options.normals == "none" && options.scheme.normal_scheme)
     throw Usage_error("--normal-scheme and --normals none exclude each other: there are no normals "
                       "for it to average");
@@ -45,84 +58,176 @@ unsigned number_of_threads(const Surface_options& options)
   return threads;
 }
 
-Normals_option normals_option(const Surface_options& options)
+Plan make_plan(const Surface_options& options)
 {
-  return parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
+  Plan plan{input_mesh_file(options.input, options.format),
+            output_mesh_file(options.output, options.format),
+            {},
+            std::nullopt,
+            std::nullopt,
+            1};
+  require_consistent(options);
+  plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
+  if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);
+  plan.threads = number_of_threads(options);
+  if (options.verify.shape) {
+    plan.verification.emplace(options.verify);
+    plan.verification->require_surface();
+  }
+  require_writable_place(options.output);
+  return plan;
 }
 
-void make_manifold(Mesh_data& mesh, const Surface_options& options)
+// How it came to its normals, for the closing line.
+std::string set_normals(Mesh_data& mesh, const Plan& plan, Report& report)
 {
-  const Soup_defects defects = find_defects(mesh);
-  if (defects.none()) return;
-  if (!options.repair)
-    throw Error(defects.description() + "; --repair orients the faces and duplicates such edges "
-                                        "and vertices");
-
-  const Soup_repair repair = repair_soup(mesh);
-  std::fprintf(stderr, "%s: %s (%s)\n", options.input.c_str(), repair.description().c_str(),
-               defects.description().c_str());
-  const Soup_defects left = find_defects(mesh);
-  if (!left.none()) throw Error("--repair did not mend everything: " + left.description());
+  using Source = Normals_option::Source;
+  const Source source = plan.normals.source;
+  const bool from_file =
+    source == Source::file || (source == Source::automatic && mesh.has_normals());
+  if (from_file && mesh.vertices_with_several_normals > 0)
+    report.warn(plan.input.title("standard input") + ": " +
+                std::to_string(mesh.vertices_with_several_normals) +
+                (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
+                " several normals; their normalized sum is taken");
+  set_control_normals(mesh, plan.normals);
+  if (from_file) return "normals of the file";
+  if (source == Source::none) return "no normals";
+  const bool is_shape = source == Source::sphere || source == Source::cylinder;
+  return is_shape ? "normals of the given shape" : "estimated normals";
 }
 
-Refinement refinement(const Surface_options& options, unsigned threads)
+Refinement refinement(const Surface_options& options, unsigned threads, const Report& report)
 {
-  using Clock = std::chrono::steady_clock;
   Refinement r;
   r.levels = options.levels;
   r.threads = threads;
-  if (options.quiet) return r;
-  r.round_done = [start = Clock::now(), levels = options.levels](unsigned k, std::size_t faces) {
+  if (report.is_quiet()) return r;
+  r.round_done = [&report, levels = options.levels](unsigned k, std::size_t faces) {
     if (faces < faces_worth_a_report) return;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    std::fprintf(stderr, "round %u of %u: %zu faces, %.2f s\n", k, levels, faces, seconds);
+    report.progress("round " + std::to_string(k) + " of " + std::to_string(levels) + ": " +
+                    std::to_string(faces) + " faces");
   };
   return r;
 }
 
-void add_curvature(Mesh_data& mesh, Curvature_kind kind, const Surface_options& options,
-                   unsigned threads)
+void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, Report& report)
 {
-  const Curvature_range range = set_curvature(mesh, kind, threads);
-  if (!options.quiet) std::fprintf(stderr, "%s\n", range.description(kind).c_str());
+  report.note(set_curvature(mesh, *plan.curvature, std::move(values)).description(*plan.curvature));
+}
+
+void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
+{
+  const std::size_t split = triangulate(surface);
+  if (split > 0)
+    report.note(output.title("standard output") + ": " + std::to_string(split) +
+                (split == 1 ? " face" : " faces") + " split into triangles, as " + output.format +
+                " files need them");
+}
+
+// Said before the work begins, so that nobody waits for a result that takes a day.
+void announce_long_work(Surface& surface, const Surface_options& options,
+                        const Scheme_choice& scheme, const Report& report)
+{
+  constexpr double long_time = 10;
+  if (report.is_quiet() || options.levels == 0) return;
+  const double seconds = expected_seconds(surface, scheme, options.levels);
+  if (seconds < long_time) return;
+  char text[60];
+  std::snprintf(text, sizeof text, " takes about %.0f s on one thread", seconds);
+  report.progress(scheme.scheme + text);
+}
+
+// What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
+void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
+             const Scheme_choice& scheme, Report& report)
+{
+  const bool must_split = !holds_polygons(plan.output);
+  if (options.levels == 0 && !plan.curvature && !must_split) return;
+  Surface surface = make_surface(mesh);
+  mesh = Mesh_data();
+  announce_long_work(surface, options, scheme, report);
+  if (options.levels > 0)
+    refine_surface(surface, scheme, refinement(options, plan.threads, report));
+  std::optional<Curvature_values> curvature;
+  if (plan.curvature) {
+    if (surface.number_of_faces() >= faces_worth_a_report)
+      report.progress("measuring the curvature at " + std::to_string(surface.number_of_vertices()) +
+                      " vertices");
+    curvature = measure_curvature(surface, *plan.curvature, plan.threads);
+  }
+  if (must_split) split_for_output(surface, plan.output, report);
+  mesh = to_mesh_data(surface);
+  if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
+}
+
+void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Plan& plan,
+                    Report& report)
+{
+  constexpr double noteworthy = 0.5; // the sphere from a cube: 0.37
+  if (!mesh.has_normals()) return;   // whoever takes the linear scheme has chosen so
+  const Excess e = excess(control, Bounding_box(mesh.points));
+  if (!(e.ratio > noteworthy)) return;
+  char text[300];
+  std::snprintf(
+    text, sizeof text,
+    ": the surface leaves the control mesh's box by %.2f times its extent in %c, because "
+    "normals bend long faces; --linear gives a surface without normals, shorter faces "
+    "beside the edges keep this one closer",
+    e.ratio, e.direction);
+  report.warn(plan.output.title("standard output") + text);
+}
+
+std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
+                         const Scheme_choice& scheme, const std::string& normals,
+                         const Report& report)
+{
+  std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
+                  std::to_string(options.levels) +
+                  (options.levels == 1 ? " round of " : " rounds of ") +
+                  (mesh.has_normals() ? "" : "linear ") + scheme.scheme + ", " + normals;
+  if (mesh.has_normals() && !holds_normals(plan.output))
+    s += " (not written, " + plan.output.format + " files hold none)";
+  char time[40];
+  std::snprintf(time, sizeof time, ", %.2f s", report.seconds());
+  return s + time;
 }
 
 } // namespace
 
 void run_surface_command(const Surface_options& options)
 {
-  require_consistent(options);
-  const Normals_option normals = normals_option(options);
-  std::optional<Curvature_kind> curvature;
-  if (options.curvature) curvature = parse_curvature_option(*options.curvature, options.output);
-  const unsigned threads = number_of_threads(options);
-  std::optional<Verification> verification;
-  if (options.verify.shape) {
-    verification.emplace(options.verify);
-    verification->require_surface();
-  }
-  require_writable_place(options.output);
-
-  Mesh_data mesh = read_mesh(options.input);
+  Report report(options.quiet);
+  Plan plan = make_plan(options);
+  const std::string input = plan.input.title("standard input");
+  Mesh_data mesh;
+  Scheme_choice scheme;
+  std::string normals;
   try {
-    require_sound_elements(mesh);
-    make_manifold(mesh, options);
-    set_control_normals(mesh, normals);
-    if (options.levels > 0)
-      mesh = refine_surface(mesh, options.scheme, refinement(options, threads));
-    if (verification) verification->measure(mesh.points);
-    if (curvature) add_curvature(mesh, *curvature, options, threads);
+    mesh = read_control_mesh(plan.input, options, report);
+    scheme = chosen_scheme(mesh, options.scheme);
+    if (options.levels > 0) require_faces_for_scheme(mesh, scheme);
+    normals = set_normals(mesh, plan, report);
+    const Bounding_box control(mesh.points);
+    process(mesh, plan, options, scheme, report);
+    if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
+    if (plan.verification) plan.verification->measure(mesh.points);
   } catch (const Usage_error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw Error(options.input + ": not enough memory for " + std::to_string(options.levels) +
-                " rounds");
+    throw Error(input + ": not enough memory for " + std::to_string(options.levels) + " rounds");
   } catch (const std::exception& e) {
-    throw Error(options.input + ": " + e.what());
+    const std::string what = e.what();
+    throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
-  if (verification) verification->print();
-  write_mesh(options.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
-  if (verification) verification->require_tolerance();
+  if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
+  if (mesh.number_of_faces() >= faces_worth_a_report)
+    report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
+  write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
+  report.note(closing_line(mesh, plan, options, scheme, normals, report));
+  report.print_warnings();
+  if (plan.verification) plan.verification->require_tolerance();
+  report.print_notes();
 }
 
 } // namespace pn_subdivide

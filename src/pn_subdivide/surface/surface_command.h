@@ -6,8 +6,8 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "surface/Verify_options.h"
 #include "surface/surface_schemes.h"
-#include "surface/verification.h"
 
 #include <optional>
 #include <string>
@@ -16,14 +16,16 @@ namespace pn_subdivide {
 
 struct Surface_options
 {
-  std::string input, output;
+  std::string input, output; // "-": standard input, output
+  std::optional<std::string> format;
   Scheme_choice scheme;
   unsigned levels = 1;
   bool linear = false;
   std::optional<std::string> normals, curvature;
   unsigned threads = 1; // 0: all cores
   Verify_options verify;
-  bool repair = false, ascii = false, quiet = false;
+  bool merge_points = false, repair = false, triangulate = false;
+  bool ascii = false, quiet = false;
 };
 
 // The command `pn_subdivide surface`. Throws Usage_error, Error or what the library throws; the

@@ -6,40 +6,46 @@
 #ifndef PN_SUBDIVIDE_SURFACE_SCHEMES_H
 #define PN_SUBDIVIDE_SURFACE_SCHEMES_H
 
-#include "io/Mesh_data.h"
-
-#include <cstddef>
-#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
+
+// The schemes are those of the library's list CGAL::PN_subdivision_3::Shipped_schemes; everything that
+// the command knows about them by name comes from there.
 
 namespace pn_subdivide {
 
-struct Refinement
-{
-  unsigned levels = 1;
-  unsigned threads = 1;
-  std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
-};
-
 struct Scheme_choice
 {
-  std::string scheme;
+  std::string scheme;                       // empty: the mesh's faces decide
   std::optional<std::string> normal_scheme; // the scheme's own mask if there is none
-  std::optional<double> tension;            // Kobbelt's
-  std::optional<double> cap;                // that of the modified schemes
+  std::map<std::string, double> parameters; // as given: {"cap", 0.5}
+
+  bool operator==(const Scheme_choice& other) const
+  {
+    return scheme == other.scheme && normal_scheme == other.normal_scheme &&
+           parameters == other.parameters;
+  }
 };
+
+// A parameter that schemes take, which is an option of the same name.
+struct Scheme_parameter
+{
+  std::string name;
+  std::vector<std::string> schemes; // that take it
+  double default_value;
+};
+
+// Names with commas between, "or" before the last.
+std::string scheme_names();
+std::vector<Scheme_parameter> scheme_parameters();
 
 // Throws Usage_error if there is no such scheme, or if these do not go together.
 void require_surface_schemes(const Scheme_choice& choice);
 
-// Throws Usage_error if this program was built without TBB and there is more than one thread.
-void require_threads(unsigned threads);
-
-// Refines with the scheme, point-normal if `mesh` has normals, linear if not. Old vertices come
-// first in the result, in their order, but for Doo-Sabin. Passes on the library's exceptions.
-Mesh_data refine_surface(const Mesh_data& mesh, const Scheme_choice& choice,
-                         const Refinement& refinement);
+// Does the scheme refine triangles only?
+bool needs_triangles(const std::string& scheme);
 
 } // namespace pn_subdivide
 

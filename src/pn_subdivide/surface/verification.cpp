@@ -146,8 +146,11 @@ void Verification::measure_points(const Points& points)
   bound_ = (5 * parts_.radius + 3 * farthest_center(points)) * ulp;
 }
 
-void Verification::measure(const std::vector<Curve_kernel::Point_3>& points)
+void Verification::measure(const std::vector<Triple>& triples)
 {
+  std::vector<Curve_kernel::Point_3> points;
+  points.reserve(triples.size());
+  for (const Triple& t : triples) points.emplace_back(t[0], t[1], t[2]);
   measure_points(points);
 }
 
@@ -156,12 +159,13 @@ void Verification::measure(const Curve_data& curve)
   std::visit([this](const auto& points) { measure_points(points); }, curve.points);
 }
 
-void Verification::print() const
+void Verification::print(std::FILE* stream) const
 {
-  std::printf("deviation %s (D/R in 2^-52: %s) bound %s\n", short_number(deviation_).c_str(),
-              short_number(deviation_ / parts_.radius / ulp).c_str(), short_number(bound_).c_str());
-  if (std::fflush(stdout) != 0 || std::ferror(stdout))
-    throw Error("--verify: the deviation cannot be printed to standard output");
+  std::fprintf(
+    stream, "deviation %s (D/R in 2^-52: %s) bound %s\n", short_number(deviation_).c_str(),
+    short_number(deviation_ / parts_.radius / ulp).c_str(), short_number(bound_).c_str());
+  if (std::fflush(stream) != 0 || std::ferror(stream))
+    throw Error("--verify: the deviation cannot be printed");
 }
 
 void Verification::require_tolerance() const

@@ -6,25 +6,21 @@
 #ifndef PN_SUBDIVIDE_VERIFICATION_H
 #define PN_SUBDIVIDE_VERIFICATION_H
 
+#include "io/Mesh_data.h"
 #include "io/curve_data.h"
+#include "surface/Verify_options.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace pn_subdivide {
-
-// --verify and --tolerance as they are on the command line.
-struct Verify_options
-{
-  std::optional<std::string> shape;
-  std::optional<double> tolerance;
-};
 
 // The shape that a result is compared with.
 class Verification
@@ -38,11 +34,12 @@ public:
   void require_surface() const;
 
   // Measures points, or throws Error if they and the shape are of different dimensions.
-  void measure(const std::vector<Curve_kernel::Point_3>& points);
+  void measure(const std::vector<Triple>& points);
   void measure(const Curve_data& curve);
 
-  // Prints what was measured; throws Error if that cannot be written. To be called before a file is.
-  void print() const;
+  // Prints what was measured to the stream; throws Error if that cannot be written. To be called
+  // before a file is.
+  void print(std::FILE* stream) const;
   // Throws Tolerance_error if what was measured is more than the tolerance.
   void require_tolerance() const;
 

@@ -6,8 +6,6 @@
 #include "surface/vertex_curvature.h"
 
 #include "io/Error.h"
-#include "io/mesh_io.h"
-#include "surface/Surface.h"
 #include "surface/diverging_colors.h"
 
 #if __has_include(<Eigen/Core>)
@@ -21,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -43,7 +42,7 @@ double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
   const auto rank = static_cast<std::ptrdiff_t>(share_within * double(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
   CGAL::Bbox_3 box;
-  for (const Point_3& p : mesh.points) box += p.bbox();
+  for (const Triple& p : mesh.points) box += to_point(p).bbox();
   const double diameter = std::hypot(box.x_span(), box.y_span(), box.z_span());
   const double least = kind == Curvature_kind::mean ? flat / diameter : flat / diameter / diameter;
   const double end = sizes[static_cast<std::size_t>(rank)];
@@ -53,7 +52,7 @@ double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
 
 } // namespace
 
-Curvature_kind parse_curvature_option(const std::string& text, const std::string& output)
+Curvature_kind parse_curvature_option(const std::string& text, const Mesh_file& output)
 {
 #if !__has_include(<Eigen/Core>)
   throw Usage_error("--curvature: this program was built without Eigen");
@@ -61,7 +60,8 @@ Curvature_kind parse_curvature_option(const std::string& text, const std::string
   if (text != "gaussian" && text != "mean")
     throw Usage_error("--curvature '" + text + "': expected gaussian or mean");
   if (!holds_scalars(output))
-    throw Usage_error("--curvature: " + output + " cannot hold it, only .ply and .vtp can");
+    throw Usage_error("--curvature: " + output.title("standard output") + " (" + output.format +
+                      ") cannot hold it, only .ply and .vtp can");
   return text == "mean" ? Curvature_kind::mean : Curvature_kind::gaussian;
 }
 
@@ -75,27 +75,39 @@ std::string Curvature_range::description(Curvature_kind kind) const
          " vertices allow no estimate (too few neighbors, no area or out of range) and get 0";
 }
 
-Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, unsigned threads)
+Curvature_values measure_curvature(Surface& surface, Curvature_kind kind, unsigned threads)
 {
-  Curvature_range range;
+  Curvature_values result;
 #if __has_include(<Eigen/Core>)
 #  ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #  else
   (void)threads;
 #  endif
-  Surface surface = make_surface(mesh);
   using Curvature = PN::Vertex_curvature<Kernel>;
-  const auto curvatures = surface.add_property_map<Surface::Vertex_index, Curvature>("c").first;
+  const auto curvatures =
+    surface.add_property_map<Surface::Vertex_index, Curvature>("v:curvature").first;
   PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, curvatures);
-
-  mesh.scalar_name = name_of(kind);
-  mesh.scalars.clear();
+  result.values.reserve(surface.number_of_vertices());
   for (const Surface::Vertex_index v : surface.vertices()) {
     const Curvature& c = curvatures[v];
-    mesh.scalars.push_back(kind == Curvature_kind::gaussian ? c.gaussian : c.mean);
-    if (!c.is_estimated) ++range.without_estimate;
+    result.values.push_back(kind == Curvature_kind::gaussian ? c.gaussian : c.mean);
+    if (!c.is_estimated) ++result.without_estimate;
   }
+#else
+  (void)surface;
+  (void)kind;
+  (void)threads;
+#endif
+  return result;
+}
+
+Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature)
+{
+  mesh.scalar_name = name_of(kind);
+  mesh.scalars = std::move(curvature.values);
+  Curvature_range range;
+  range.without_estimate = curvature.without_estimate;
   range.end = end_of_colors(mesh, kind);
   mesh.colors.clear();
   for (const double x : mesh.scalars) mesh.colors.push_back(diverging_color(x / range.end));
@@ -104,11 +116,6 @@ Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, unsigned thr
     range.least = *ends.first;
     range.greatest = *ends.second;
   }
-#else
-  (void)mesh;
-  (void)kind;
-  (void)threads;
-#endif
   return range;
 }
 

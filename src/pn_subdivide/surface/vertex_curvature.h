@@ -6,7 +6,8 @@
 #ifndef PN_SUBDIVIDE_VERTEX_CURVATURE_H
 #define PN_SUBDIVIDE_VERTEX_CURVATURE_H
 
-#include "io/Mesh_data.h"
+#include "io/mesh_io.h"
+#include "surface/Surface.h"
 
 #include <cstddef>
 #include <string>
@@ -16,7 +17,7 @@ namespace pn_subdivide {
 enum class Curvature_kind { gaussian, mean };
 
 // `gaussian` or `mean`, and a file that can hold it. Throws Usage_error.
-Curvature_kind parse_curvature_option(const std::string& text, const std::string& output);
+Curvature_kind parse_curvature_option(const std::string& text, const Mesh_file& output);
 
 struct Curvature_range
 {
@@ -27,10 +28,18 @@ struct Curvature_range
   std::string description(Curvature_kind kind) const;
 };
 
-// Gives the vertices the scalar and its colors. The curvature is that of the points alone, positive
-// where the surface bends away from the side from which its faces are seen counterclockwise;
-// vertices at which it cannot be estimated get 0. Passes on the library's exceptions.
-Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, unsigned threads);
+// One value a vertex of a mesh without garbage: the curvature of the points alone, positive where the
+// surface bends away from the side from which its faces are seen counterclockwise. Vertices at which it
+// cannot be estimated get 0 and are counted. Passes on the library's exceptions.
+struct Curvature_values
+{
+  std::vector<double> values;
+  std::size_t without_estimate = 0;
+};
+Curvature_values measure_curvature(Surface& surface, Curvature_kind kind, unsigned threads);
+
+// Gives the vertices the values and colors for them.
+Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature);
 
 } // namespace pn_subdivide
 

@@ -10,11 +10,14 @@
 
 #include "io/mesh_io.h"
 
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 using namespace pn_subdivide;
 
@@ -63,11 +66,22 @@ protected:
   }
 };
 
-void expect_near(const Point_3& p, double x, double y, double z, double bound)
+// Macros do not take braces.
+Triple triple(double x, double y, double z)
 {
-  EXPECT_NEAR(p.x(), x, bound);
-  EXPECT_NEAR(p.y(), y, bound);
-  EXPECT_NEAR(p.z(), z, bound);
+  return {x, y, z};
+}
+
+double dot(const Triple& a, const Triple& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void expect_near(const Triple& p, double x, double y, double z, double bound)
+{
+  EXPECT_NEAR(p[0], x, bound);
+  EXPECT_NEAR(p[1], y, bound);
+  EXPECT_NEAR(p[2], z, bound);
 }
 
 } // namespace
@@ -86,7 +100,7 @@ TEST_F(Pn_subdivide, LinearCatmullClarkOfACubeAsComputedByHand)
     expect_near(mesh.points[6], 5. / 9, 5. / 9, 5. / 9, 1e-15);
     int edges = 0, faces = 0;
     for (std::size_t v = 8; v < 26; ++v) {
-      const double d = std::sqrt((mesh.points[v] - CGAL::ORIGIN).squared_length());
+      const double d = std::sqrt(dot(mesh.points[v], mesh.points[v]));
       if (std::abs(d - 0.75 * std::sqrt(2.)) < 1e-15) ++edges;
       if (std::abs(d - 1) < 1e-15) ++faces;
     }
@@ -105,7 +119,7 @@ TEST_F(Pn_subdivide, LinearLoopOfAnOctahedronAsComputedByHand)
   expect_near(mesh.points[0], weight, 0, 0, 1e-15);
   expect_near(mesh.points[5], 0, 0, -weight, 1e-15);
   for (std::size_t v = 6; v < 18; ++v) // 3/8 (a + b) + 1/8 (c - c)
-    EXPECT_NEAR((mesh.points[v] - CGAL::ORIGIN).squared_length(), 9. / 32, 1e-15);
+    EXPECT_NEAR(dot(mesh.points[v], mesh.points[v]), 9. / 32, 1e-15);
 }
 
 // The first point is one of valence 5 in the midst of triangles: 1 - alpha kappa for itself, with
@@ -126,10 +140,10 @@ TEST_F(Pn_subdivide, LinearModifiedLoopOfAVertexAsComputedByHand)
   for (const auto& [options, cap] :
        {std::pair("", 0.5), {"--cap 1/2", 0.5}, {"--cap 0.3", 0.3}, {"--cap 1/8", 0.125}})
     EXPECT_NEAR(
-      refined(input, std::string("--linear --scheme modified-loop ") + options).points[0].z(),
+      refined(input, std::string("--linear --scheme modified-loop ") + options).points[0][2],
       height(cap), 1e-15)
       << options;
-  EXPECT_NEAR(refined(input, "--linear --scheme loop").points[0].z(), height(1), 1e-15);
+  EXPECT_NEAR(refined(input, "--linear --scheme loop").points[0][2], height(1), 1e-15);
 }
 
 // A cube has no separated vertices, its first round has.
@@ -166,12 +180,12 @@ TEST_F(Pn_subdivide, SpheresStaySpheres)
     const long double radius = c.content == cube ? std::sqrt(3.L) : 1;
     ASSERT_EQ(mesh.normals.size(), mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      const Point_3& p = mesh.points[v];
-      const long double r = std::hypot((long double)p.x(), (long double)p.y(), (long double)p.z());
+      const Triple& p = mesh.points[v];
+      const long double r = std::hypot((long double)p[0], (long double)p[1], (long double)p[2]);
       EXPECT_LE(std::abs(r / radius - 1), 5 * std::ldexp(1.L, -52));
-      const Vector_3& n = mesh.normals[v];
-      EXPECT_NEAR(n.squared_length(), 1, 1e-15);
-      EXPECT_NEAR(n * (p - CGAL::ORIGIN), double(radius), 1e-14);
+      const Triple& n = mesh.normals[v];
+      EXPECT_NEAR(dot(n, n), 1, 1e-15);
+      EXPECT_NEAR(dot(n, p), double(radius), 1e-14);
     }
   }
 }
@@ -197,7 +211,7 @@ TEST_F(Pn_subdivide, CylindersStayCylinders)
   const Mesh_data mesh =
     refined(folder.write("c.off", off), "--scheme catmull-clark --levels 3 --normals "
                                         "cylinder:3,-1,7,0,0,-4");
-  for (const Point_3& p : mesh.points) EXPECT_NEAR(std::hypot(p.x() - 3, p.y() + 1), 2, 4e-15);
+  for (const Triple& p : mesh.points) EXPECT_NEAR(std::hypot(p[0] - 3, p[1] + 1), 2, 4e-15);
 }
 
 TEST_F(Pn_subdivide, NoRoundCopiesTheControlDataWithUnitNormals)
@@ -207,18 +221,18 @@ TEST_F(Pn_subdivide, NoRoundCopiesTheControlDataWithUnitNormals)
   for (const char* normals : {"", "--normals auto", "--normals file"}) {
     const Mesh_data mesh = refined(input, std::string("--scheme loop --levels 0 ") + normals);
     ASSERT_EQ(mesh.points.size(), 4u);
-    EXPECT_EQ(mesh.points[0], Point_3(0.1, 0, 0));
-    EXPECT_EQ(mesh.points[3], Point_3(9, 9, 9));
-    EXPECT_EQ(mesh.normals[0], Vector_3(0, 0, 1));
-    EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 0)); // no control normal here
-    EXPECT_NEAR(mesh.normals[2].x(), 0.6, 2e-16);
-    EXPECT_NEAR(mesh.normals[2].z(), 0.8, 2e-16);
-    EXPECT_EQ(mesh.normals[3], Vector_3(0, -1, 0));
+    EXPECT_EQ(mesh.points[0], triple(0.1, 0, 0));
+    EXPECT_EQ(mesh.points[3], triple(9, 9, 9));
+    EXPECT_EQ(mesh.normals[0], triple(0, 0, 1));
+    EXPECT_EQ(mesh.normals[1], triple(0, 0, 0)); // no control normal here
+    EXPECT_NEAR(mesh.normals[2][0], 0.6, 2e-16);
+    EXPECT_NEAR(mesh.normals[2][2], 0.8, 2e-16);
+    EXPECT_EQ(mesh.normals[3], triple(0, -1, 0));
     EXPECT_EQ(mesh.number_of_faces(), 1u);
   }
   const Mesh_data estimated = refined(input, "--scheme loop --levels 0 --normals estimate");
-  for (int v = 0; v < 3; ++v) EXPECT_EQ(estimated.normals[v], Vector_3(0, 0, 1));
-  EXPECT_EQ(estimated.normals[3], Vector_3(0, 0, 0));
+  for (int v = 0; v < 3; ++v) EXPECT_EQ(estimated.normals[v], triple(0, 0, 1));
+  EXPECT_EQ(estimated.normals[3], triple(0, 0, 0));
 }
 
 TEST_F(Pn_subdivide, VerticesWithoutFacesAreKept)
@@ -227,7 +241,7 @@ TEST_F(Pn_subdivide, VerticesWithoutFacesAreKept)
     refined(folder.write("i.off", "OFF\n4 1 0\n5 6 7\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"),
             "--scheme loop --levels 2");
   EXPECT_EQ(mesh.points.size(), 1u + 15u);
-  EXPECT_EQ(mesh.points[0], Point_3(5, 6, 7));
+  EXPECT_EQ(mesh.points[0], triple(5, 6, 7));
 }
 
 TEST_F(Pn_subdivide, FormatsAgree)
@@ -275,10 +289,22 @@ TEST_F(Pn_subdivide, InputMayBeTheOutput)
 TEST_F(Pn_subdivide, ProgressOnLongWorkOnlyAndNotWithQuiet)
 {
   const std::string input = folder.write("cube.off", cube), output = folder.file("c.ply");
-  EXPECT_EQ(surface(input, output, "--scheme catmull-clark --levels 3").err, "");
-  const Outcome outcome = surface(input, output, "--scheme catmull-clark --levels 8");
+  const std::string few = surface(input, output, "--scheme catmull-clark --levels 3").err;
+  EXPECT_EQ(few.rfind(output + ": 386 vertices, 384 faces, 3 rounds of catmull-clark, estimated "
+                               "normals, ",
+                      0),
+            0u)
+    << few;
+  EXPECT_EQ(std::count(few.begin(), few.end(), '\n'), 1) << few;
+  const Outcome outcome =
+    surface(input, output, "--scheme catmull-clark --levels 8 --curvature mean");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("round 8 of 8: 393216 faces"), std::string::npos) << outcome.err;
+  for (const char* step :
+       {"round 8 of 8: 393216 faces", "measuring the curvature at 393218 vertices", "writing "})
+    EXPECT_NE(outcome.err.find(step), std::string::npos) << outcome.err;
+  const Outcome again = surface(output, folder.file("again.ply"), "--levels 0 --normals file");
+  EXPECT_NE(again.err.find("reading " + output), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("normals of the file"), std::string::npos) << again.err;
   EXPECT_EQ(surface(input, output, "--scheme catmull-clark --levels 8 --quiet").err, "");
 }
 
@@ -310,7 +336,120 @@ TEST_F(Pn_subdivide, SoupsThatAreNoManifoldAreRefusedOrRepaired)
   const Outcome sound =
     surface(folder.write("c.off", cube), folder.file("o.ply"), "--scheme catmull-clark --repair");
   EXPECT_EQ(sound.code, 0);
-  EXPECT_EQ(sound.err, "");
+  EXPECT_EQ(sound.err.find("repaired"), std::string::npos) << sound.err;
+}
+
+TEST_F(Pn_subdivide, DegenerateAndDuplicateFacesAreRemoved)
+{
+  // a square of two triangles; one of them again, and once more from the other side; a face that goes
+  // to and fro, and a quad with a repeated vertex that closes the square's neighbor
+  const std::string input = folder.write(
+    "d.off", "OFF\n5 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n3 0 1 2\n3 0 2 3\n3 1 2 0\n3 3 2 0\n"
+             "4 0 1 0 1\n4 1 4 4 2\n");
+  expect_failure(input, "--scheme loop", 1, "face 4 visits vertex 0 twice; --repair");
+  const std::string output = folder.file("o.ply");
+  const Outcome outcome = surface(input, output, "--quiet --levels 0 --repair");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err,
+            "warning: " + input +
+              ": repaired: 1 degenerate face removed, 1 face split at vertices visited "
+              "twice, 2 duplicate faces removed, 0 faces reversed, 0 vertices added as "
+              "copies\n");
+  const Mesh_data mesh = read_mesh(output);
+  ASSERT_EQ(mesh.number_of_faces(), 3u);
+  for (std::size_t f = 0; f < 3; ++f) EXPECT_EQ(mesh.face(f).size(), 3);
+  EXPECT_EQ(mesh.points.size(), 5u);
+}
+
+TEST_F(Pn_subdivide, PointsAreMergedWhereWanted)
+{
+  // two triangles side by side with vertices of their own
+  const std::string input = folder.write(
+    "m.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n");
+  EXPECT_EQ(refined(input, "--levels 1").points.size(), 12u);
+  EXPECT_EQ(refined(input, "--levels 1 --merge-points").points.size(), 9u);
+  EXPECT_NE(surface(input, folder.file("o.ply"), "--merge-points").err.find("2 vertices merged"),
+            std::string::npos);
+}
+
+TEST_F(Pn_subdivide, FacesAreSplitForTriangleSchemes)
+{
+  const std::string input = folder.write("cube.off", cube);
+  expect_failure(input, "--scheme loop", 1,
+                 "face 0 has 4 vertices, and loop refines triangles only; --triangulate");
+  const Mesh_data mesh = refined(input, "--scheme loop --triangulate");
+  EXPECT_EQ(mesh.number_of_faces(), 48u);
+  EXPECT_EQ(mesh.points.size(), 26u);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) EXPECT_EQ(mesh.face(f).size(), 3);
+  // an L, which a fan from its first vertex would cover twice: the area tells
+  const std::string l =
+    folder.write("l.off", "OFF\n6 1 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 0\n6 0 1 2 3 4 5\n");
+  const Mesh_data split = refined(l, "--levels 0 --triangulate");
+  EXPECT_EQ(split.number_of_faces(), 4u);
+  double area = 0;
+  for (std::size_t f = 0; f < split.number_of_faces(); ++f) {
+    const auto corner = [&](int i) { return split.points[split.face(f).begin()[i]]; };
+    area += std::abs((corner(1)[0] - corner(0)[0]) * (corner(2)[1] - corner(0)[1]) -
+                     (corner(1)[1] - corner(0)[1]) * (corner(2)[0] - corner(0)[0])) /
+            2;
+  }
+  EXPECT_NEAR(area, 3, 1e-15);
+}
+
+TEST_F(Pn_subdivide, WithoutASchemeTheFacesDecide)
+{
+  const std::string quads = folder.write("c.off", cube),
+                    triangles = folder.write("o.off", octahedron);
+  EXPECT_EQ(refined(quads, "").points, refined(quads, "--scheme catmull-clark").points);
+  EXPECT_EQ(refined(triangles, "").points, refined(triangles, "--scheme loop").points);
+  EXPECT_EQ(refined(quads, "--triangulate").points,
+            refined(quads, "--triangulate --scheme loop").points);
+  EXPECT_NE(surface(quads, folder.file("o.ply"), "").err.find("1 round of catmull-clark"),
+            std::string::npos);
+  expect_failure(quads, "--normal-scheme butterfly", 2, "does not go with --scheme catmull-clark");
+  expect_failure(quads, "--cap 1/2", 2, "--cap belongs");
+}
+
+// --- warnings ---
+
+TEST_F(Pn_subdivide, ASurfaceFarOutsideTheControlBoxIsWarnedOf)
+{
+  const auto warning = [&](const std::string& off, const std::string& options) {
+    const std::string input = folder.write("w.off", off);
+    const Outcome outcome = surface(input, folder.file("o.ply"), "--quiet " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  };
+  const auto box = [](const std::string& length) {
+    std::string off = cube;
+    for (std::size_t i = off.find("\n-1 -1"); i < off.find("\n4 3"); i = off.find('\n', i + 1))
+      off.insert(off[i + 1] == '-' ? i + 3 : i + 2, length); // x is -1 or 1 and becomes longer
+    return off;
+  };
+  // the sphere around a beam of 20 x 2 x 2, radius sqrt(102): (sqrt(102) - 1) / 2 = 4.5498
+  EXPECT_NE(warning(box("0"), "--levels 5 --normals sphere:0,0,0").find("by 4.55 times"),
+            std::string::npos);
+  EXPECT_EQ(warning(box("0"), "--levels 5 --normals sphere:0,0,0").rfind("warning: ", 0), 0u);
+  EXPECT_EQ(warning(box("0"), "--levels 5 --linear"), "");
+  EXPECT_EQ(warning(box("0"), "--levels 0 --normals sphere:0,0,0"), "");
+  EXPECT_EQ(warning(cube, "--levels 5 --normals sphere:0,0,0"), ""); // 0.37
+}
+
+TEST_F(Pn_subdivide, WhatIsNotCarriedIsSaidOnceTheOutputIsComplete)
+{
+  const std::string input =
+    folder.write("t.obj", "mtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+                          "vn 1 0 0\nusemtl red\nf 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/2 2/1/2\n");
+  const Outcome outcome = surface(input, folder.file("o.ply"), "--quiet --levels 0");
+  EXPECT_EQ(outcome.err, "warning: " + input +
+                           ": not carried over to the result: materials, groups and texture "
+                           "coordinates\nwarning: " +
+                           input +
+                           ": 3 vertices have several normals; their normalized sum is taken\n");
+  EXPECT_EQ(surface(input, folder.file("o.ply"), "--quiet --levels 0 --normals none").err,
+            "warning: " + input +
+              ": not carried over to the result: materials, groups and texture coordinates\n");
+  expect_failure(input, "--quiet --scheme kobbelt", 1, "kobbelt"); // one line, without warnings
 }
 
 // --- failures ---
@@ -354,7 +493,7 @@ TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
 {
   const std::string input = folder.write("cube.off", cube);
   const std::string scheme = "--scheme catmull-clark ";
-  expect_failure(input, "", 2, "--scheme");
+  expect_failure(input, "--scheme ''", 2, "--scheme");
   expect_failure(input, "--scheme bezier", 2, "bezier");
   expect_failure(input, scheme + "--levels -1", 2, "--levels");
   expect_failure(input, scheme + "--levels two", 2, "--levels");
@@ -366,7 +505,6 @@ TEST_F(Pn_subdivide, WrongCommandLinesFailWithOneLine)
   for (const char* normals : {"guess", "sphere", "sphere:1,2", "sphere:1,2,x", "sphere:1,2,nan",
                               "cylinder:0,0,0", "cylinder:0,0,0,0,0,0", "file:1"})
     expect_failure(input, scheme + "--normals " + normals, 2, "--normals");
-  expect_failure(input, scheme, 2, "must end in one of", "stl");
   expect_failure(input, scheme, 2, "must end in one of", "xyz");
   expect_failure(folder.write("cube.xyz", cube), scheme, 2, "must end in one of");
   expect_one_line(run(""), 2, "subcommand");
@@ -436,4 +574,23 @@ TEST_F(Pn_subdivide, HelpAndVersion)
     EXPECT_NE(outcome.out, "");
   }
   EXPECT_NE(run("--help").out.find("Exit code"), std::string::npos);
+}
+
+// What the help names, the manual page names.
+TEST_F(Pn_subdivide, TheManualPageNamesEveryOptionAndScheme)
+{
+  std::string page = Temporary_folder::content(PN_SUBDIVIDE_MANUAL);
+  page.erase(std::remove(page.begin(), page.end(), '\\'), page.end());
+  const std::string help = run("surface --help").out + run("curve --help").out;
+  std::set<std::string> options;
+  for (std::size_t i = help.find("--"); i != std::string::npos; i = help.find("--", i + 2))
+    options.insert(help.substr(i, help.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", i) - i));
+  options.erase("--help");
+  EXPECT_GT(options.size(), 15u);
+  for (const std::string& option : options)
+    EXPECT_NE(page.find(option), std::string::npos) << option;
+  CGAL::PN_subdivision_3::for_each_shipped_scheme([&](const auto& scheme) {
+    EXPECT_NE(page.find(scheme.name()), std::string::npos) << scheme.name();
+    EXPECT_NE(help.find(scheme.name()), std::string::npos) << scheme.name();
+  });
 }

@@ -101,7 +101,7 @@ protected:
     SCOPED_TRACE(options);
     const std::string comb = folder.file("comb.svg");
     const Outcome outcome = run("curve '" + folder.write("polygon.txt", polygon) + "' '" +
-                                folder.file("curve.txt") + "' --comb '" + comb + "' " + options);
+                                folder.file("curve.txt") + "' --quiet --comb '" + comb + "' " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
     Drawing drawing(comb);
@@ -205,6 +205,20 @@ TEST_F(Pn_subdivide_comb, ALongCurveMakesASmallDrawing)
 {
   drawn(wave, "--scheme bspline:3 --levels 14");
   EXPECT_LT(Temporary_folder::content(folder.file("comb.svg")).size(), 60000u);
+}
+
+// Control points too are drawn no closer than they can be told apart.
+TEST_F(Pn_subdivide_comb, ManyControlPointsMakeASmallDrawing)
+{
+  std::string circle;
+  constexpr int n = 100000;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * std::acos(-1.) * i / n;
+    const std::string direction = std::to_string(std::cos(t)) + " " + std::to_string(std::sin(t));
+    circle += direction + " " + direction + "\n";
+  }
+  drawn(circle, "--scheme bspline:3 --closed --levels 1");
+  EXPECT_LT(Temporary_folder::content(folder.file("comb.svg")).size(), 1500000u);
 }
 
 TEST_F(Pn_subdivide_comb, ADrawingThatCannotBeWrittenLeavesAllFilesAsTheyWere)

@@ -88,7 +88,7 @@ protected:
     SCOPED_TRACE(options);
     const std::string output = folder.file("curve.txt");
     const Outcome outcome =
-      run("curve '" + folder.write("polygon.txt", polygon) + "' '" + output + "' " + options);
+      run("curve '" + folder.write("polygon.txt", polygon) + "' '" + output + "' --quiet " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
     return Temporary_folder::content(output);
@@ -369,4 +369,18 @@ TEST_F(Pn_subdivide_curve, TooShortForItsSchemeOrTooLongToBeNumbered)
   expect_failure(square, "--scheme bspline:8", 1, "4 points is too short");
   expect_failure(square, "--scheme chaikin --closed --levels 31", 1, "ask for fewer rounds");
   expect_failure(square, "--scheme 4-point --levels 4000000000", 1, "ask for fewer rounds");
+}
+
+TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhatWasDone)
+{
+  const std::string input = folder.write("p.txt", "0 0\n1 0\n1 1\n"), output = folder.file("c.txt");
+  const auto said = [&](const std::string& options) {
+    return run("curve '" + input + "' '" + output + "' --closed --scheme chaikin " + options).err;
+  };
+  const std::string line = said("--levels 2");
+  EXPECT_EQ(line.rfind(output + ": 12 points, PN quadratic B-spline, 2 rounds, estimated normals, ", 0),
+            0u)
+    << line;
+  EXPECT_NE(said("--linear").find("no normals"), std::string::npos);
+  EXPECT_EQ(said("--quiet"), "");
 }

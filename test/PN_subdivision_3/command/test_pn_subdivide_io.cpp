@@ -12,6 +12,7 @@
 #include "io/mesh_io.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
+#include "surface/Surface.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +20,19 @@
 #include <cfloat>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 
 using namespace pn_subdivide;
 
 namespace {
+
+// Macros do not take braces.
+Triple triple(double x, double y, double z)
+{
+  return {x, y, z};
+}
 
 using Faces = std::vector<std::vector<unsigned>>;
 
@@ -37,13 +45,11 @@ Faces faces_of(const Mesh_data& mesh)
 }
 
 // Bit patterns, so that -0 and the last bit count.
-template <class Triple>
 std::vector<std::uint64_t> bits(const std::vector<Triple>& triples)
 {
   std::vector<std::uint64_t> result;
   for (const Triple& t : triples)
-    for (int i = 0; i < 3; ++i) {
-      const double x = t[i];
+    for (const double x : t) {
       std::uint64_t b;
       std::memcpy(&b, &x, sizeof(b));
       result.push_back(b);
@@ -66,12 +72,12 @@ Mesh_data awkward_mesh(bool with_normals)
   Mesh_data mesh;
   for (int i = 0; i < 20; ++i) {
     const double scale = std::ldexp(1.0, 13 * (i % 7) - 40);
-    mesh.points.emplace_back(scale * uniform(random), uniform(random), uniform(random) / 3);
-    if (with_normals) mesh.normals.emplace_back(uniform(random), uniform(random), uniform(random));
+    mesh.points.push_back({scale * uniform(random), uniform(random), uniform(random) / 3});
+    if (with_normals) mesh.normals.push_back({uniform(random), uniform(random), uniform(random)});
   }
-  mesh.points[3] = Point_3(DBL_MAX, DBL_TRUE_MIN, -0.0);
-  mesh.points[4] = Point_3(1 + DBL_EPSILON, DBL_MIN, 0.1);
-  if (with_normals) mesh.normals[5] = Vector_3(0, 0, 0);
+  mesh.points[3] = triple(DBL_MAX, DBL_TRUE_MIN, -0.0);
+  mesh.points[4] = triple(1 + DBL_EPSILON, DBL_MIN, 0.1);
+  if (with_normals) mesh.normals[5] = triple(0, 0, 0);
   mesh.add_face(std::vector<int>{0, 1, 2});
   mesh.add_face(std::vector<int>{2, 1, 3, 4});
   mesh.add_face(std::vector<int>{4, 3, 5, 6, 7, 8});
@@ -133,7 +139,7 @@ TEST_F(Mesh_io, EveryFormatThatIsReadAndWrittenKeepsEveryBit)
         Mesh_data mesh = awkward_mesh(with_normals);
         // OBJ has no place for the normal of a vertex without faces
         if (with_normals && extension[0] == 'o' && extension[1] == 'b')
-          std::fill(mesh.normals.begin() + 9, mesh.normals.end(), Vector_3(0, 0, 0));
+          std::fill(mesh.normals.begin() + 9, mesh.normals.end(), triple(0, 0, 0));
         const std::string file = folder.file(std::string("mesh.") + extension);
         write_mesh(file, mesh, encoding);
         expect_same(read_mesh(file), mesh);
@@ -145,7 +151,7 @@ TEST_F(Mesh_io, PlyFacesWithMoreThan255VerticesSurvive)
   Mesh_data mesh;
   std::vector<int> face;
   for (int i = 0; i < 300; ++i) {
-    mesh.points.emplace_back(std::cos(i), std::sin(i), i);
+    mesh.points.push_back({std::cos(i), std::sin(i), double(i)});
     face.push_back(i);
   }
   mesh.add_face(face);
@@ -158,7 +164,7 @@ TEST_F(Mesh_io, PlyFacesWithMoreThan255VerticesSurvive)
 TEST_F(Mesh_io, TextHas17SignificantDigits)
 {
   Mesh_data mesh = awkward_mesh(false);
-  mesh.points[0] = Point_3(1.0 / 3, 0.1, 2);
+  mesh.points[0] = triple(1.0 / 3, 0.1, 2);
   write_mesh(folder.file("t.ply"), mesh, Encoding::text);
   EXPECT_NE(Temporary_folder::content(folder.file("t.ply"))
               .find("0.33333333333333331 0.10000000000000001 2\n"),
@@ -184,10 +190,10 @@ TEST_F(Mesh_io, PlyTextWithOtherPropertiesAndElements)
                                        "0 1 0 0 7 8 9\r\n0 0 0 0 +1e1 0.1 -2\r\n"
                                        "0 1\r\n1 2\r\n0.5 2 0.1 0.2 4 3 2 1 0\r\n");
   ASSERT_EQ(mesh.points.size(), 4u);
-  EXPECT_EQ(mesh.points[0], Point_3(1, 2, 3));
-  EXPECT_EQ(mesh.points[3], Point_3(10, 0.1, -2));
-  EXPECT_EQ(mesh.normals[1], Vector_3(0, 1, 0));
-  EXPECT_EQ(mesh.normals[3], Vector_3(0, 0, 0));
+  EXPECT_EQ(mesh.points[0], triple(1, 2, 3));
+  EXPECT_EQ(mesh.points[3], triple(10, 0.1, -2));
+  EXPECT_EQ(mesh.normals[1], triple(0, 1, 0));
+  EXPECT_EQ(mesh.normals[3], triple(0, 0, 0));
   EXPECT_EQ(faces_of(mesh), (Faces{{3, 2, 1, 0}}));
 }
 
@@ -205,7 +211,7 @@ TEST_F(Mesh_io, PlyBinaryOfBothByteOrdersWithFloatsAndDoubles)
          raw(std::int16_t(2), big);
     const Mesh_data mesh = read("b.ply", s);
     ASSERT_EQ(mesh.points.size(), 3u);
-    EXPECT_EQ(mesh.points[2], Point_3(double(0.1f * 2.f), 0.1 * 2, -600));
+    EXPECT_EQ(mesh.points[2], triple(double(0.1f * 2.f), 0.1 * 2, -600));
     EXPECT_FALSE(mesh.has_normals());
     EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}}));
 
@@ -265,16 +271,16 @@ TEST_F(Mesh_io, OffVariants)
 
   Mesh_data mesh = read("a.off", "# made by hand\nOFF # keyword\n\n3 1 0\n 0 0 0.1 # here\n\n"
                                  "1 0 0\n0 1 0\n3 0 1 2 255 0 0\n# the end\n");
-  EXPECT_EQ(mesh.points[0], Point_3(0, 0, 0.1));
+  EXPECT_EQ(mesh.points[0], triple(0, 0, 0.1));
   EXPECT_EQ(faces_of(mesh), face);
   EXPECT_FALSE(mesh.has_normals());
 
   mesh = read("a.off", "NOFF 3 1 3\n0 0 0 0 0 2\n1 0 0 0 0 0\n0 1 0 0 1 0\n" + faces);
-  EXPECT_EQ(mesh.normals[0], Vector_3(0, 0, 2));
-  EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 0));
+  EXPECT_EQ(mesh.normals[0], triple(0, 0, 2));
+  EXPECT_EQ(mesh.normals[1], triple(0, 0, 0));
 
   mesh = read("a.off", "COFF\n3 1\n0 0 0 255 0 0 255\n1 0 0 0.5 0 0\n0 1 0 7\n" + faces);
-  EXPECT_EQ(mesh.points[2], Point_3(0, 1, 0));
+  EXPECT_EQ(mesh.points[2], triple(0, 1, 0));
   EXPECT_FALSE(mesh.has_normals());
 
   for (const char* keyword : {"STCNOFF", "CNSTOFF", "NCSTOFF"}) {
@@ -282,7 +288,7 @@ TEST_F(Mesh_io, OffVariants)
                            "\n3 1 0\n0 0 0 0 0 1 9 9 9 9 0.5 0.5\n1 0 0 0 0 1 9 9 9 9 0 0\n"
                            "0 1 0 0 1 0 9 9 9 9 0 1\n" +
                            faces);
-    EXPECT_EQ(mesh.normals[2], Vector_3(0, 1, 0));
+    EXPECT_EQ(mesh.normals[2], triple(0, 1, 0));
   }
 
   mesh = read("a.off", "OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + faces);
@@ -322,11 +328,11 @@ TEST_F(Mesh_io, ObjCornersAndNegativeIndices)
   const std::string head =
     "# c\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\n"
     "v 0 1 0.1\nvt 0 0\nvn 0 0 1\nvn 1 0 0\nvn 0 1 0\nvn 0 0 -1\ng a b\ns off\n";
-  const Vector_3 n[] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  const Triple n[] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
 
   Mesh_data mesh = read("a.obj", head + "f 1//1 2//2 3//3 4//4\n");
   EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2, 3}}));
-  EXPECT_EQ(mesh.points[3], Point_3(0, 1, 0.1));
+  EXPECT_EQ(mesh.points[3], triple(0, 1, 0.1));
   for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(mesh.normals[v], n[v]);
 
   mesh = read("a.obj", head + "f -4/1/-4 -3/1/-3 \\\n -2/1/-2 -1/-1/-1\nl 1 2\nusemtl m\n");
@@ -341,8 +347,8 @@ TEST_F(Mesh_io, ObjCornersAndNegativeIndices)
   EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}}));
 
   mesh = read("a.obj", head + "f 1//1 2 3//3\n"); // vertices 1 and 3 are given none
-  EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 0));
-  EXPECT_EQ(mesh.normals[3], Vector_3(0, 0, 0));
+  EXPECT_EQ(mesh.normals[1], triple(0, 0, 0));
+  EXPECT_EQ(mesh.normals[3], triple(0, 0, 0));
 }
 
 TEST_F(Mesh_io, ObjSeveralNormalsAtAVertexAreSummed)
@@ -352,12 +358,12 @@ TEST_F(Mesh_io, ObjSeveralNormalsAtAVertexAreSummed)
   const Mesh_data mesh =
     read("a.obj", points + "vn 1 0 0\nvn 0 1 0\nvn 1 0 0\nvn -1 0 0\nvn 0 0 3\n"
                            "f 1//1 2//5 3//1\nf 1//3 3//4 4//2\nf 1//2 4//2 2//5\n");
-  EXPECT_NEAR(mesh.normals[0].x(), std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(mesh.normals[0].y(), std::sqrt(0.5), 1e-15);
-  EXPECT_EQ(mesh.normals[0].z(), 0);
-  EXPECT_EQ(mesh.normals[1], Vector_3(0, 0, 3)); // a single one as it is
-  EXPECT_EQ(mesh.normals[2], Vector_3(0, 0, 0));
-  EXPECT_EQ(mesh.normals[3], Vector_3(0, 1, 0));
+  EXPECT_NEAR(mesh.normals[0][0], std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(mesh.normals[0][1], std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(mesh.normals[0][2], 0);
+  EXPECT_EQ(mesh.normals[1], triple(0, 0, 3)); // a single one as it is
+  EXPECT_EQ(mesh.normals[2], triple(0, 0, 0));
+  EXPECT_EQ(mesh.normals[3], triple(0, 1, 0));
 }
 
 TEST_F(Mesh_io, ObjNormalsThatNoFaceNames)
@@ -365,7 +371,7 @@ TEST_F(Mesh_io, ObjNormalsThatNoFaceNames)
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nvn 0 1 0\n";
   const Mesh_data mesh = read("a.obj", points + "vn 0 0 1\nf 1 2 3\n");
   ASSERT_EQ(mesh.normals.size(), 3u);
-  EXPECT_EQ(mesh.normals[1], Vector_3(0, 1, 0));
+  EXPECT_EQ(mesh.normals[1], triple(0, 1, 0));
   expect_error("a.obj", points + "f 1 2 3\n", "2 normals (vn) for 3 vertices");
 }
 
@@ -415,7 +421,7 @@ TEST_F(Mesh_io, StlTextAndBinaryMergeEqualPoints)
   for (const std::string& content : {text, binary, misleading}) {
     const Mesh_data mesh = read("a.stl", content);
     ASSERT_EQ(mesh.points.size(), 4u);
-    for (int v = 0; v < 4; ++v) EXPECT_EQ(mesh.points[v], Point_3(p[v][0], p[v][1], p[v][2]));
+    for (int v = 0; v < 4; ++v) EXPECT_EQ(mesh.points[v], triple(p[v][0], p[v][1], p[v][2]));
     EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {0, 2, 3}}));
     EXPECT_FALSE(mesh.has_normals());
   }
@@ -427,6 +433,76 @@ TEST_F(Mesh_io, StlTextAndBinaryMergeEqualPoints)
 }
 
 // No facet may get lost.
+TEST_F(Mesh_io, StlIsWrittenAsBinaryTriangles)
+{
+  Mesh_data mesh;
+  mesh.points = {{0, 0, 0}, {0.1, 0, 0}, {0, 3, 0}, {0, 0, -2}};
+  mesh.add_face(std::vector<int>{0, 1, 2});
+  mesh.add_face(std::vector<int>{0, 1, 3});
+  write_mesh(folder.file("w.stl"), mesh, Encoding::binary);
+  const std::string content = Temporary_folder::content(folder.file("w.stl"));
+  ASSERT_EQ(content.size(), 84u + 2 * 50u);
+  EXPECT_NE(content.rfind("solid", 0), 0u); // would be taken for text
+  EXPECT_EQ(content.substr(80, 4), raw(std::uint32_t(2), false));
+  const float first[] = {0, 0, 1, 0, 0, 0, 0.1f, 0, 0, 0, 3, 0}; // the normal, the corners
+  for (std::size_t i = 0; i < 12; ++i)
+    EXPECT_EQ(content.substr(84 + 4 * i, 4), raw(first[i], false)) << i;
+  EXPECT_EQ(content.substr(134 + 4, 4), raw(1.f, false)); // the second normal is 0 1 0
+  const Mesh_data again = read_mesh(folder.file("w.stl"));
+  EXPECT_EQ(faces_of(again), faces_of(mesh));
+  EXPECT_EQ(again.points[1], triple(double(0.1f), 0, 0));
+
+  mesh.points[3] = {0, 1e39, 0};
+  EXPECT_THROW(write_mesh(folder.file("w.stl"), mesh, Encoding::binary), Error);
+  EXPECT_EQ(Temporary_folder::content(folder.file("w.stl")), content);
+}
+
+TEST_F(Mesh_io, WhatIsDroppedIsNamed)
+{
+  using Names = std::vector<std::string>;
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_EQ(read("a.obj", points + "s off\nf 1 2 3\n").dropped, Names());
+  EXPECT_EQ(read("a.obj", "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n").dropped, Names());
+  EXPECT_EQ(
+    read("a.obj", points + "g a\ng b\ns 1\nvt 0 0\nusemtl m\nl 1 2\nf 1 2 3\n").dropped,
+    (Names{"groups", "smoothing groups", "texture coordinates", "materials", "lines and points"}));
+  EXPECT_EQ(read("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n").dropped,
+            Names{"colors"});
+  const std::string off = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
+  EXPECT_EQ(read("a.off", "OFF\n" + off).dropped, Names());
+  EXPECT_EQ(read("a.off", "OFF\n" + off + " 255 0 0\n").dropped, Names{"colors"});
+  EXPECT_EQ(read("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                 "y\nproperty float z\nproperty uchar red\nproperty float quality\nelement "
+                 "face 1\nproperty list uchar int vertex_indices\nelement edge 1\nproperty "
+                 "int a\nend_header\n0 0 0 1 1\n1 0 0 1 1\n0 1 0 1 1\n3 0 1 2\n0\n")
+              .dropped,
+            (Names{"colors", "the property 'quality'", "the element 'edge'"}));
+}
+
+TEST_F(Mesh_io, ObjNormalsThatDifferByMoreThanRoundingAreCounted)
+{
+  const auto several = [&](const std::string& second) {
+    return read("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn " + second +
+                           "\nf 1//1 2//1 3//1\nf 2//2 4//2 3//2\n")
+      .vertices_with_several_normals;
+  };
+  EXPECT_EQ(several("0 0 1"), 0u);
+  EXPECT_EQ(several("0.001 0 1"), 0u);
+  EXPECT_EQ(several("0 0 2"), 0u);
+  EXPECT_EQ(several("0.003 0 1"), 2u);
+}
+
+TEST_F(Mesh_io, FilesOfOtherConventionsGetAHint)
+{
+  expect_error("n.off", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "put a line OFF in front");
+  expect_error("s.stl", "SOLID a\nFACET NORMAL 0 0 1\nENDSOLID\n", "lower case");
+  for (const char* name : {"cr.off", "cr.obj", "cr.stl", "cr.ply"})
+    expect_error(name, "OFF\r3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r",
+                 std::string(name) == "cr.stl" ? "not an STL" : "carriage returns");
+  expect_error("cr.stl", "solid a\rfacet normal 0 0 1\router loop\r", "carriage returns");
+}
+
 TEST_F(Mesh_io, StlDamage)
 {
   const std::string corners = "outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
@@ -476,11 +552,11 @@ TEST_F(Mesh_io, MissingFilesFoldersAndUnknownFormats)
   EXPECT_NE(error_of(folder.file("missing.ply")).find("No such file"), std::string::npos);
   std::filesystem::create_directory(folder.file("folder.ply"));
   EXPECT_NE(error_of(folder.file("folder.ply")).find("directory"), std::string::npos);
-  EXPECT_THROW(require_readable_format("a.vtp"), Usage_error);
-  EXPECT_THROW(require_readable_format("a"), Usage_error);
-  EXPECT_THROW(require_writable_format("a.stl"), Usage_error);
-  EXPECT_NO_THROW(require_readable_format("a.STL"));
-  EXPECT_NO_THROW(require_writable_format("a.b.VTP"));
+  EXPECT_THROW(input_mesh_file("a.vtp", std::nullopt), Usage_error);
+  EXPECT_THROW(input_mesh_file("a", std::nullopt), Usage_error);
+  EXPECT_THROW(output_mesh_file("a.svg", std::nullopt), Usage_error);
+  EXPECT_NO_THROW(input_mesh_file("a.STL", std::nullopt));
+  EXPECT_NO_THROW(output_mesh_file("a.b.VTP", std::nullopt));
 }
 
 TEST_F(Mesh_io, WritingReplacesAFileAsAWholeAndLeavesNothingElse)
@@ -513,8 +589,8 @@ TEST_F(Mesh_io, FullDeviceIsAnError)
 TEST_F(Mesh_io, VtpTextHoldsTheArrays)
 {
   Mesh_data mesh;
-  mesh.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0.5)};
-  mesh.normals.assign(3, Vector_3(0, 0, 1));
+  mesh.points = {triple(0, 0, 0), triple(1, 0, 0), triple(0, 1, 0.5)};
+  mesh.normals.assign(3, triple(0, 0, 1));
   mesh.add_face(std::vector<int>{0, 1, 2});
   write_mesh(folder.file("a.vtp"), mesh, Encoding::text);
   const std::string s = Temporary_folder::content(folder.file("a.vtp"));
@@ -538,9 +614,9 @@ TEST_F(Mesh_io, VtpBinaryOffsetsLeadToTheArrays)
     return s.substr(begin + 8, bytes);
   };
   std::string points, normals;
-  for (const Point_3& p : mesh.points)
+  for (const Triple& p : mesh.points)
     for (int i = 0; i < 3; ++i) points += raw(p[i], false);
-  for (const Vector_3& n : mesh.normals)
+  for (const Triple& n : mesh.normals)
     for (int i = 0; i < 3; ++i) normals += raw(n[i], false);
   EXPECT_EQ(array("Points"), points);
   EXPECT_EQ(array("Normals"), normals);
@@ -563,8 +639,8 @@ Mesh_data soup(std::size_t points, const Faces& faces)
 {
   Mesh_data mesh;
   for (std::size_t i = 0; i < points; ++i) {
-    mesh.points.emplace_back(double(i), double(i * i), 1.0);
-    mesh.normals.emplace_back(0, double(i), 1);
+    mesh.points.push_back({double(i), double(i * i), 1.0});
+    mesh.normals.push_back({0, double(i), 1});
   }
   for (const auto& face : faces) mesh.add_face(face);
   return mesh;
@@ -624,7 +700,7 @@ TEST(Soup, DefectsAreCountedAndMended)
     ASSERT_EQ(mesh.points.size(), c.points + c.added);
     ASSERT_EQ(mesh.normals.size(), mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) { // here y = x² marks each original
-      const std::size_t original = static_cast<std::size_t>(mesh.points[v].x());
+      const std::size_t original = static_cast<std::size_t>(mesh.points[v][0]);
       EXPECT_TRUE(original == v || v >= c.points);
       EXPECT_EQ(mesh.normals[v], old.normals[original]);
     }
@@ -646,13 +722,139 @@ TEST(Soup, UnsoundElementsAreNamed)
 
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     Mesh_data mesh = soup(3, face);
-    mesh.points[2] = Point_3(0, 0, bad);
+    mesh.points[2] = triple(0, 0, bad);
     EXPECT_NE(element_error(mesh).find("vertex 2 has a coordinate"), std::string::npos);
     mesh = soup(3, face);
-    mesh.normals[1] = Vector_3(bad, 0, 0);
+    mesh.normals[1] = triple(bad, 0, 0);
     EXPECT_NE(element_error(mesh).find("vertex 1 has a normal"), std::string::npos);
   }
   Mesh_data mesh = soup(3, face);
   mesh.normals.pop_back();
   EXPECT_NE(element_error(mesh).find("2 normals for 3 vertices"), std::string::npos);
+}
+
+TEST(Soup, EqualPointsAreMergedIntoTheFirst)
+{
+  Mesh_data mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, -0.0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}};
+  mesh.normals = {{0, 0, 2}, {0, 0, 1}, {0, 3, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 5}, {0, 0, 2}};
+  mesh.add_face(std::vector<int>{0, 1, 2});
+  mesh.add_face(std::vector<int>{3, 4, 5});
+  EXPECT_EQ(merge_equal_points(mesh), 3u);
+  EXPECT_EQ(mesh.points.size(), 4u);
+  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {1, 3, 2}}));
+  EXPECT_EQ(mesh.normals[0], triple(0, 0, 2)); // equal normals stay as they are
+  EXPECT_EQ(mesh.normals[3], triple(0, 0, 1));
+  EXPECT_NEAR(mesh.normals[2][1], std::sqrt(0.5), 1e-15); // of unit normals
+  EXPECT_NEAR(mesh.normals[2][2], std::sqrt(0.5), 1e-15);
+}
+
+TEST(Soup, FacesThatVisitAVertexTwiceAreSplit)
+{
+  const struct
+  {
+    Faces faces, expected;
+    std::size_t removed, split;
+  } cases[] = {{{{0, 0, 1}}, {}, 1, 0},
+               {{{0, 1, 0, 2}}, {}, 1, 0},
+               {{{0, 1, 2, 0}}, {{0, 1, 2}}, 0, 1},
+               {{{0, 0, 1, 2, 2}}, {{0, 1, 2}}, 0, 1},
+               {{{0, 1, 2, 0, 3, 4}}, {{0, 1, 2}, {0, 3, 4}}, 0, 1},
+               {{{1, 2, 3}, {0, 1, 2, 1, 3}}, {{1, 2, 3}, {0, 1, 3}}, 0, 1}};
+  for (const auto& c : cases) {
+    Mesh_data mesh = soup(5, c.faces);
+    const Soup_repair repair = repair_soup(mesh);
+    EXPECT_EQ(repair.removed_degenerate_faces, c.removed);
+    EXPECT_EQ(repair.split_faces, c.split);
+    if (repair.added_vertices + repair.reversed_faces == 0) {
+      EXPECT_EQ(faces_of(mesh), c.expected);
+    }
+  }
+}
+
+TEST(Soup, DuplicateFacesAreRemovedFromSoupsWithDefectsOnly)
+{
+  const Faces twice{{0, 1, 2}, {1, 3, 2}, {2, 0, 1}, {2, 3, 1}};
+  Mesh_data mesh = soup(4, twice);
+  EXPECT_EQ(repair_soup(mesh).removed_duplicate_faces, 2u);
+  EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {1, 3, 2}}));
+  const Faces cushion{{0, 1, 2}, {0, 2, 1}}; // a closed surface, flat as it is
+  mesh = soup(3, cushion);
+  EXPECT_FALSE(repair_soup(mesh).changed_anything());
+  EXPECT_EQ(faces_of(mesh), cushion);
+  const Faces other_order{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 1, 2, 3}}; // same vertices, another face
+  mesh = soup(4, other_order);
+  EXPECT_EQ(repair_soup(mesh).removed_duplicate_faces, 1u);
+}
+
+// --- the mesh of a soup ---
+
+namespace {
+
+Surface by_add_face(const Mesh_data& mesh)
+{
+  Surface surface;
+  for (const Triple& p : mesh.points) surface.add_vertex(to_point(p));
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    std::vector<Surface::Vertex_index> face;
+    for (const Mesh_data::Index v : mesh.face(f)) face.emplace_back(v);
+    EXPECT_NE(surface.add_face(face), Surface::null_face());
+  }
+  return surface;
+}
+
+void expect_same_connectivity(const Surface& a, const Surface& b)
+{
+  ASSERT_EQ(a.number_of_halfedges(), b.number_of_halfedges());
+  ASSERT_EQ(a.number_of_faces(), b.number_of_faces());
+  for (const auto v : b.vertices()) ASSERT_EQ(a.halfedge(v), b.halfedge(v));
+  for (const auto f : b.faces()) ASSERT_EQ(a.halfedge(f), b.halfedge(f));
+  for (const auto h : b.halfedges()) {
+    ASSERT_EQ(a.target(h), b.target(h));
+    ASSERT_EQ(a.next(h), b.next(h));
+    ASSERT_EQ(a.prev(h), b.prev(h));
+    ASSERT_EQ(a.face(h), b.face(h));
+  }
+  EXPECT_TRUE(a.is_valid(false));
+}
+
+} // namespace
+
+TEST(Soup, BecomesTheMeshThatAddFaceMakes)
+{
+  int meshes = 0;
+  for (const char* const folder : {PN_DATA_DIR, PN_TEST_REAL_MESH_DIR}) {
+    if (!std::filesystem::is_directory(folder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".off" && extension != ".ply" && extension != ".obj") continue;
+      Mesh_data mesh;
+      try {
+        mesh = read_mesh(entry.path().string());
+        require_sound_elements(mesh);
+      } catch (const Error&) {
+        continue;
+      }
+      if (!find_defects(mesh).none()) continue;
+      SCOPED_TRACE(entry.path());
+      expect_same_connectivity(make_surface(mesh), by_add_face(mesh));
+      ++meshes;
+    }
+  }
+  EXPECT_GT(meshes, 15);
+  EXPECT_THROW(make_surface(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})), Error);
+  EXPECT_THROW(make_surface(soup(4, {{0, 1, 2}, {1, 2, 3}})), Error);
+}
+
+// With a walk round the vertex for each face this would be 10^11 steps.
+TEST(Soup, AVertexOfLargeValence)
+{
+  constexpr unsigned n = 500000;
+  Mesh_data mesh;
+  mesh.points.assign(n + 1, Triple{0, 0, 0});
+  for (unsigned i = 0; i < n; ++i) mesh.add_face(std::vector<unsigned>{n, i, (i + 1) % n});
+  EXPECT_TRUE(find_defects(mesh).none());
+  const Surface surface = make_surface(mesh);
+  EXPECT_EQ(surface.number_of_edges(), 2 * n);
+  EXPECT_EQ(surface.face(surface.halfedge(Surface::Vertex_index(n))), Surface::Face_index(n - 1));
 }

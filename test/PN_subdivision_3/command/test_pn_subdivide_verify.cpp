@@ -46,7 +46,7 @@ protected:
   Printed verified(const std::string& arguments) const
   {
     SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments);
+    const Outcome outcome = run(arguments + " --quiet");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     return printed(outcome);

@@ -3,68 +3,30 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_EXAMPLES_CURVE_SVG_H
-#define CGAL_PN_SUBDIVISION_3_EXAMPLES_CURVE_SVG_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_SVG_WRITER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_SVG_WRITER_H
 
-#include <CGAL/PN_subdivision_curve.h>
+#include <CGAL/PN_subdivision_3/curves/Curve_svg_panel.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <functional>
 #include <iomanip>
+#include <ostream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-// Draws plane curves with their control polygons, control normals and curvature combs as SVG. The
-// colors follow the reader's light or dark mode. Used by the examples and by the command.
+// The parts of a drawing of curves. Lengths that are said to be in units of the drawing are pixels at
+// its natural size; what is finer is left out.
+
+namespace CGAL {
+namespace PN_subdivision_3 {
 namespace curve_svg {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_2;
-using Vector = Kernel::Vector_2;
-
-using Curve = std::vector<std::pair<Point, Vector>>;
-using CGAL::PN_subdivision_3::Curve_end;
-
-// One curve of a drawing.
-struct Panel
-{
-  std::string caption;
-  bool closed = false;
-  std::vector<Point> curve;
-  std::vector<Point> control_points;
-  std::vector<Vector> control_normals; // of unit length or, seen from the side, shorter
-  std::vector<double> curvature;       // at the points of the curve
-  // The ends of the comb's teeth, if a curvature of 1 gives a tooth of length `scale`; empty for a
-  // drawing without comb.
-  std::function<std::vector<Point>(double scale)> comb;
-};
-
-inline Panel panel(const std::string& caption, const Curve& polygon, const Curve& curve,
-                   Curve_end end)
-{
-  Panel p;
-  p.caption = caption;
-  p.closed = end == Curve_end::closed;
-  for (const auto& [point, normal] : polygon) {
-    p.control_points.push_back(point);
-    p.control_normals.push_back(normal);
-  }
-  for (const auto& point_and_normal : curve) p.curve.push_back(point_and_normal.first);
-  p.curvature = CGAL::PN_subdivision_3::discrete_curvature(p.curve, end);
-  p.comb = [points = p.curve, end](double scale) {
-    return CGAL::PN_subdivision_3::curvature_comb(points, end, scale);
-  };
-  return p;
-}
-
 namespace internal {
 
 constexpr double panel_width = 640, panel_height = 640, several = 0.7, margin = 28, gap = 40,
@@ -72,6 +34,8 @@ constexpr double panel_width = 640, panel_height = 640, several = 0.7, margin = 
 constexpr double tooth_distance = 7; // in units of the drawing
 // how far and with what turns paths are drawn in one line
 constexpr double detail = 1.8, longest = 60, straight = 0.025;
+// below which two points are one, and the size of the cells that show one dot or arrow
+constexpr double invisible = 0.25, dot = 1;
 
 inline double length(const Vector& v)
 {
@@ -174,13 +138,19 @@ public:
          << "\"/>\n";
     out_ << "<path class=\"curve\" d=\"" << path(panel_.curve, panel_.closed, true) << "\"/>\n";
     write_normals();
+    std::set<Cell> drawn;
     for (const Point& p : panel_.control_points)
-      out_ << "<circle cx=\"" << x(p) << "\" cy=\"" << y(p) << "\" r=\"3.4\"/>\n";
+      if (drawn.insert(cell(p)).second)
+        out_ << "<circle cx=\"" << x(p) << "\" cy=\"" << y(p) << "\" r=\"3.4\"/>\n";
   }
 
 private:
   double x(const Point& p) const { return left_.x() + unit_ * (p.x() - left_.y()); }
   double y(const Point& p) const { return unit_ * (upper_ - p.y()); }
+
+  // Dots in one cell hide each other.
+  using Cell = std::pair<long, long>;
+  Cell cell(const Point& p) const { return {std::lround(x(p) / dot), std::lround(y(p) / dot)}; }
 
   std::string pair(const Point& p) const
   {
@@ -198,13 +168,18 @@ private:
     return length(in) > longest || in * out < 0 || turn > straight * length(in) * length(out);
   }
 
+  // Nobody sees that these are two points.
+  bool is_near(const Point& p, const Point& q) const { return unit_ * length(q - p) < invisible; }
+
+  // With `thinned` as few of the points as a smooth line needs, otherwise all that can be told apart.
   std::string path(const std::vector<Point>& points, bool closed, bool thinned) const
   {
     std::string d;
     std::size_t last = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const bool is_end = i == 0 || i + 1 == points.size();
-      if (!is_end && thinned && !is_needed(points, last, i)) continue;
+      if (!is_end && (thinned ? !is_needed(points, last, i) : is_near(points[last], points[i])))
+        continue;
       d += (i == 0 ? 'M' : ' ') + pair(points[i]); // after M a line to each
       last = i;
     }
@@ -243,10 +218,11 @@ private:
   void write_normals() const
   {
     const std::vector<Point> tips = arrow_tips(panel_, scales_);
+    std::set<std::pair<Cell, Cell>> drawn;
     for (std::size_t i = 0; i < tips.size(); ++i) {
       const Point& p = panel_.control_points[i];
       const double l = unit_ * length(tips[i] - p);
-      if (!(l > 4)) continue;
+      if (!(l > 4) || !drawn.emplace(cell(p), cell(tips[i])).second) continue;
       const Vector n = (tips[i] - p) / l;
       const Point neck = tips[i] - (std::min)(7., l / 2) * n;
       const Vector side = 2.6 * Vector(-n.y(), n.x());
@@ -284,58 +260,8 @@ inline const char* style()
 }
 
 } // namespace internal
-
-// The text of an SVG file with the curves side by side, at one scale, and their combs too.
-inline std::string drawing(const std::string& title, const std::vector<Panel>& panels)
-{
-  using namespace internal;
-  const Scales s = scales(panels);
-  double width = 0, height = 0;
-  for (const Panel& panel : panels) {
-    const CGAL::Bbox_2 b = box(panel, s);
-    width = (std::max)(width, b.xmax() - b.xmin());
-    height = (std::max)(height, b.ymax() - b.ymin());
-  }
-  double unit = 1;
-  if (s.size > 0) unit = (std::min)(panel_width / width, panel_height / height);
-  if (panels.size() > 1) unit = (std::min)(several * panel_width / width, panel_height / height);
-  const double inner = unit * height;
-
-  std::ostringstream body;
-  body << std::fixed << std::setprecision(1);
-  double left = margin;
-  for (const Panel& panel : panels) {
-    const CGAL::Bbox_2 b = box(panel, s);
-    const double place = (std::max)(unit * (b.xmax() - b.xmin()), 7.5 * panel.caption.size());
-    const double middle_x = (b.xmin() + b.xmax()) / 2, middle_y = (b.ymin() + b.ymax()) / 2;
-    const double upper = middle_y + (margin + inner / 2) / unit;
-    Panel_writer(body, panel, s, unit, Point(left + place / 2, middle_x), upper).write();
-    body << "<text x=\"" << left + place / 2 << "\" y=\"" << margin + inner + caption_height
-         << "\">" << escaped(panel.caption) << "</text>\n";
-    left += place + gap;
-  }
-
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(1);
-  const double whole_width = left - gap + margin;
-  const double whole_height = 2 * margin + inner + caption_height - 6;
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << whole_width << ' '
-      << whole_height << "\" width=\"" << whole_width << "\" height=\"" << whole_height
-      << "\">\n<title>" << escaped(title) << "</title>\n"
-      << style() << "<rect class=\"paper\" width=\"100%\" height=\"100%\" rx=\"8\"/>\n"
-      << body.str() << "</svg>\n";
-  return out.str();
-}
-
-// Writes the drawing to a file; false if that fails.
-inline bool write(const std::string& file, const std::string& title,
-                  const std::vector<Panel>& panels)
-{
-  std::ofstream out(file);
-  out << drawing(title, panels) << std::flush;
-  return out.good();
-}
-
 } // namespace curve_svg
+} // namespace PN_subdivision_3
+} // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_EXAMPLES_CURVE_SVG_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_SVG_WRITER_H

@@ -1,0 +1,234 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The command line. What it means is in surface_command.h and curve_command.h.
+
+#include "command_line.h"
+
+#include "curve/curve_scheme_names.h"
+#include "io/Error.h"
+#include "io/mesh_io.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace pn_subdivide {
+namespace {
+
+const char* const exit_codes =
+  "Exit code: 0 success, 1 failure, 2 wrong command line; a failure prints one line on standard\n"
+  "error and leaves OUTPUT as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
+
+const char* const surface_footer =
+  "Messages count vertices and faces from 0. The normals in OUTPUT are the control normals for a\n"
+  "further round. They are not those of the surface, from which they may be far off (up to 70\n"
+  "degrees on coarse meshes).\n";
+
+const char* const curve_footer =
+  "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
+  "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. In "
+  "the\nplane missing normals are estimated. Messages count lines from 1.\n";
+
+// Alone CLI11 takes an empty word, as of a shell variable that is not set, for 0, and words that
+// begin with 0 for octal or hexadecimal numbers.
+CLI::Validator whole_number()
+{
+  const auto check = [](std::string& word) {
+    if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos)
+      return "'" + word + "' is not a whole number";
+    word.erase(0, (std::min)(word.find_first_not_of('0'), word.size() - 1));
+    return std::string();
+  };
+  return CLI::Validator(check, "");
+}
+
+// A number or a fraction such as 1/16.
+double parse_fraction(const std::string& option, const std::string& text)
+{
+  std::istringstream in(text);
+  double numerator = 0, denominator = 1;
+  char slash = 0;
+  in >> numerator;
+  bool good = !in.fail();
+  if (good && in >> slash) good = slash == '/' && (in >> denominator) && denominator != 0;
+  if (!good || !(in >> std::ws).eof())
+    throw Usage_error(option + " '" + text + "': it takes a number or a fraction such as 1/16");
+  return numerator / denominator;
+}
+
+// --- options that both commands have ---
+
+void add_levels(CLI::App& command, unsigned& levels)
+{
+  command.add_option("--levels", levels, "Rounds of subdivision; 0 copies the control data")
+    ->transform(whole_number())
+    ->capture_default_str();
+}
+
+void add_linear(CLI::App& command, bool& linear)
+{
+  command.add_flag("--linear", linear, "The linear scheme, without normals");
+}
+
+void add_quiet(CLI::App& command, bool& quiet)
+{
+  command.add_flag("--quiet", quiet, "No progress and no closing line; warnings are still printed");
+}
+
+void add_verify_options(CLI::App& command, Verify_options& options, const std::string& shapes)
+{
+  CLI::Option* const verify =
+    command.add_option("--verify", options.shape,
+                       "Print the largest deviation D of the result from " + shapes +
+                         ", and the bound (5 R + 3 |C|) 2^-52 that it keeps if the control data is "
+                         "on the shape up to rounding");
+  command
+    .add_option("--tolerance", options.tolerance,
+                "With --verify: exit with 3, OUTPUT written, if D is more than this times R")
+    ->check([](const std::string& word) { return word.empty() ? "a number is expected" : ""; })
+    ->needs(verify);
+}
+
+// --- surface ---
+
+// What a parameter of schemes is, where its name does not tell.
+std::string meaning(const std::string& parameter)
+{
+  if (parameter == "tension") return "The tension of ";
+  if (parameter == "cap") return "C in the bound C lambda^2 of the eigenvalues, 0 < C <= 1, of ";
+  return "The parameter of ";
+}
+
+void add_scheme_options(CLI::App& command, Scheme_choice& choice)
+{
+  command
+    .add_option("--scheme", choice.scheme,
+                scheme_names() + "; default: loop if all faces are triangles, otherwise "
+                                 "catmull-clark")
+    ->check([](const std::string& word) { return word.empty() ? "a scheme is expected" : ""; });
+  command.add_option("--normal-scheme", choice.normal_scheme,
+                     "Another scheme for the normals, with the same split of the faces");
+  for (const Scheme_parameter& p : scheme_parameters()) {
+    std::string schemes;
+    for (const std::string& scheme : p.schemes) schemes += (schemes.empty() ? "" : ", ") + scheme;
+    std::ostringstream default_value;
+    default_value << p.default_value;
+    command.add_option_function<std::string>(
+      "--" + p.name,
+      [&choice, name = p.name](const std::string& text) {
+        choice.parameters[name] = parse_fraction("--" + name, text);
+      },
+      meaning(p.name) + schemes + "; a number or a fraction, default " + default_value.str());
+  }
+}
+
+void add_repair_options(CLI::App& command, Surface_options& options)
+{
+  command.add_flag("--merge-points", options.merge_points,
+                   "Merge vertices with equal points; of different normals the normalized sum");
+  command.add_flag(
+    "--repair", options.repair,
+    "Orient the faces, split or remove faces that visit a vertex twice, remove "
+    "duplicate faces, duplicate non-manifold edges and vertices; say what was changed");
+  command.add_flag("--triangulate", options.triangulate,
+                   "Split faces with more than three vertices before anything else");
+}
+
+void add_surface_command(CLI::App& app, Surface_options& options)
+{
+  CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
+  surface.footer(std::string(surface_footer) + exit_codes);
+  surface.add_option("INPUT", options.input, "Control mesh; - for standard input")->required();
+  surface.add_option("OUTPUT", options.output, "Refined mesh; - for standard output")->required();
+  surface.add_option("--format", options.format,
+                     "Format of standard input and output: " + writable_formats() +
+                       " (vtp is written only)");
+  add_scheme_options(surface, options.scheme);
+  add_levels(surface, options.levels);
+  add_linear(surface, options.linear);
+  surface.add_option("--normals", options.normals,
+                     "Control normals: auto (the file's if it has any, else estimated), file, "
+                     "estimate, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
+  surface.add_option("--curvature", options.curvature,
+                     "Add gaussian or mean curvature to the vertices, and colors for it, "
+                     "symmetric about 0 (.ply, .vtp)");
+  surface.add_option("--threads", options.threads, "Number of threads; 0 for all cores")
+    ->transform(whole_number())
+    ->capture_default_str();
+  add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
+  add_repair_options(surface, options);
+  surface.add_flag("--ascii", options.ascii, "PLY and VTP as text");
+  add_quiet(surface, options.quiet);
+}
+
+// --- curve ---
+
+void add_curve_command(CLI::App& app, Curve_options& options)
+{
+  CLI::App& curve = *app.add_subcommand("curve", "Subdivide a polygon in the plane or in space");
+  curve.footer(std::string(curve_footer) + exit_codes);
+  curve.add_option("INPUT", options.input, "Control polygon; - for standard input")->required();
+  curve.add_option("OUTPUT", options.output, "Refined curve; - for standard output")->required();
+  curve.add_option("--scheme", options.scheme, curve_scheme_names())->required();
+  curve.add_option("--normal-scheme", options.normal_scheme,
+                   "Another scheme for the normals; both primal (odd degrees, N-point) or both "
+                   "dual (even degrees)");
+  add_levels(curve, options.levels);
+  add_linear(curve, options.linear);
+  curve.add_flag("--closed", options.closed,
+                 "The polygon is closed; its first vertex is not repeated");
+  curve.add_option("--end", options.end,
+                   "Ends of an open polygon: reflect (default for primal schemes: up to the end "
+                   "points) or none (default for dual ones: as far as whole stencils reach)");
+  curve.add_option("--comb", options.comb,
+                   "Draw curve, control polygon, control normals and curvature comb into this "
+                   "SVG file");
+  add_verify_options(curve, options.verify,
+                     "circle:X,Y,R or, in space, circle:X,Y,Z,NX,NY,NZ,R, sphere:X,Y,Z,R or "
+                     "cylinder:X,Y,Z,DX,DY,DZ,R");
+  add_quiet(curve, options.quiet);
+}
+
+// A dot before each name: ".ply .off".
+std::string extensions(std::string formats)
+{
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    if (i == 0 || formats[i - 1] == ' ') formats.insert(i++, ".");
+  return formats;
+}
+
+} // namespace
+
+Command parse_command_line(int argc, char** argv)
+{
+  CLI::App app(
+    "Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what they "
+    "are",
+    "pn_subdivide");
+  app.set_version_flag("--version", PN_SUBDIVIDE_VERSION);
+  app.require_subcommand(1);
+  app.footer("Meshes: reads " + extensions(readable_formats()) + ", writes " +
+             extensions(writable_formats()) + ".\n" + exit_codes);
+
+  Surface_options surface;
+  add_surface_command(app, surface);
+  Curve_options curve;
+  add_curve_command(app, curve);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
+      throw Usage_error(std::string(e.what()) + " (see pn_subdivide --help)");
+    app.exit(e);
+    return {};
+  }
+  if (app.got_subcommand("curve")) return curve;
+  return surface;
+}
+
+} // namespace pn_subdivide

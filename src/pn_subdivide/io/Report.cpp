@@ -1,0 +1,33 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Report.h"
+
+#include <cstdio>
+
+namespace pn_subdivide {
+
+double Report::seconds() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void Report::progress(const std::string& text) const
+{
+  if (!quiet_) std::fprintf(stderr, "%s, %.2f s\n", text.c_str(), seconds());
+}
+
+void Report::print_warnings() const
+{
+  for (const std::string& w : warnings_) std::fprintf(stderr, "warning: %s\n", w.c_str());
+}
+
+void Report::print_notes() const
+{
+  if (quiet_) return;
+  for (const std::string& n : notes_) std::fprintf(stderr, "%s\n", n.c_str());
+}
+
+} // namespace pn_subdivide

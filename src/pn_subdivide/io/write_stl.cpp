@@ -1,0 +1,78 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Error.h"
+#include "io/Output_file.h"
+#include "io/formats.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace pn_subdivide {
+namespace {
+
+void require_room(const Mesh_data& mesh)
+{
+  if (mesh.number_of_faces() > std::numeric_limits<std::uint32_t>::max())
+    throw Error("STL files hold at most 2^32 - 1 triangles, not " +
+                std::to_string(mesh.number_of_faces()));
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    for (const double x : mesh.points[v])
+      if (!(std::abs(x) <= double(std::numeric_limits<float>::max())))
+        throw Error("vertex " + std::to_string(v) +
+                    " has a coordinate that is too great for the single precision of STL");
+}
+
+void write_triple(Output_file& out, const Triple& t)
+{
+  for (const double x : t) out.little_endian(static_cast<float>(x));
+}
+
+// Of the triangle a b c; zero if it has no area.
+Triple unit_normal(const Triple& a, const Triple& b, const Triple& c)
+{
+  Triple u{}, v{};
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = b[i] - a[i];
+    v[i] = c[i] - a[i];
+    largest = std::fmax(largest, std::fmax(std::abs(u[i]), std::abs(v[i])));
+  }
+  if (!(largest > 0)) return {0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] /= largest;
+    v[i] /= largest;
+  }
+  const Triple n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]};
+  const double length = std::hypot(n[0], n[1], n[2]);
+  if (!(length > 0)) return {0, 0, 0};
+  return {n[0] / length, n[1] / length, n[2] / length};
+}
+
+} // namespace
+
+void write_stl(Output_file& out, const Mesh_data& mesh, Encoding)
+{
+  require_room(mesh);
+  std::string header = "binary STL written by pn_subdivide"; // not to begin with 'solid'
+  header.resize(80);
+  out.text(header);
+  out.little_endian(static_cast<std::uint32_t>(mesh.number_of_faces()));
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Mesh_data::Face face = mesh.face(f);
+    if (face.size() != 3) throw Error("STL files hold triangles only");
+    const auto corner = [&](std::size_t i) -> const Triple& {
+      return mesh.points[face.begin()[i]];
+    };
+    write_triple(out, unit_normal(corner(0), corner(1), corner(2)));
+    for (std::size_t i = 0; i < 3; ++i) write_triple(out, corner(i));
+    out.little_endian(std::uint16_t(0));
+  }
+}
+
+} // namespace pn_subdivide

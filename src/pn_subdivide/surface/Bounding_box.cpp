@@ -1,0 +1,40 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/Bounding_box.h"
+
+#include <algorithm>
+
+namespace pn_subdivide {
+
+Bounding_box::Bounding_box(const std::vector<Triple>& points)
+  : low(points.front())
+  , high(points.front())
+{
+  for (const Triple& p : points)
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+}
+
+Excess excess(const Bounding_box& control, const Bounding_box& result)
+{
+  constexpr double flat = 1e-9; // of the largest extent: only rounding
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    largest = (std::max)(largest, control.high[i] - control.low[i]);
+  Excess worst;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double extent = control.high[i] - control.low[i];
+    if (!(extent > flat * largest)) continue;
+    const double beyond =
+      (std::max)(control.low[i] - result.low[i], result.high[i] - control.high[i]);
+    if (beyond / extent > worst.ratio) worst = {beyond / extent, "xyz"[i]};
+  }
+  return worst;
+}
+
+} // namespace pn_subdivide

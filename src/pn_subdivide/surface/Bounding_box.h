@@ -1,0 +1,35 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_BOUNDING_BOX_H
+#define PN_SUBDIVIDE_BOUNDING_BOX_H
+
+#include "io/Mesh_data.h"
+
+#include <string>
+#include <vector>
+
+namespace pn_subdivide {
+
+// The smallest box along the axes that holds the points; there must be one.
+struct Bounding_box
+{
+  explicit Bounding_box(const std::vector<Triple>& points);
+
+  Triple low, high;
+};
+
+// How far the result leaves the box of the control mesh on one side, in units of the box's extent in
+// that direction, and in which direction that is most. Directions without extent do not count.
+struct Excess
+{
+  double ratio = 0;
+  char direction = 'x';
+};
+Excess excess(const Bounding_box& control, const Bounding_box& result);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_BOUNDING_BOX_H

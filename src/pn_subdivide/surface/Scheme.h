@@ -1,0 +1,31 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_SCHEME_H
+#define PN_SUBDIVIDE_SCHEME_H
+
+#include "surface/surface_schemes.h"
+
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
+
+#include <string>
+#include <type_traits>
+#include <variant>
+
+namespace pn_subdivide {
+
+using Scheme = CGAL::PN_subdivision_3::Shipped_schemes::apply<std::variant>;
+
+// The scheme of this name with the parameters of the choice. Throws Usage_error, which begins with the
+// option, if there is none, or if a parameter is out of range.
+Scheme make_scheme(const std::string& option, const std::string& name, const Scheme_choice& choice);
+
+// Can one give the normals of the other?
+template <class S, class T>
+constexpr bool have_same_host = std::is_same_v<typename S::Host, typename T::Host>;
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_SCHEME_H

@@ -1,0 +1,23 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_VERIFY_OPTIONS_H
+#define PN_SUBDIVIDE_VERIFY_OPTIONS_H
+
+#include <optional>
+#include <string>
+
+namespace pn_subdivide {
+
+// --verify and --tolerance as they are on the command line.
+struct Verify_options
+{
+  std::optional<std::string> shape;
+  std::optional<double> tolerance;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_VERIFY_OPTIONS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/control_mesh.h"
+
+#include "io/Error.h"
+#include "io/soup_check.h"
+#include "io/soup_repair.h"
+#include "surface/Surface.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace pn_subdivide {
+namespace {
+
+constexpr std::uintmax_t bytes_worth_a_report = 1 << 23;
+
+void announce_reading(const Mesh_file& file, const Report& report)
+{
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file.name, error);
+  if (!error && bytes >= bytes_worth_a_report)
+    report.progress("reading " + file.name + " (" + std::to_string(bytes >> 20) + " MB)");
+}
+
+void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Report& report)
+{
+  if (mesh.dropped.empty()) return;
+  std::string list;
+  for (std::size_t i = 0; i < mesh.dropped.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == mesh.dropped.size() ? " and " : ", ") + mesh.dropped[i];
+  report.warn(name + ": not carried over to the result: " + list);
+}
+
+void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
+                   Report& report)
+{
+  if (options.repair) {
+    const Soup_repair repair = repair_soup(mesh);
+    if (repair.changed_anything()) report.warn(name + ": " + repair.description());
+  }
+  require_sound_elements(mesh);
+  const Soup_defects defects = find_defects(mesh);
+  if (defects.none()) return;
+  throw Error(options.repair
+                ? "--repair did not mend everything: " + defects.description()
+                : defects.description() + "; --repair orients the faces and duplicates "
+                                          "such edges and vertices");
+}
+
+std::string plural(std::size_t n, const std::string& one, const std::string& many)
+{
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& report)
+{
+  Surface surface = make_surface(mesh);
+  const std::size_t split = triangulate(surface);
+  if (split == 0) return;
+  mesh = to_mesh_data(surface);
+  report.note(name + ": " + plural(split, "face", "faces") + " split into triangles");
+}
+
+bool is_triangle(const Mesh_data::Face& face)
+{
+  return face.size() == 3;
+}
+
+} // namespace
+
+std::string size_of(const Mesh_data& mesh)
+{
+  return plural(mesh.points.size(), "vertex", "vertices") + ", " +
+         plural(mesh.number_of_faces(), "face", "faces");
+}
+
+Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& options, Report& report)
+{
+  const std::string name = file.title("standard input");
+  announce_reading(file, report);
+  Mesh_data mesh = read_mesh(file);
+  if (mesh.number_of_faces() >= faces_worth_a_report)
+    report.progress("read " + name + ": " + size_of(mesh));
+  report_what_is_dropped(mesh, name, report);
+
+  require_finite_elements(mesh);
+  const std::size_t several_normals = mesh.vertices_with_several_normals;
+  if (options.merge_points) {
+    const std::size_t merged = merge_equal_points(mesh);
+    if (merged > 0)
+      report.note(name + ": " + plural(merged, "vertex", "vertices") + " merged with an equal one");
+  }
+  make_manifold(mesh, name, options, report);
+  if (options.triangulate) split_into_triangles(mesh, name, report);
+  mesh.vertices_with_several_normals = several_normals;
+  return mesh;
+}
+
+Scheme_choice chosen_scheme(const Mesh_data& mesh, const Scheme_choice& choice)
+{
+  if (!choice.scheme.empty()) return choice;
+  bool triangles = true;
+  for (std::size_t f = 0; f < mesh.number_of_faces() && triangles; ++f)
+    triangles = is_triangle(mesh.face(f));
+  Scheme_choice chosen = choice;
+  chosen.scheme = triangles ? "loop" : "catmull-clark";
+  require_surface_schemes(chosen);
+  return chosen;
+}
+
+void require_faces_for_scheme(const Mesh_data& mesh, const Scheme_choice& choice)
+{
+  if (!needs_triangles(choice.scheme)) return;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    if (!is_triangle(mesh.face(f)))
+      throw Error("face " + std::to_string(f) + " has " + std::to_string(mesh.face(f).size()) +
+                  " vertices, and " + choice.scheme +
+                  " refines triangles only; --triangulate splits such faces");
+}
+
+} // namespace pn_subdivide

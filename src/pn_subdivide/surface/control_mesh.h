@@ -1,0 +1,33 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CONTROL_MESH_H
+#define PN_SUBDIVIDE_CONTROL_MESH_H
+
+#include "io/Report.h"
+#include "io/mesh_io.h"
+#include "surface/surface_command.h"
+
+namespace pn_subdivide {
+
+// The mesh of a file as the options want it: an oriented 2-manifold, its equal points merged, its faces
+// split into triangles. Reports what was changed and what the command does not carry. Throws Error.
+Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& options, Report& report);
+
+// The scheme of the options or, where they name none, the one that suits the faces.
+Scheme_choice chosen_scheme(const Mesh_data& mesh, const Scheme_choice& choice);
+
+// Throws Error if the scheme wants triangles and a face is none.
+void require_faces_for_scheme(const Mesh_data& mesh, const Scheme_choice& choice);
+
+// As in "26 vertices, 24 faces".
+std::string size_of(const Mesh_data& mesh);
+
+// Steps on fewer faces are done before anybody could read about them.
+constexpr std::size_t faces_worth_a_report = 100000;
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CONTROL_MESH_H

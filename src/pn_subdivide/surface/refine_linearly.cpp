@@ -1,0 +1,27 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/refine.h"
+
+#include <CGAL/PN_subdivision_3.h>
+
+namespace pn_subdivide {
+
+// With one thread the result is the same as with several, bit for bit.
+using Tag = CGAL::Parallel_if_available_tag;
+
+void refine_linearly(Surface& surface, const Scheme& scheme, const Refinement& refinement)
+{
+  std::visit(
+    [&](const auto& s) {
+      CGAL::PN_subdivision_3::subdivide<Tag>(
+        surface, CGAL::PN_subdivision_3::linear(s),
+        CGAL::parameters::number_of_iterations(refinement.levels)
+          .visitor(Round_visitor{refinement.round_done}));
+    },
+    scheme);
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,42 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/refine_surface.h"
+
+#include "io/Error.h"
+#include "surface/refine.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+namespace pn_subdivide {
+
+void require_threads(unsigned threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  (void)threads;
+#else
+  if (threads > 1)
+    throw Usage_error("--threads: this program was built without TBB and has one thread only");
+#endif
+}
+
+void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, refinement.threads);
+#endif
+  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const std::optional<Normal_map> normals = normals_of(surface);
+  if (!normals) return refine_linearly(surface, scheme, refinement);
+  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
+    return refine_with_normal_scheme(surface, *normals, scheme,
+                                     make_scheme("--normal-scheme", *choice.normal_scheme, choice),
+                                     refinement);
+  refine_with_normals(surface, *normals, scheme, refinement);
+}
+
+} // namespace pn_subdivide

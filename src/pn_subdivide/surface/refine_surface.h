@@ -1,0 +1,33 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_REFINE_SURFACE_H
+#define PN_SUBDIVIDE_REFINE_SURFACE_H
+
+#include "surface/Surface.h"
+#include "surface/surface_schemes.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace pn_subdivide {
+
+struct Refinement
+{
+  unsigned levels = 1;
+  unsigned threads = 1;
+  std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
+};
+
+// Throws Usage_error if this program was built without TBB and there is more than one thread.
+void require_threads(unsigned threads);
+
+// Refines with the scheme, point-normal if the mesh has normals, linear if not. Old vertices come
+// first in the result, in their order, but for Doo-Sabin. Passes on the library's exceptions.
+void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_REFINE_SURFACE_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Where the command reads from and writes to: standard input and output, links, and what a signal
+// leaves behind.
+
+#include "Command_test.h"
+
+#include "io/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#ifdef __unix__
+#  include <chrono>
+#  include <csignal>
+#  include <fcntl.h>
+#  include <sys/stat.h>
+#  include <thread>
+#  include <unistd.h>
+#endif
+
+using namespace pn_subdivide;
+
+namespace {
+
+const char* const cube =
+  "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
+  "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+class Streams : public Command_test
+{
+protected:
+  std::string quoted(const std::string& name) const { return "'" + folder.file(name) + "'"; }
+};
+
+} // namespace
+
+TEST_F(Streams, TheSameBytesAsInFiles)
+{
+  folder.write("cube.off", cube);
+  for (const std::string format : {"ply", "off", "obj", "stl", "vtp"}) {
+    const std::string file = "file." + format;
+    ASSERT_EQ(run("surface " + quoted("cube.off") + " " + quoted(file) + " --levels 2").code, 0);
+    const std::string expected = Temporary_folder::content(folder.file(file));
+    EXPECT_GT(expected.size(), 100u);
+
+    const Outcome out =
+      run("surface " + quoted("cube.off") + " - --levels 2 --quiet --format " + format);
+    EXPECT_EQ(out.code, 0) << out.err;
+    EXPECT_EQ(out.err, "");
+    EXPECT_TRUE(out.out == expected) << format;
+  }
+  // the format of standard input says nothing about a file
+  const Outcome in = run("surface - " + quoted("in.ply") + " --levels 2 --format off",
+                         "cat " + quoted("cube.off") + " | ");
+  EXPECT_EQ(in.code, 0) << in.err;
+  EXPECT_EQ(Temporary_folder::content(folder.file("in.ply")),
+            Temporary_folder::content(folder.file("file.ply")));
+
+  const Outcome both =
+    run("surface - - --levels 2 --quiet --format OFF", "cat " + quoted("cube.off") + " | ");
+  EXPECT_EQ(both.out, Temporary_folder::content(folder.file("file.off")));
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
+TEST_F(Streams, Curves)
+{
+  folder.write("p.txt", "0 0\n1 0\n1 1\n");
+  const std::string options = "--closed --scheme chaikin --quiet";
+  ASSERT_EQ(run("curve " + quoted("p.txt") + " " + quoted("c.txt") + " " + options).code, 0);
+  const Outcome both = run("curve - - " + options, "cat " + quoted("p.txt") + " | ");
+  EXPECT_EQ(both.code, 0) << both.err;
+  EXPECT_EQ(both.out, Temporary_folder::content(folder.file("c.txt")));
+  expect_one_line(run("curve - - --comb - " + options, "cat " + quoted("p.txt") + " | "), 2,
+                  "--comb");
+}
+
+TEST_F(Streams, WhatTheyNeed)
+{
+  folder.write("cube.off", cube);
+  const std::string file = quoted("cube.off"), out = quoted("o.ply");
+  expect_one_line(run("surface - " + out), 2, "--format");
+  expect_one_line(run("surface " + file + " -"), 2, "--format");
+  expect_one_line(run("surface - " + out + " --format vtp"), 2,
+                  "one of ply off obj stl to be read");
+  expect_one_line(run("surface " + file + " - --format svg"), 2, "--format 'svg'");
+  expect_one_line(run("surface " + file + " " + out + " --format ply"), 2, "--format");
+  expect_one_line(run("surface - - --format off </dev/null"), 1, "standard input: nothing came in");
+  expect_one_line(run("surface - - --format off", "echo Dear Sir | "), 1, "not an OFF file");
+  EXPECT_EQ(folder.number_of_files(), 1u);
+}
+
+// A reader of standard output must not take the first half of a mesh for a mesh.
+TEST_F(Streams, AFailureWritesNothing)
+{
+  folder.write("cube.off", cube);
+  const std::string start = "surface " + quoted("cube.off") + " - --quiet --format ply ";
+  expect_one_line(run(start + "--scheme loop"), 1, "--triangulate");
+  expect_one_line(run(start + "--levels 20"), 1, "round");
+  expect_one_line(run(start + "--verify circle:0,0,1"), 2, "circle");
+  if (std::filesystem::exists("/dev/full")) {
+    const std::string err = work.file("message");
+    EXPECT_NE(std::system(("'" PN_SUBDIVIDE_COMMAND "' " + start + " --levels 4 >/dev/full 2>'" +
+                           err + "'")
+                            .c_str()),
+              0);
+    EXPECT_EQ(Temporary_folder::content(err).rfind("pn_subdivide: standard output: writing failed", 0),
+              0u)
+      << Temporary_folder::content(err);
+  }
+}
+
+TEST_F(Streams, TheDeviationDoesNotGetIntoTheMesh)
+{
+  folder.write("cube.off", cube);
+  const std::string start = "surface " + quoted("cube.off") + " - --quiet --format off ";
+  const Outcome plain = run(start), verified = run(start + "--verify sphere:0,0,0,2");
+  EXPECT_EQ(verified.out, plain.out);
+  EXPECT_EQ(verified.err.rfind("deviation ", 0), 0u) << verified.err;
+}
+
+#ifdef __unix__
+
+TEST_F(Streams, LinksAreWrittenThrough)
+{
+  namespace fs = std::filesystem;
+  folder.write("cube.off", cube);
+  const auto write_to = [&](const std::string& name) {
+    const Outcome outcome = run("surface " + quoted("cube.off") + " " + quoted(name) + " --quiet");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(fs::is_symlink(folder.file(name))) << name;
+  };
+  fs::create_directory(folder.file("deep"));
+  folder.write("deep/old.ply", "old");
+  fs::create_symlink("deep/old.ply", folder.file("to_old.ply"));
+  write_to("to_old.ply");
+  EXPECT_EQ(read_mesh(folder.file("deep/old.ply")).points.size(), 26u);
+
+  fs::create_symlink("deep/new.ply", folder.file("to_new.ply")); // there is no such file yet
+  fs::create_symlink("to_new.ply", folder.file("to_link.ply"));
+  write_to("to_link.ply");
+  EXPECT_TRUE(fs::is_symlink(folder.file("to_new.ply")));
+  EXPECT_EQ(read_mesh(folder.file("deep/new.ply")).points.size(), 26u);
+
+  fs::create_symlink(folder.file("gone/new.ply"), folder.file("nowhere.ply"));
+  fs::create_symlink("loop.ply", folder.file("loop.ply"));
+  for (const auto& [name, part] : {std::pair("nowhere.ply", "no folder"), {"loop.ply", "itself"}})
+    expect_one_line(run("surface " + quoted("cube.off") + " " + quoted(name)), 1, part);
+}
+
+// The curve is written into its temporary file, then the command waits at the drawing, a pipe that
+// nobody reads, until the signal comes.
+TEST_F(Streams, ASignalLeavesNoFile)
+{
+  folder.write("p.txt", "0 0\n1 0\n1 1\n");
+  ASSERT_EQ(mkfifo(folder.file("comb.svg").c_str(), 0600), 0);
+  const std::string output = folder.write("c.txt", "untouched");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t child = fork();
+    ASSERT_NE(child, -1);
+    if (child == 0) {
+      execl(PN_SUBDIVIDE_COMMAND, "pn_subdivide", "curve", folder.file("p.txt").c_str(),
+            output.c_str(), "--scheme", "chaikin", "--comb", folder.file("comb.svg").c_str(),
+            "--quiet", nullptr);
+      _exit(127);
+    }
+    for (int i = 0; i < 1000 && folder.number_of_files() != 4; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_EQ(folder.number_of_files(), 4u) << "the temporary file is not there";
+    EXPECT_EQ(kill(child, signal), 0);
+    int status = 0;
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+    EXPECT_EQ(folder.number_of_files(), 3u) << "after signal " << signal;
+    EXPECT_EQ(Temporary_folder::content(output), "untouched");
+  }
+}
+
+// As under nohup.
+TEST_F(Streams, AnIgnoredSignalStaysIgnored)
+{
+  folder.write("p.txt", "0 0\n1 0\n1 1\n");
+  ASSERT_EQ(mkfifo(folder.file("comb.svg").c_str(), 0600), 0);
+  const pid_t child = fork();
+  ASSERT_NE(child, -1);
+  if (child == 0) {
+    std::signal(SIGHUP, SIG_IGN);
+    execl(PN_SUBDIVIDE_COMMAND, "pn_subdivide", "curve", folder.file("p.txt").c_str(),
+          folder.file("c.txt").c_str(), "--scheme", "chaikin", "--comb",
+          folder.file("comb.svg").c_str(), "--quiet", nullptr);
+    _exit(127);
+  }
+  for (int i = 0; i < 1000 && folder.number_of_files() != 3; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(kill(child, SIGHUP), 0);
+  EXPECT_NE(Temporary_folder::content(folder.file("comb.svg")), ""); // lets the command go on
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_NE(Temporary_folder::content(folder.file("c.txt")), "");
+}
+
+#endif
