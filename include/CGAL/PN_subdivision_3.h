@@ -14,15 +14,8 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and wh
 */
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 #include <CGAL/PN_subdivision_curve.h>

@@ -9,6 +9,7 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_maps.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>

@@ -24,6 +24,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -139,6 +141,22 @@ struct Modified_Loop_description : Scheme_description
 using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,
                                Sqrt3_description, Butterfly_description, Kobbelt_description,
                                Modified_CatmullClark_description, Modified_Loop_description>;
+
+// A scheme that is shipped has a description, and one alone has its name.
+template <class Scheme, class... Descriptions>
+constexpr bool is_described(testing::Types<Descriptions...>)
+{
+  const std::string_view name = Scheme::name();
+  return (int(std::is_same_v<Scheme, decltype(Descriptions::scheme())>) + ...) == 1 &&
+         (int(name == decltype(Descriptions::scheme())::name()) + ...) == 1;
+}
+template <class... Schemes_>
+constexpr bool are_described(CGAL::PN_subdivision_3::Scheme_list<Schemes_...>)
+{
+  return (is_described<Schemes_>(Schemes()) && ...);
+}
+static_assert(are_described(CGAL::PN_subdivision_3::Shipped_schemes()),
+              "a shipped scheme has no description here, or the name of another one");
 
 // The names of the schemes in the output.
 struct Scheme_names

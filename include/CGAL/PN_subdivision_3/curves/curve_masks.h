@@ -29,14 +29,20 @@ edge; even degrees are dual. Degree 2 is Chaikin's scheme.
 class B_spline_mask
 {
 public:
+  /// the greatest degree; the least one is 1.
+  static constexpr int greatest_degree = 30;
+
+  /// the name of the masks, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "bspline:DEGREE"; }
+
   /// \throws std::invalid_argument if the degree is not in [1, 30]
   explicit B_spline_mask(int degree)
     : degree_(degree)
   {
-    if (degree < 1 || degree > 30)
-      throw std::invalid_argument(
-        "PN_subdivision_3: a B-spline mask has a degree from 1 to 30, not " +
-        std::to_string(degree));
+    if (degree < 1 || degree > greatest_degree)
+      throw std::invalid_argument("PN_subdivision_3: a B-spline mask has a degree from 1 to " +
+                                  std::to_string(greatest_degree) + ", not " +
+                                  std::to_string(degree));
   }
 
   int first_index() const { return degree_ % 2 != 0 ? -(degree_ + 1) / 2 : -degree_ / 2; }
@@ -70,13 +76,20 @@ points are the four-point scheme with w = 1/16.
 class Dubuc_Deslauriers_mask
 {
 public:
+  /// the greatest number of points; the least one is 2.
+  static constexpr int greatest_number_of_points = 20;
+
+  /// the name of the masks, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "POINTS-point"; }
+
   /// \throws std::invalid_argument if the number of points is not even or not in [2, 20]
   explicit Dubuc_Deslauriers_mask(int points)
     : half_(points / 2)
   {
-    if (points < 2 || points > 20 || points % 2 != 0)
+    if (points < 2 || points > greatest_number_of_points || points % 2 != 0)
       throw std::invalid_argument("PN_subdivision_3: a Dubuc-Deslauriers mask has an even number "
-                                  "of points from 2 to 20, not " +
+                                  "of points from 2 to " +
+                                  std::to_string(greatest_number_of_points) + ", not " +
                                   std::to_string(points));
   }
 

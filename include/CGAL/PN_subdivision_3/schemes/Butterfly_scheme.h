@@ -160,6 +160,9 @@ struct Butterfly_scheme
 {
   using Host = PTQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "butterfly"; }
+
   template <class FT>
   Butterfly_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

@@ -179,6 +179,9 @@ struct CatmullClark_scheme
 {
   using Host = PQQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "catmull-clark"; }
+
   template <class FT>
   CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

@@ -67,6 +67,9 @@ struct DooSabin_scheme
 {
   using Host = DQQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "doo-sabin"; }
+
   template <class FT>
   DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

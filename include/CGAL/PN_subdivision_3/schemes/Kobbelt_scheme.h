@@ -184,9 +184,15 @@ class Kobbelt_scheme
 public:
   using Host = PQQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "kobbelt"; }
+  /// the name of the parameter that the constructor takes, and its default value.
+  static constexpr const char* parameter_name() { return "tension"; }
+  static constexpr double default_parameter() { return 1. / 16; }
+
   /// \pre `-1/2 < tension < 1/2`
   /// \throws std::invalid_argument otherwise
-  explicit Kobbelt_scheme(double tension = 1. / 16)
+  explicit Kobbelt_scheme(double tension = default_parameter())
     : tension_(tension)
   {
     if (!(tension > -0.5 && tension < 0.5))

@@ -95,6 +95,9 @@ struct Loop_scheme
 {
   using Host = PTQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "loop"; }
+
   template <class FT>
   Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

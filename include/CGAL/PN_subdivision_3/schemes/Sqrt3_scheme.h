@@ -120,6 +120,9 @@ struct Sqrt3_scheme
 {
   using Host = Sqrt3_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "sqrt3"; }
+
   template <class FT>
   Sqrt3_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {

@@ -288,9 +288,15 @@ class modified_CatmullClark_scheme
 public:
   using Host = PQQ_host;
 
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "modified-catmull-clark"; }
+  /// the name of the parameter that the constructor takes, and its default value.
+  static constexpr const char* parameter_name() { return "cap"; }
+  static constexpr double default_parameter() { return 0.5; }
+
   /// \pre `0 < cap <= 1`
   /// \throws std::invalid_argument otherwise
-  explicit modified_CatmullClark_scheme(double cap = 0.5)
+  explicit modified_CatmullClark_scheme(double cap = default_parameter())
     : cap_(internal::checked_cap(cap))
   {}
 

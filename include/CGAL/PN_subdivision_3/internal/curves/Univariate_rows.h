@@ -7,6 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_UNIVARIATE_ROWS_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -22,14 +23,6 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-
-/// \ingroup PkgPNSubdivision3Curves
-/// What happens at the ends of a control polygon.
-enum class Curve_end {
-  closed,  ///< the polygon is closed; its first point is not repeated
-  reflect, ///< open; points beyond an end are reflected in it: p_{-i} = 2 p_0 - p_i
-  none     ///< open; only points whose whole stencil exists are kept
-};
 
 namespace internal {
 
