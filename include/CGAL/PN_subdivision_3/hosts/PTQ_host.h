@@ -8,7 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/check_triangles.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

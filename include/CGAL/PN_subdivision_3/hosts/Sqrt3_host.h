@@ -7,7 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/check_triangles.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
 #include <boost/config.hpp>
 #include <boost/container/vector.hpp>

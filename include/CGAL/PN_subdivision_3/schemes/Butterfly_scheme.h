@@ -8,10 +8,12 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
-#include <cstdint>
+#include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -47,7 +49,10 @@ public:
   explicit Butterfly_mask(const Level_connectivity& level)
     : level_(level)
     , irregular_valence_(internal::irregular_valences(level, 6))
-  {}
+  {
+    for (const Index n : irregular_valence_)
+      if (n != 0 && weights_.find(n) == weights_.end()) weights_.emplace(n, irregular_weights(n));
+  }
 
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
@@ -66,14 +71,17 @@ public:
     const Index to_target = irregular_valence_[level_.target(h)];
     if (to_source == 0 && to_target == 0)
       regular_edge(h, o, s);
-    else if (to_target == 0)
-      s.add_rest(irregular_end(o, to_source, FT(1), s).vertex);
-    else if (to_source == 0)
-      s.add_rest(irregular_end(h, to_target, FT(1), s).vertex);
-    else {
-      const auto first = irregular_end(o, to_source, half_, s);
-      s.add(first.vertex, first.weight);
-      s.add_rest(irregular_end(h, to_target, half_, s).vertex);
+    else if (to_target == 0) {
+      add_neighbors(o, to_source, FT(1), s);
+      s.add_rest(level_.target(o));
+    } else if (to_source == 0) {
+      add_neighbors(h, to_target, FT(1), s);
+      s.add_rest(level_.target(h));
+    } else {
+      const FT rest = add_neighbors(o, to_source, half_, s);
+      s.add(level_.target(o), rest);
+      add_neighbors(h, to_target, half_, s);
+      s.add_rest(level_.target(h));
     }
   }
 
@@ -120,32 +128,37 @@ private:
     if (reflected < 2) s.add(wing, reflected == 0 ? eighth_ : FT(1) / FT(16));
   }
 
-  // Adds the neighbors of the target of h, an irregular vertex of valence n, with weights that sum
-  // to 1/4 of the factor, and returns the target with what is missing to the factor.
+  // Adds the neighbors of the target of h, an irregular vertex of valence n, with their weights times the
+  // factor. Returns the weight of the target itself: the factor minus their sum.
   template <class Stencil>
-  typename Stencil::Entry irregular_end(Index h, Index n, const FT& factor, Stencil& s) const
+  FT add_neighbors(Index h, Index n, const FT& factor, Stencil& s) const
   {
-    FT missing = factor;
+    FT rest = factor;
     Index g = h;
-    for (Index j = 0; j < n; ++j, g = level_.next_around_target(g)) {
-      const FT weight = factor * irregular_weight(j, n);
-      missing -= weight;
+    for (const FT& w : weights_.find(n)->second) {
+      const FT weight = factor * w;
+      rest -= weight;
       if (weight != FT(0)) s.add(level_.source(g), weight);
+      g = level_.next_around_target(g);
     }
-    return {level_.target(h), missing};
+    return rest;
   }
 
-  FT irregular_weight(Index j, Index n) const
+  // the s_j
+  static std::vector<FT> irregular_weights(Index n)
   {
-    if (n == 3) return j == 0 ? FT(5) / FT(12) : FT(-1) / FT(12);
-    if (n == 4) return j == 0 ? FT(3) / FT(8) : (j == 2 ? FT(-1) / FT(8) : FT(0));
-    const FT c1 = cosines_(j, n), c2 = cosines_(2 * std::int64_t(j), n);
-    return (FT(1) / FT(4) + c1 + c2 / FT(2)) / FT(int(n));
+    if (n == 3) return {FT(5) / FT(12), FT(-1) / FT(12), FT(-1) / FT(12)};
+    if (n == 4) return {FT(3) / FT(8), FT(0), FT(-1) / FT(8), FT(0)};
+    std::vector<FT> cosine, weights;
+    for (Index j = 0; j < n; ++j) cosine.push_back(cosine_weight<FT>(j, n));
+    for (std::size_t j = 0; j < n; ++j)
+      weights.push_back((FT(1) / FT(4) + cosine[j] + cosine[2 * j % n] / FT(2)) / FT(int(n)));
+    return weights;
   }
 
   const Level_connectivity& level_;
-  std::vector<Index> irregular_valence_; // 0: regular
-  Cosine_table<FT> cosines_;
+  std::vector<Index> irregular_valence_;     // 0: regular
+  std::map<Index, std::vector<FT>> weights_; // for every irregular valence
   FT half_ = FT(1) / FT(2), eighth_ = FT(1) / FT(8);
   FT nine_16ths_ = FT(9) / FT(16), minus_16th_ = FT(-1) / FT(16);
 };

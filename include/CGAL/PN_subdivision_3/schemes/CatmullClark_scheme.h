@@ -8,7 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/schemes/border_rules.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -10,6 +10,10 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
+#include <cstddef>
+#include <map>
+#include <vector>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 
@@ -31,7 +35,15 @@ public:
 
   explicit DooSabin_mask(const Level_connectivity& level)
     : level_(level)
-  {}
+  {
+    if (level.uniform_degree() == 4) return;
+    for (Index f = 0; f < level.number_of_faces(); ++f) {
+      const Index h = level.halfedge_of_face(f);
+      if (level.has_degree(h, 4)) continue;
+      const Index n = level.degree(h);
+      if (weights_.find(n) == weights_.end()) weights_.emplace(n, weights(n));
+    }
+  }
 
   /// the corner of the face of `h` at the target of `h`.
   template <class Stencil>
@@ -45,16 +57,25 @@ public:
       s.add(level_.target(h), nine_16ths_);
       return;
     }
-    const Index n = level_.degree(h);
-    Index k = 1;
+    const std::vector<FT>& weights = weights_.find(level_.degree(h))->second;
+    std::size_t k = 1;
     for (Index g = level_.next(h); g != h; g = level_.next(g), ++k)
-      s.add(level_.target(g), (FT(3) + FT(2) * cosines_(k, n)) / FT(int(4 * n)));
+      s.add(level_.target(g), weights[k]);
     s.add_rest(level_.target(h));
   }
 
 private:
+  // those of the vertices k steps along a face of degree n; that of k = 0 is not used
+  static std::vector<FT> weights(Index n)
+  {
+    std::vector<FT> result;
+    for (Index k = 0; k < n; ++k)
+      result.push_back((FT(3) + FT(2) * cosine_weight<FT>(k, n)) / FT(int(4 * n)));
+    return result;
+  }
+
   const Level_connectivity& level_;
-  Cosine_table<FT> cosines_;
+  std::map<Index, std::vector<FT>> weights_; // for every degree but 4
   FT one_16th_ = FT(1) / FT(16), three_16ths_ = FT(3) / FT(16), nine_16ths_ = FT(9) / FT(16);
 };
 

@@ -9,7 +9,8 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
 #include <stdexcept>
 #include <string>
@@ -210,12 +211,7 @@ public:
   template <class Element_names>
   static void check(const Level_connectivity& level, const Element_names& names)
   {
-    for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-      if (!level.has_degree(level.halfedge_of_face(f), 4))
-        throw std::invalid_argument(
-          "PN_subdivision_3: " + names.face_name(f) + " has " +
-          std::to_string(level.degree(level.halfedge_of_face(f))) +
-          " corners: the scheme takes quadrilaterals only; apply one round of Catmull-Clark first");
+    internal::check_quadrilaterals(level, names);
     internal::check_interior_valences(level, names);
   }
 

@@ -6,8 +6,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -117,20 +115,6 @@ private:
   std::size_t uniform_length_ = 0;
   std::array<std::size_t, maximum_number_of_rows> ends_;
 };
-
-/*!
-\ingroup PkgPNSubdivision3Schemes
-adds the row (w, 1 - 2w, w) along the border, of the vertex that the border half-edge `border` leads to.
-\pre `level.is_border(border)`
-*/
-template <class FT, class Row>
-void add_along_border(const Level_connectivity& level, Level_connectivity::Index border,
-                      const FT& w, Row& row)
-{
-  row.add(level.source(border), w);
-  row.add(level.target(level.next(border)), w);
-  row.add_rest(level.target(border));
-}
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

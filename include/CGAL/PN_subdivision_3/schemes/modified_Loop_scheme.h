@@ -9,7 +9,8 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Tuned_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 

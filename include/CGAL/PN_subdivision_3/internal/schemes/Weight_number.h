@@ -3,14 +3,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_TUNED_EIGENVALUES_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_TUNED_EIGENVALUES_H
-
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/Uncertain.h>
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WEIGHT_NUMBER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WEIGHT_NUMBER_H
 
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -59,25 +55,8 @@ FT rounded_weight(const Number& x)
     return FT(static_cast<double>(x));
 }
 
-// sign(x) min(|x|, bound); comparisons of intervals that are not decided concern equal values
-template <class Number>
-Number capped(const Number& x, const Number& bound)
-{
-  if (CGAL::certainly(bound < x)) return bound;
-  const Number opposite = -bound;
-  return CGAL::certainly(x < opposite) ? opposite : x;
-}
-
-inline double checked_cap(double cap)
-{
-  if (!(cap > 0 && cap <= 1))
-    throw std::invalid_argument(
-      "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
-  return cap;
-}
-
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_TUNED_EIGENVALUES_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WEIGHT_NUMBER_H
