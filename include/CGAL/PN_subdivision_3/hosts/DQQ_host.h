@@ -6,6 +6,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_DQQ_HOST_H
 
+#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 
 #include <boost/container/vector.hpp>
@@ -68,10 +69,19 @@ public:
     if (level.has_border() || level.size().isolated_vertices != 0) number_interior();
   }
 
+  /// the new vertex of a corner, that of the face of `h` at the target of `h`.
+  Index vertex_of_corner(Index h) const { return corner_[h]; }
+
+  /// the corner that a new vertex comes from.
+  Element_parent parent_of_vertex(Index new_vertex) const
+  {
+    return {Element_parent::Kind::corner, halfedge_[new_vertex]};
+  }
+
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
-    mask.corner(halfedge_[new_vertex], s);
+    mask.corner(parent_of_vertex(new_vertex).index, s);
   }
 
   template <class Child, class For_chunks>

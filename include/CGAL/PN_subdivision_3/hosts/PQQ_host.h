@@ -6,6 +6,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_PQQ_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_PQQ_HOST_H
 
+#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 
@@ -56,6 +57,7 @@ public:
 
   PQQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
+    , split_(level)
   {
     if (level.uniform_degree() == 4) return;
     first_corner_.resize(level.number_of_faces(), boost::container::default_init);
@@ -66,34 +68,46 @@ public:
     }
   }
 
+  /// the new vertex of an edge.
+  Index vertex_of_edge(Index e) const { return split_.vertex_of_edge(e); }
+  /// the new vertex of a face.
+  Index vertex_of_face(Index f) const { return vertex_of_edge(level_.number_of_edges()) + f; }
+
+  /// the old vertex, edge or face that a new vertex comes from.
+  Element_parent parent_of_vertex(Index new_vertex) const
+  {
+    using Kind = Element_parent::Kind;
+    if (new_vertex < vertex_of_edge(0)) return {Kind::vertex, new_vertex};
+    if (new_vertex < vertex_of_face(0)) return {Kind::edge, new_vertex - vertex_of_edge(0)};
+    return {Kind::face, new_vertex - vertex_of_face(0)};
+  }
+
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
-    const Index v = level_.number_of_vertices();
-    const Index e = level_.number_of_edges();
-    if (new_vertex < v)
-      mask.vertex(new_vertex, s);
-    else if (new_vertex - v < e)
-      mask.edge(new_vertex - v, s);
+    const Element_parent parent = parent_of_vertex(new_vertex);
+    if (parent.kind == Element_parent::Kind::vertex)
+      mask.vertex(parent.index, s);
+    else if (parent.kind == Element_parent::Kind::edge)
+      mask.edge(parent.index, s);
     else
-      mask.face(new_vertex - v - e, s);
+      mask.face(parent.index, s);
   }
 
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    const internal::Edge_split split(level_);
-    split.connect(child, for_chunks);
+    split_.connect(child, for_chunks);
     for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, split, child);
+      for (Index f = begin; f < end; ++f) connect_face(f, child);
     });
   }
 
 private:
   template <class Child>
-  void connect_face(Index f, const internal::Edge_split& split, Child& child) const
+  void connect_face(Index f, Child& child) const
   {
-    const Index face_vertex = level_.number_of_vertices() + level_.number_of_edges() + f;
+    const Index face_vertex = vertex_of_face(f);
     const Index first_corner = first_corner_.empty() ? 4 * f : first_corner_[f];
     const Index first_spoke = 2 * (2 * level_.number_of_edges() + first_corner);
     const Index first = level_.halfedge_of_face(f);
@@ -106,7 +120,7 @@ private:
       // vertex
       const Index n = level_.next(h);
       const Index next_spoke = n == first ? first_spoke : spoke + 2;
-      const Index in = split.second_half(h), out = split.first_half(n);
+      const Index in = split_.second_half(h), out = split_.first_half(n);
       const Index back = Level_connectivity::opposite(spoke);
       child.set_next(in, out);
       child.set_next(out, next_spoke);
@@ -117,9 +131,9 @@ private:
       child.set_face(next_spoke, quad);
       child.set_face(back, quad);
       child.set_target(in, level_.target(h));
-      child.set_target(out, split.edge_vertex(n));
+      child.set_target(out, split_.edge_vertex(n));
       child.set_target(next_spoke, face_vertex);
-      child.set_target(back, split.edge_vertex(h));
+      child.set_target(back, split_.edge_vertex(h));
       child.set_halfedge_of_face(quad, in);
       quad = next_quad++;
       spoke = next_spoke;
@@ -129,6 +143,7 @@ private:
   }
 
   const Level_connectivity& level_;
+  internal::Edge_split split_;
   boost::container::vector<Index> first_corner_;
 };
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_PTQ_HOST_H
 
+#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
@@ -53,31 +54,42 @@ public:
 
   PTQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
+    , split_(level)
   {}
+
+  /// the new vertex of an edge.
+  Index vertex_of_edge(Index e) const { return split_.vertex_of_edge(e); }
+
+  /// the old vertex or edge that a new vertex comes from.
+  Element_parent parent_of_vertex(Index new_vertex) const
+  {
+    using Kind = Element_parent::Kind;
+    if (new_vertex < vertex_of_edge(0)) return {Kind::vertex, new_vertex};
+    return {Kind::edge, new_vertex - vertex_of_edge(0)};
+  }
 
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
-    const Index v = level_.number_of_vertices();
-    if (new_vertex < v)
-      mask.vertex(new_vertex, s);
+    const Element_parent parent = parent_of_vertex(new_vertex);
+    if (parent.kind == Element_parent::Kind::vertex)
+      mask.vertex(parent.index, s);
     else
-      mask.edge(new_vertex - v, s);
+      mask.edge(parent.index, s);
   }
 
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    const internal::Edge_split split(level_);
-    split.connect(child, for_chunks);
+    split_.connect(child, for_chunks);
     for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) connect_face(f, split, child);
+      for (Index f = begin; f < end; ++f) connect_face(f, child);
     });
   }
 
 private:
   template <class Child>
-  void connect_face(Index f, const internal::Edge_split& split, Child& child) const
+  void connect_face(Index f, Child& child) const
   {
     Index h[3];
     h[0] = level_.halfedge_of_face(f);
@@ -89,7 +101,7 @@ private:
       // the triangle of the corner at the target of h[i]; the inner edge closes it
       const Index n = h[(i + 1) % 3];
       const Index corner = first_corner + i;
-      const Index in = split.second_half(h[i]), out = split.first_half(n);
+      const Index in = split_.second_half(h[i]), out = split_.first_half(n);
       const Index inner = first_inner + 2 * i;
       const Index middle = Level_connectivity::opposite(inner);
       child.set_next(in, out);
@@ -101,15 +113,16 @@ private:
       child.set_face(inner, corner);
       child.set_face(middle, f);
       child.set_target(in, level_.target(h[i]));
-      child.set_target(out, split.edge_vertex(n));
-      child.set_target(inner, split.edge_vertex(h[i]));
-      child.set_target(middle, split.edge_vertex(n));
+      child.set_target(out, split_.edge_vertex(n));
+      child.set_target(inner, split_.edge_vertex(h[i]));
+      child.set_target(middle, split_.edge_vertex(n));
       child.set_halfedge_of_face(corner, in);
     }
     child.set_halfedge_of_face(f, Level_connectivity::opposite(first_inner));
   }
 
   const Level_connectivity& level_;
+  internal::Edge_split split_;
 };
 
 } // namespace PN_subdivision_3

@@ -6,6 +6,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H
 #define CGAL_PN_SUBDIVISION_3_HOSTS_SQRT3_HOST_H
 
+#include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
@@ -31,8 +32,9 @@ its third corner. Calling k times for one round hence never refines the border, 
 call for k rounds.
 
 New vertices: the old vertices, then those of the faces in the order of the faces; of two in a face
-the one nearer to the source of the border edge first. The mask has to provide `vertex()`, `face()`
-and `border_edge(h, i)`, i = 0, 1, for the two new vertices on the edge of `h`, a half-edge with a
+the one nearer to the source of the border edge first. The mask has to provide `vertex()` and `face()`, and for
+the rounds that refine the border `border_vertex(h)`, for the old vertex that the border half-edge `h` leads
+to, and `border_edge(h, i)`, i = 0, 1, for the two new vertices on the edge of `h`, a half-edge with a
 face. A face's descriptor stays on one of its three triangles.
 
 \cgalModels{PNSubdivisionHost_3}
@@ -79,18 +81,38 @@ public:
     if (refines_border(round) && level.has_border()) number_border_faces();
   }
 
+  /// the (first) new vertex of a face.
+  Index vertex_of_face(Index f) const
+  {
+    return first_center_ + f + (border_faces_before_.empty() ? 0 : border_faces_before_[f]);
+  }
+
+  /// the old vertex, face or border edge that a new vertex comes from.
+  Element_parent parent_of_vertex(Index new_vertex) const
+  {
+    using Kind = Element_parent::Kind;
+    if (new_vertex < first_center_) return {Kind::vertex, new_vertex};
+    const Index rank = new_vertex - first_center_;
+    if (border_faces_before_.empty()) return {Kind::face, rank};
+    const Index f = face_of_center_[rank];
+    const Index border = border_halfedge(f);
+    if (border == Level_connectivity::null) return {Kind::face, f};
+    return {Kind::border_edge, border, new_vertex - vertex_of_face(f)};
+  }
+
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
-    if (new_vertex < first_center_) return mask.vertex(new_vertex, s);
-    const Index rank = new_vertex - first_center_;
-    if (border_faces_before_.empty()) return mask.face(rank, s);
-    const Index f = face_of_center_[rank];
-    const Index border = border_halfedge(f);
-    if (border == Level_connectivity::null)
-      mask.face(f, s);
+    const Element_parent parent = parent_of_vertex(new_vertex);
+    if (parent.kind == Element_parent::Kind::vertex) {
+      if (is_on_refined_border(parent.index))
+        mask.border_vertex(level_.halfedge_of_vertex(parent.index), s);
+      else
+        mask.vertex(parent.index, s);
+    } else if (parent.kind == Element_parent::Kind::face)
+      mask.face(parent.index, s);
     else
-      mask.border_edge(border, new_vertex - center(f), s);
+      mask.border_edge(parent.index, parent.ordinal, s);
   }
 
   template <class Child, class For_chunks>
@@ -140,6 +162,11 @@ private:
     }
   }
 
+  bool is_on_refined_border(Index v) const
+  {
+    return !border_faces_before_.empty() && !level_.is_isolated(v) && level_.is_border_vertex(v);
+  }
+
   // the half-edge of a triangle whose opposite is on a border that is refined, null if there is
   // none
   Index border_halfedge(Index f) const
@@ -154,11 +181,6 @@ private:
     return border_faces_before_.empty() ? Level_connectivity::null : border_halfedge(f);
   }
 
-  // the (first) new vertex of a face
-  Index center(Index f) const
-  {
-    return first_center_ + f + (border_faces_before_.empty() ? 0 : border_faces_before_[f]);
-  }
   // new edge i of a face
   Index inner(Index f, Index i) const { return 2 * (level_.number_of_edges() + 3 * f + i); }
   // the last part of a refined border edge
@@ -185,14 +207,14 @@ private:
   {
     const Index f = corner_[h] / 4, i = corner_[h] % 4;
     if (border_faces_before_.empty() || border_halfedge(f) == Level_connectivity::null)
-      return {center(f), inner(f, i == 0 ? 2 : i - 1), inner(f, i)};
+      return {vertex_of_face(f), inner(f, i == 0 ? 2 : i - 1), inner(f, i)};
     return fan_of_refined_border(h, f);
   }
   Fan fan_of_refined_border(Index h, Index f) const
   {
     const Index border = border_halfedge(f);
-    if (h == level_.next(border)) return {center(f) + 1, last_part(f), inner(f, 1)};
-    return {center(f), inner(f, 0), opposite(border)};
+    if (h == level_.next(border)) return {vertex_of_face(f) + 1, last_part(f), inner(f, 1)};
+    return {vertex_of_face(f), inner(f, 0), opposite(border)};
   }
 
   template <class Child>
@@ -227,7 +249,7 @@ private:
   void connect_center(Index f, Child& child) const
   {
     if (refined_border_halfedge(f) == Level_connectivity::null)
-      child.set_halfedge_of_vertex(center(f), opposite(inner(f, 0)));
+      child.set_halfedge_of_vertex(vertex_of_face(f), opposite(inner(f, 0)));
   }
 
   // from `h1`, `h2`, `h3` to their targets
@@ -269,7 +291,7 @@ private:
   void connect_refined_border(Index h, Child& child) const
   {
     const Index f = level_.face(h), b = opposite(h);
-    const Index n1 = center(f), n2 = n1 + 1, apex = level_.target(level_.next(h));
+    const Index n1 = vertex_of_face(f), n2 = n1 + 1, apex = level_.target(level_.next(h));
     const Index middle = inner(f, 2), last = last_part(f);
     connect_triangle(triangle(h), middle, n2, inner(f, 1), apex, opposite(inner(f, 0)), n1, child);
     for (Index part : {b, opposite(middle), opposite(last)}) child.set_border(part);

@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
@@ -187,6 +188,12 @@ struct Butterfly_scheme
   static void check(const Level_connectivity& level, const Element_names& names)
   {
     internal::check_interior_valences(level, names);
+  }
+
+  /// see `estimated_row_entries()`: the n edges of an irregular vertex have n entries each.
+  static double dense_row_entries(const Level_connectivity& level, unsigned /*round*/)
+  {
+    return internal::squared_irregular_valences(level, 6);
   }
 };
 

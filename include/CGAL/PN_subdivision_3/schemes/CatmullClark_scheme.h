@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/schemes/border_rules.h>
 
 namespace CGAL {
@@ -186,6 +187,12 @@ struct CatmullClark_scheme
   CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return CatmullClark_mask<FT>(level);
+  }
+
+  /// see `estimated_row_entries()`: the corners and edges of a face of m vertices have m entries for it in the first round.
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    return round == 1 ? 2 * internal::squared_irregular_degrees(level) : 0;
   }
 };
 

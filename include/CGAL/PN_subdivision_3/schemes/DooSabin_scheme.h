@@ -8,6 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
 #include <cstddef>
@@ -95,6 +96,13 @@ struct DooSabin_scheme
   DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return DooSabin_mask<FT>(level);
+  }
+
+  /// see `estimated_row_entries()`: the m corners of a face have m entries each. Vertices are faces from the first round on.
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    return internal::squared_irregular_degrees(level) +
+           (round == 1 ? 0 : internal::squared_irregular_valences(level, 4));
   }
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
@@ -213,6 +214,12 @@ public:
   {
     internal::check_quadrilaterals(level, names);
     internal::check_interior_valences(level, names);
+  }
+
+  /// see `estimated_row_entries()`: at an irregular vertex of valence n, edges have 2n entries; faces have as many, merged from 16n.
+  static double dense_row_entries(const Level_connectivity& level, unsigned /*round*/)
+  {
+    return 18 * internal::squared_irregular_valences(level, 4);
   }
 
 private:

@@ -38,9 +38,8 @@ class Sqrt3_mask
 public:
   using Index = Level_connectivity::Index;
 
-  Sqrt3_mask(const Level_connectivity& level, unsigned round)
+  explicit Sqrt3_mask(const Level_connectivity& level)
     : level_(level)
-    , refines_border_(Sqrt3_host::refines_border(round))
     , neighbor_weight_(&neighbor_weight)
     , vertex_weight_(&vertex_weight)
   {}
@@ -50,7 +49,7 @@ public:
   {
     if (level_.is_isolated(v)) return s.add(v, FT(1));
     const Index h = level_.halfedge_of_vertex(v);
-    if (level_.is_border(h)) return border_vertex(h, s);
+    if (level_.is_border(h)) return s.add(v, FT(1));
     const Index n = level_.valence(v);
     const FT weight = neighbor_weight_(n);
     level_.for_each_neighbor(h, [&](Index w) { s.add(w, weight); });
@@ -64,6 +63,13 @@ public:
     s.add(level_.target(h), third_);
     s.add(level_.target(n), third_);
     s.add(level_.target(level_.next(n)), last_third_);
+  }
+
+  /// the old vertex that the border half-edge `border` leads to, in a round that refines the border.
+  template <class Stencil>
+  void border_vertex(Index border, Stencil& s) const
+  {
+    add_along_border(level_, border, FT(FT(4) / FT(27)), s);
   }
 
   /// new vertex `i` of the border edge with the face half-edge `h`, 0 at its source, 1 at its
@@ -83,13 +89,6 @@ public:
   }
 
 private:
-  template <class Stencil>
-  void border_vertex(Index border, Stencil& s) const
-  {
-    if (!refines_border_) return s.add(level_.target(border), FT(1));
-    add_along_border(level_, border, FT(FT(4) / FT(27)), s);
-  }
-
   static FT neighbor_weight(Index n)
   {
     return (FT(4) - FT(2) * cosine_weight<FT>(1, n)) / (FT(9) * FT(int(n)));
@@ -105,7 +104,6 @@ private:
   }
 
   const Level_connectivity& level_;
-  bool refines_border_;
   Weight_per_valence<FT> neighbor_weight_, vertex_weight_;
   FT third_ = FT(1) / FT(3), last_third_ = FT(1) - (third_ + third_);
 };
@@ -124,9 +122,9 @@ struct Sqrt3_scheme
   static constexpr const char* name() { return "sqrt3"; }
 
   template <class FT>
-  Sqrt3_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  Sqrt3_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
-    return Sqrt3_mask<FT>(level, round);
+    return Sqrt3_mask<FT>(level);
   }
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
@@ -305,6 +306,14 @@ public:
   modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return modified_CatmullClark_mask<FT>(level, cap_);
+  }
+
+  /// see `estimated_row_entries()`: the edges and faces of a separated vertex of valence n have 2n entries each, other faces those of `CatmullClark_scheme`.
+  /// A face of the first round is a vertex of the next.
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    return 4 * internal::squared_irregular_valences(level, 4) +
+           (round == 1 ? 2 : 4) * internal::squared_irregular_degrees(level);
   }
 
 private:

@@ -10,6 +10,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
@@ -157,6 +158,12 @@ public:
   modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return modified_Loop_mask<FT>(level, cap_);
+  }
+
+  /// see `estimated_row_entries()`: the n edges of a separated vertex have n entries each.
+  static double dense_row_entries(const Level_connectivity& level, unsigned /*round*/)
+  {
+    return internal::squared_irregular_valences(level, 6);
   }
 
 private:

@@ -14,11 +14,22 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+template <class Host, class = void>
+struct Has_edge_vertices : std::false_type
+{};
+template <class Host>
+struct Has_edge_vertices<Host,
+                         std::void_t<decltype(std::declval<const Host&>().vertex_of_edge(0u))>>
+  : std::true_type
+{};
 
 // A net about an extraordinary vertex, and a round of a scheme on it followed by a crop to a net of
 // another number of rings. The connectivity is that of every level alike.
@@ -31,6 +42,11 @@ public:
   using Values = std::vector<Value>;
 
   static constexpr Index degree = Scheme::Host::refined_degree;
+
+  static_assert(
+    Has_edge_vertices<typename Scheme::Host>::value && (degree == 3 || degree == 4),
+    "Only schemes that split every edge into two (their host is PQQ_host or PTQ_host) can be "
+    "measured at extraordinary vertices");
 
   Zoom_level(const Scheme& scheme, Index valence, Index rings)
     : net_(degree, valence, rings)
@@ -51,7 +67,7 @@ public:
     const auto set = [&](Index s, Index i, Index j, Index v) {
       if (to.norm(i, j) <= to.rings()) child[to.vertex(s, i, j)] = v;
     };
-    const Index vertices = level_.number_of_vertices(), edges = level_.number_of_edges();
+    const auto& host = round_.host();
     for (Index f = 0; f < net_.faces().size(); ++f) {
       const auto& [s, corners] = net_.faces()[f];
       Index h = level_.halfedge_of_face(f);
@@ -60,10 +76,10 @@ public:
         const auto& [i, j] = corners[k];
         const auto& [next_i, next_j] = corners[(k + 1) % degree];
         set(s, 2 * i, 2 * j, level_.source(h));
-        set(s, i + next_i, j + next_j, vertices + Level_connectivity::edge(h));
+        set(s, i + next_i, j + next_j, host.vertex_of_edge(Level_connectivity::edge(h)));
         sum = {sum[0] + i, sum[1] + j};
       }
-      if constexpr (degree == 4) set(s, sum[0] / 2, sum[1] / 2, vertices + edges + f);
+      if constexpr (degree == 4) set(s, sum[0] / 2, sum[1] / 2, host.vertex_of_face(f));
     }
     return child;
   }

@@ -29,10 +29,8 @@ public:
   // the halves of h: from its source to the edge vertex, from there to its target
   Index first_half(Index h) const { return (h & 1u) == 0 ? h : number_of_halfedges_ + h; }
   Index second_half(Index h) const { return (h & 1u) == 0 ? number_of_halfedges_ + h : h; }
-  Index edge_vertex(Index h) const
-  {
-    return level_.number_of_vertices() + Level_connectivity::edge(h);
-  }
+  Index vertex_of_edge(Index e) const { return level_.number_of_vertices() + e; }
+  Index edge_vertex(Index h) const { return vertex_of_edge(Level_connectivity::edge(h)); }
 
   // sets the half-edges of the old and the edge vertices, and all of the border
   template <class Child, class For_chunks>

@@ -1,0 +1,33 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_HOSTS_ELEMENT_PARENT_H
+#define CGAL_PN_SUBDIVISION_3_HOSTS_ELEMENT_PARENT_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+The old element that an element of the refined level comes from.
+*/
+struct Element_parent
+{
+  /// A corner is given by the half-edge of its face that leads to it, a border edge by its half-edge that has
+  /// a face; all other elements are given by their own index.
+  enum class Kind { vertex, edge, face, corner, border_edge };
+
+  Kind kind;
+  Level_connectivity::Index index;
+  /// which one it is of the children of the same kind that the old element has, counted from 0.
+  Level_connectivity::Index ordinal = 0;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_HOSTS_ELEMENT_PARENT_H
