@@ -34,8 +34,8 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
-    return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), 1u);
+    return static_cast<unsigned>(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), 1u));
   }
 };
 
@@ -99,7 +99,7 @@ here"; vectors of other lengths are normalized once.
   if an open polygon is too short for `Curve_end::none`, if the coefficients of a mask do not sum to 1
   for each parity, or if the masks of points and normals are not both primal or both dual with the
   same center
-\throws std::length_error if there would be more than 2<sup>32</sup> - 2 points
+\throws std::length_error if a round would make more than 2<sup>32</sup> - 2 points, before the first one
 \throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 

@@ -187,6 +187,39 @@ TEST(CurveInput, PointsThatOverflowAreRefusedInTheEnd)
 }
 
 // Maps need not be default constructible: those of lambdas are not.
+TEST(CurveInput, TooManyPointsAreRefusedBeforeTheFirstRound)
+{
+  const Curve polygon = {
+    {Point(0, 0), Vector(0, 1)}, {Point(1, 0), Vector(0, 1)}, {Point(2, 1), Vector(0, 1)}};
+  // 3 * 2^31 is the first size beyond 2^32 - 2; before that, memory would be gone
+  const std::string message = message_of<std::length_error>([&] {
+    PN::subdivide_curve(polygon, PN::B_spline_mask(3), Curve_end::closed,
+                        CGAL::parameters::number_of_iterations(60));
+  });
+  for (const char* part : {"round 31 of 60", "6442450944 points", "fewer rounds"})
+    EXPECT_NE(message.find(part), std::string::npos) << '"' << message << "\" lacks " << part;
+  // a single point never becomes more
+  const Curve point(polygon.begin(), polygon.begin() + 1);
+  EXPECT_EQ(PN::subdivide_curve(point, PN::B_spline_mask(3), Curve_end::reflect,
+                                CGAL::parameters::number_of_iterations(60))
+              .size(),
+            1u);
+}
+
+// Each of its old points is reflected in the ends a quarter of a million times.
+TEST(CurveInput, MasksMuchLongerThanThePolygon)
+{
+  const int n = 250000;
+  std::vector<double> a(static_cast<std::size_t>(4 * n + 1), 0);
+  a.front() = a.back() = a[1] = a[a.size() - 2] = 0.5;
+  const Curve polygon = {{Point(0, 0), Vector(0, 0)}, {Point(1, 0), Vector(0, 0)}};
+  const Curve curve =
+    PN::subdivide_curve(polygon, PN::Univariate_mask<double>(-2 * n, a), Curve_end::reflect);
+  ASSERT_EQ(curve.size(), 3u);
+  // reflection continues a line evenly, and the mask takes the mean of two points of it
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(curve[i].first.x(), 0.5 * double(i), 1e-6);
+}
+
 TEST(CurveInput, MapsMadeOfLambdas)
 {
   const auto polygon = circle_2<>(uneven_angles(6, 1, Real(1), false, 1), 1);

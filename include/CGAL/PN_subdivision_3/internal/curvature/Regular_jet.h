@@ -117,7 +117,7 @@ public:
     for (std::size_t k = 0; k < size(); ++k) {
       const Value& v = values[ring[k]];
       const Pair<FT> uk = frame.u(v.point), gk = frame.slope(v.normal);
-      for (int c = 0; c < 2; ++c) {
+      for (std::size_t c = 0; c < 2; ++c) {
         u[c].add(uk[c], weights_[k]);
         g[c].add(gk[c], weights_[k]);
       }

@@ -46,7 +46,8 @@ struct Curve_points : Curve_maps<Range, NamedParameters>
     for (const auto& item : range) {
       const Point p = get(map, item);
       Coordinates<Number, dimension> c;
-      for (int i = 0; i < dimension; ++i) c[i] = number<Number>(p.cartesian(i));
+      for (int i = 0; i < dimension; ++i)
+        c[static_cast<std::size_t>(i)] = number<Number>(p.cartesian(i));
       check_finite<Number, dimension>(c, "position",
                                       [&] { return "point " + std::to_string(points.size()); });
       points.push_back(c);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -120,8 +121,9 @@ public:
       for (const Stored_value& value : values_) curve.push_back(make_item(value));
       return curve;
     }
+    check_sizes(iterations);
     for (unsigned k = 1; k < iterations; ++k) refine();
-    const auto [first, last] = range();
+    const auto [first, last] = range(size());
     curve.reserve(static_cast<std::size_t>(last - first));
     evaluate(first, last, append);
     return curve;
@@ -132,7 +134,7 @@ private:
   static Vector_coordinates coordinates(const Point_or_vector& p)
   {
     Vector_coordinates c;
-    for (int i = 0; i < dimension; ++i) c[i] = FT(p.cartesian(i));
+    for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = FT(p.cartesian(i));
     return c;
   }
   template <class Point_or_vector>
@@ -161,24 +163,38 @@ private:
     }
   }
 
-  std::pair<Index, Index> range() const
+  Index size() const { return static_cast<Index>(values_.size()); }
+
+  // the new points of a polygon with n points
+  std::pair<Index, Index> range(Index n) const
   {
-    const auto n = static_cast<Index>(values_.size());
     std::pair<Index, Index> r = rows_.range(n, end_);
     if constexpr (Normal_rows<FT, Mask>::differ) {
       const std::pair<Index, Index> other = normal_rows_.rows.range(n, end_);
       r = {(std::max)(r.first, other.first), (std::min)(r.second, other.second)};
     }
-    if (r.second - r.first >= static_cast<Index>(UINT32_MAX))
-      throw std::length_error("PN_subdivision_3: a round would make " +
-                              std::to_string(r.second - r.first) +
-                              " points, more than can be numbered: ask for fewer rounds");
     return r;
+  }
+
+  // before the first round: none may need more points than can be numbered
+  void check_sizes(unsigned iterations) const
+  {
+    Index n = size();
+    for (unsigned k = 1; k <= iterations; ++k) {
+      const auto [first, last] = range(n);
+      if (last - first >= static_cast<Index>(UINT32_MAX))
+        throw std::length_error("PN_subdivision_3: round " + std::to_string(k) + " of " +
+                                std::to_string(iterations) + " would make " +
+                                std::to_string(last - first) +
+                                " points, more than can be numbered: ask for fewer rounds");
+      if (last - first == n) return; // and so in all further rounds
+      n = last - first;
+    }
   }
 
   void refine()
   {
-    const auto [first, last] = range();
+    const auto [first, last] = range(size());
     Values refined(static_cast<std::size_t>(last - first), boost::container::default_init);
     Stored_value* next = refined.data();
     evaluate(first, last, [&next](const Value* values, std::size_t n) {
@@ -214,7 +230,7 @@ private:
   {
     rows.clear();
     for (Index i = start; i < end; i += 2) {
-      source.emit(i, static_cast<Index>(values_.size()), end_, rows);
+      source.emit(i, size(), end_, rows);
       rows.close_row();
     }
   }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <stdexcept>
@@ -42,11 +43,10 @@ public:
     for (std::size_t k = 0; k < a.size(); ++k) {
       const Index index = first + static_cast<Index>(k);
       if (CGAL::certainly(a[k] == FT(0))) continue;
-      // index = i - 2j with i = parity: j = (parity - index) / 2
-      const Index parity = index & 1;
-      rows_[parity].emplace_back((parity - index) / 2, a[k]);
+      // index = i - 2j, where i is 0 or 1
+      rows_[row_of(index)].emplace_back(((index & 1) - index) / 2, a[k]);
     }
-    for (Index parity : {0, 1}) close_row(parity);
+    for (const std::size_t p : {0u, 1u}) close_row(p);
   }
 
   bool has_same_center(const Univariate_rows& other) const
@@ -68,9 +68,9 @@ public:
   template <class Stencil>
   void emit(Index i, Index n, Curve_end end, Stencil& s) const
   {
-    const auto& row = rows_[i & 1];
-    const Index shift = (i - (i & 1)) / 2;
-    if (shift + least_[i & 1] >= 0 && shift + greatest_[i & 1] < n) {
+    const auto& row = rows_[row_of(i)];
+    const Index shift = shift_of(i);
+    if (exists(i, n)) {
       for (const auto& [offset, weight] : row)
         s.add(static_cast<std::uint32_t>(shift + offset), weight);
       return;
@@ -83,6 +83,10 @@ public:
 private:
   using Row = std::vector<std::pair<Index, FT>>;
 
+  static std::size_t row_of(Index i) { return (i & 1) != 0 ? 1 : 0; }
+  // by how much the old points of the row of the new point i are shifted to those of the row of its parity
+  static Index shift_of(Index i) { return (i - (i & 1)) / 2; }
+
   // the first new point that is not before the first old one
   Index first_point() const
   {
@@ -90,7 +94,7 @@ private:
   }
 
   // orders the row so that the largest weight comes last, with what the others leave
-  void close_row(Index parity)
+  void close_row(std::size_t parity)
   {
     Row& row = rows_[parity];
     FT sum(0);
@@ -116,20 +120,22 @@ private:
     }
   }
 
+  // whether all points of the row of i exist
   bool exists(Index i, Index n) const
   {
-    const Index shift = (i - (i & 1)) / 2;
-    return shift + least_[i & 1] >= 0 && shift + greatest_[i & 1] < n;
+    const Index shift = shift_of(i);
+    return shift + least_[row_of(i)] >= 0 && shift + greatest_[row_of(i)] < n;
   }
 
   // The longest run of points whose stencils exist: as far as the points of both parities do, with
   // at each end one more of the other parity.
   std::pair<Index, Index> existing_range(Index n) const
   {
-    Index first[2], last[2];
-    for (Index parity : {0, 1}) {
-      first[parity] = 2 * -least_[parity] + parity;
-      last[parity] = 2 * (n - 1 - greatest_[parity]) + parity;
+    std::array<Index, 2> first{}, last{};
+    for (const std::size_t p : {0u, 1u}) {
+      const Index offset = p == 0 ? 0 : 1;
+      first[p] = offset - 2 * least_[p];
+      last[p] = 2 * (n - 1 - greatest_[p]) + offset;
     }
     Index begin = (std::max)(first[0], first[1]), end = (std::min)(last[0], last[1]) + 1;
     if (begin >= end)
@@ -141,19 +147,20 @@ private:
     return {begin, end};
   }
 
-  static void fold(Index j, const FT& weight, Index n, Curve_end end, Merged_row<FT>& row)
+  // Adds old point j, which may lie beyond the ends. Reflected in an end, it is twice the end minus the
+  // point on the other side of it.
+  static void fold(Index j, FT weight, Index n, Curve_end end, Merged_row<FT>& row)
   {
     const auto add = [&row](Index k, const FT& w) { row.add(static_cast<std::uint32_t>(k), w); };
     if (end == Curve_end::closed) return add(((j % n) + n) % n, weight);
     if (n == 1) return add(0, weight);
-    if (j < 0) {
-      add(0, FT(2) * weight);
-      fold(-j, -weight, n, end, row);
-    } else if (j >= n) {
-      add(n - 1, FT(2) * weight);
-      fold(2 * (n - 1) - j, -weight, n, end, row);
-    } else
-      add(j, weight);
+    while (j < 0 || j >= n) {
+      const Index beyond = j < 0 ? 0 : n - 1;
+      add(beyond, FT(2) * weight);
+      j = 2 * beyond - j;
+      weight = -weight;
+    }
+    add(j, weight);
   }
 
   std::array<Row, 2> rows_;

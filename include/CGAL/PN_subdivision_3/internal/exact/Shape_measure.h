@@ -120,8 +120,8 @@ struct Shape_measure
   {
     const Interval_nt<> flat = interval_around(r.squared_distance);
     if (!is_round()) return CGAL::sqrt(flat);
-    const Interval_nt<> far = CGAL::sqrt(interval_around(Number(r.radial + squared_radius)));
-    const Interval_nt<> d = CGAL::abs(interval_around(r.radial)) / (far + radius());
+    const Interval_nt<> sum = CGAL::sqrt(interval_around(Number(r.radial + squared_radius)));
+    const Interval_nt<> d = CGAL::abs(interval_around(r.radial)) / (sum + radius());
     if (kind != Shape_kind::circle) return d;
     return CGAL::sqrt(CGAL::square(d) + flat);
   }
