@@ -6,9 +6,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
 #define CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
 
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Zoom_level.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ public:
     const auto child = level_.children(level_.net());
     for (Index a = 0; a < kinds; ++a) {
       rows_[a].clear();
-      host.stencil(mask, child[level_.net().vertex(0, a > 0, a > 1)], rows_[a]);
+      host.stencil(mask, child[level_.net().vertex(0, a > 0, a > 1)], rows_[a].row());
       rows_[a].close_row();
       check_row(rows_[a]);
     }
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  void check_row(const Stencil<FT>& row) const
+  void check_row(const Stencil_block<FT>& row) const
   {
     for (auto e = row.begin(0); e != row.end(0); ++e)
       if (level_.net().norm(e->vertex) > 1)
@@ -94,7 +94,7 @@ private:
 
   Index valence_;
   Zoom_level<Scheme, FT> level_;
-  std::array<Stencil<FT>, kinds> rows_;
+  std::array<Stencil_block<FT>, kinds> rows_;
 };
 
 // the moduli of the eigenvalues with a sum and product, the larger one first

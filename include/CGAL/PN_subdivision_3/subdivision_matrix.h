@@ -6,19 +6,83 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
 
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+namespace internal {
+
+// A sparse matrix that is filled row by row, without a list of its entries besides.
+template <class FT>
+class Matrix_rows
+{
+public:
+  using Matrix = Eigen::SparseMatrix<FT, Eigen::RowMajor>;
+  using Entry = typename Stencil_block<FT>::Entry;
+
+  Matrix_rows(
+    std::uint64_t rows, std::uint64_t columns,
+    std::uint64_t most_entries = static_cast<std::uint64_t>((std::numeric_limits<int>::max)()))
+    : most_entries_(most_entries)
+  {
+    check(rows, "rows");
+    check(columns, "columns");
+    matrix_.resize(static_cast<int>(rows), static_cast<int>(columns));
+  }
+
+  // appends a row; weights of the same vertex add up in their order
+  void append(const Entry* begin, const Entry* end)
+  {
+    row_.assign(begin, end);
+    std::stable_sort(row_.begin(), row_.end(),
+                     [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
+    check(static_cast<std::uint64_t>(matrix_.data().size()) + row_.size(), "entries");
+    matrix_.startVec(next_row_);
+    FT* weight = nullptr;
+    for (std::size_t i = 0; i < row_.size(); ++i)
+      if (i != 0 && row_[i].vertex == row_[i - 1].vertex)
+        *weight += row_[i].weight;
+      else {
+        weight = &matrix_.insertBack(next_row_, static_cast<int>(row_[i].vertex));
+        *weight = row_[i].weight;
+      }
+    ++next_row_;
+  }
+
+  // the matrix, when all rows are there
+  Matrix release()
+  {
+    matrix_.finalize();
+    return std::move(matrix_);
+  }
+
+private:
+  void check(std::uint64_t n, const char* what) const
+  {
+    if (n > most_entries_)
+      throw std::length_error("PN_subdivision_3: a matrix of " + std::to_string(n) + " or more " +
+                              what + " is more than Eigen's int can number: take a smaller mesh");
+  }
+
+  std::uint64_t most_entries_;
+  Matrix matrix_;
+  int next_row_ = 0;
+  std::vector<Entry> row_;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -44,15 +108,13 @@ Not part of the header `CGAL/PN_subdivision_3.h`, since it needs \ref thirdparty
   it
 
 \throws std::invalid_argument as `subdivide()` does, and if `round` is 0
-\throws std::length_error if there are more rows than `int` can number
-\cost linear in the size of the refined mesh
+\throws std::length_error if there are more rows or entries than `int` can number
+\cost linear in the number of entries
 */
 template <class FT = double, class PolygonMesh, class Scheme>
 Eigen::SparseMatrix<FT, Eigen::RowMajor>
 subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round = 1)
 {
-  using Index = Level_connectivity::Index;
-  using Triplet = Eigen::Triplet<FT, int>;
   if (round == 0)
     throw std::invalid_argument("PN_subdivision_3: the rounds of a call are counted from 1");
   Eigen::SparseMatrix<FT, Eigen::RowMajor> matrix;
@@ -62,21 +124,15 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
     const typename Scheme::Host host(level, round);
     const auto mask = scheme.template mask<FT>(level, round);
     const std::uint64_t size = Scheme::Host::refined_size(level.size(), round).vertices;
-    if (size > static_cast<std::uint64_t>((std::numeric_limits<int>::max)()))
-      throw std::length_error("PN_subdivision_3: a matrix of " + std::to_string(size) +
-                              " rows is more than Eigen's int can number");
-    const auto rows = static_cast<Index>(size);
-    std::vector<Triplet> triplets;
-    Stencil<FT> stencil;
-    for (Index r = 0; r < rows; ++r) {
+    internal::Matrix_rows<FT> rows(size, level.number_of_vertices());
+    internal::Stencil_block<FT> stencil;
+    for (std::uint64_t r = 0; r < size; ++r) {
       stencil.clear();
-      host.stencil(mask, r, stencil);
+      host.stencil(mask, static_cast<Level_connectivity::Index>(r), stencil.row());
       stencil.close_row();
-      for (auto e = stencil.begin(0); e != stencil.end(0); ++e)
-        triplets.emplace_back(static_cast<int>(r), static_cast<int>(e->vertex), e->weight);
+      rows.append(stencil.begin(0), stencil.end(0));
     }
-    matrix.resize(static_cast<int>(rows), static_cast<int>(level.number_of_vertices()));
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    matrix = rows.release();
   });
   return matrix;
 }

@@ -9,7 +9,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 
 #include <gtest/gtest.h>
 
@@ -61,19 +61,21 @@ std::vector<PN::Point_normal<FT, 3>> some_values(std::size_t n, std::size_t wild
 
 // `rows` rows of random weights that sum to 1; of `length` entries, or of any number up to it.
 template <class FT>
-PN::Stencil<FT> some_rows(std::size_t rows, std::size_t length, bool any_length, std::size_t values)
+PN::internal::Stencil_block<FT> some_rows(std::size_t rows, std::size_t length, bool any_length,
+                                          std::size_t values)
 {
   std::mt19937 generator(static_cast<unsigned>(13 * length + rows));
   std::uniform_real_distribution<double> weight(-0.1, 0.5);
-  PN::Stencil<FT> stencil;
+  PN::internal::Stencil_block<FT> stencil;
   for (std::size_t r = 0; r < rows; ++r) {
     const std::size_t n = any_length ? 1 + generator() % length : length;
     for (std::size_t j = 0; j < n; ++j) {
-      const auto v = static_cast<typename PN::Stencil<FT>::Index>(generator() % values);
+      const auto v =
+        static_cast<typename PN::internal::Stencil_block<FT>::Index>(generator() % values);
       if (j + 1 == n)
-        stencil.add_rest(v);
+        stencil.row().add_rest(v);
       else
-        stencil.add(v, FT(weight(generator)));
+        stencil.row().add(v, FT(weight(generator)));
     }
     stencil.close_row();
   }
@@ -89,8 +91,9 @@ template <class FT, int dimension>
 using Narrow_block = PN::internal::Staged_PN_average_block<FT, dimension, Not_wide>;
 
 template <class Block>
-std::vector<typename Block::Value> block_of_rows(const PN::Stencil<typename Block::FT>& rows,
-                                                 const std::vector<typename Block::Value>& old)
+std::vector<typename Block::Value>
+block_of_rows(const PN::internal::Stencil_block<typename Block::FT>& rows,
+              const std::vector<typename Block::Value>& old)
 {
   const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
   std::vector<typename Block::Value> result(rows.number_of_rows());
@@ -99,7 +102,7 @@ std::vector<typename Block::Value> block_of_rows(const PN::Stencil<typename Bloc
 }
 
 template <class Block, class FT>
-void compare_block_with_rows(const PN::Stencil<FT>& rows,
+void compare_block_with_rows(const PN::internal::Stencil_block<FT>& rows,
                              const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)
 {
   const auto result = block_of_rows<Block>(rows, old);

@@ -261,6 +261,23 @@ TYPED_TEST(Scheme_property, SubdivisionMatrixHoldsTheReferenceWeights)
   }
 }
 
+// More entries than Eigen can number are refused by the row that has them; the limit is lowered here.
+TEST(Matrix_rows, AddUpAndAreNotMoreThanCanBeNumbered)
+{
+  using Rows = PN::internal::Matrix_rows<double>;
+  const Rows::Entry entries[] = {{2, 0.25}, {0, 0.5}, {2, 0.125}, {1, 0.125}};
+  Rows rows(2, 3, 7);
+  rows.append(entries, entries + 4);
+  rows.append(entries, entries + 4);
+  const Eigen::MatrixXd expected = Eigen::RowVector3d(0.5, 0.125, 0.375).replicate(2, 1);
+  EXPECT_EQ(Eigen::MatrixXd(rows.release()), expected);
+
+  Rows too_many(2, 3, 5);
+  too_many.append(entries, entries + 4);
+  EXPECT_THROW(too_many.append(entries, entries + 4), std::length_error);
+  EXPECT_THROW(Rows(std::uint64_t(1) << 31, 3), std::length_error);
+}
+
 TYPED_TEST(Scheme_property, RowsOfOneEntryCopyBitForBit)
 {
   for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {

@@ -8,7 +8,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_CHANGED_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_TEST_CHANGED_SCHEME_H
 
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 template <class Mask, class FT>
@@ -36,8 +36,8 @@ struct Changed_host : Host_
   template <class Mask, class FT, class Stencil>
   void stencil(const Changed_mask<Mask, FT>& changed, Level::Index v, Stencil& s) const
   {
-    CGAL::PN_subdivision_3::Stencil<FT> row;
-    Host_::stencil(changed.mask, v, row);
+    CGAL::PN_subdivision_3::internal::Stencil_block<FT> row;
+    Host_::stencil(changed.mask, v, row.row());
     row.close_row();
     const auto *const begin = row.begin(0), *const last = row.end(0) - 1;
     for (const auto* e = begin; e != last + 1; ++e) {

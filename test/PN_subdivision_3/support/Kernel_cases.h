@@ -65,12 +65,12 @@ Point_normals<FT> one_round(const Control_mesh& control, const Scheme& scheme)
   const auto mask = scheme.template mask<FT>(level, 1);
   const auto normal_mask = mask_of_normals<FT>(scheme, level);
   const PN::Level_connectivity::Index size = Scheme::Host::refined_size(level.size(), 1).vertices;
-  PN::Stencil<FT> row, normal_row;
+  PN::internal::Stencil_block<FT> row, normal_row;
   for (PN::Level_connectivity::Index v = 0; v < size; ++v) {
     row.clear();
     normal_row.clear();
-    host.stencil(mask, v, row);
-    host.stencil(normal_mask, v, normal_row);
+    host.stencil(mask, v, row.row());
+    host.stencil(normal_mask, v, normal_row.row());
     row.close_row();
     normal_row.close_row();
     result.push_back(

@@ -24,8 +24,8 @@ void for_each_row(Surface_mesh& mesh, const Scheme& scheme, unsigned k, const Fu
   const auto mask = scheme.template mask<FT>(level, k);
   const std::uint64_t size = Host::refined_size(level.size(), k).vertices;
   for (PN::Level_connectivity::Index v = 0; v < size; ++v) {
-    PN::Stencil<FT> row;
-    host.stencil(mask, v, row);
+    PN::internal::Stencil_block<FT> row;
+    host.stencil(mask, v, row.row());
     row.close_row();
     f(v, row.begin(0), row.end(0));
   }

@@ -8,8 +8,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/Lanes.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/Wide_PN_average.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 #include <boost/config.hpp>
 
@@ -27,7 +27,7 @@ namespace internal {
 // many independent ones side by side hide its latency. Other number types gain nothing from it.
 template <class FT>
 constexpr std::size_t block_size_v =
-  std::is_floating_point_v<FT> ? Stencil<FT>::maximum_number_of_rows : 1;
+  std::is_floating_point_v<FT> ? Stencil_block<FT>::maximum_number_of_rows : 1;
 
 // The average of every row of a block by the row's own rule: any number type, and the linear rule.
 template <class Average>
@@ -39,15 +39,15 @@ public:
   // what old values are stored as
   using Stored_value = Value;
 
-  void operator()(const Stencil<FT>& rows, const Value* old, Value* result) const
+  void operator()(const Stencil_block<FT>& rows, const Value* old, Value* result) const
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
       result[r] = average_(rows.begin(r), rows.end(r), old);
   }
 
   // normals by rows of their own
-  void operator()(const Stencil<FT>& rows, const Stencil<FT>& normal_rows, const Value* old,
-                  Value* result) const
+  void operator()(const Stencil_block<FT>& rows, const Stencil_block<FT>& normal_rows,
+                  const Value* old, Value* result) const
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
       result[r] =
@@ -97,7 +97,7 @@ public:
   using Value = typename Average::Value;
   using Stored_value = Interleaved_point_normal<FT, dimension>;
 
-  void operator()(const Stencil<FT>& rows, const Stored_value* old, Value* result) const
+  void operator()(const Stencil_block<FT>& rows, const Stored_value* old, Value* result) const
   {
     if (rows.uniform_length() == 1) return copy(rows, old, result);
     if constexpr (Wide::maximum_length != 0)
@@ -124,8 +124,8 @@ public:
     }
   }
 
-  void operator()(const Stencil<FT>& rows, const Stencil<FT>& normal_rows, const Stored_value* old,
-                  Value* result) const
+  void operator()(const Stencil_block<FT>& rows, const Stencil_block<FT>& normal_rows,
+                  const Stored_value* old, Value* result) const
   {
     staged(Row<0>(rows), Row<0>(normal_rows), old, result);
   }
@@ -133,13 +133,13 @@ public:
 private:
   static constexpr std::size_t capacity = block_size_v<FT>;
   using Vector = Coordinates<FT, dimension>;
-  using Entry = typename Stencil<FT>::Entry;
+  using Entry = typename Stencil_block<FT>::Entry;
 
   // The rows of a block; their length is known at compile time unless it is 0.
   template <std::size_t uniform_length>
   struct Row
   {
-    explicit Row(const Stencil<FT>& s)
+    explicit Row(const Stencil_block<FT>& s)
       : rows(s)
       , first(s.begin(0))
     {}
@@ -158,16 +158,16 @@ private:
         return uniform_length;
     }
     const Entry* end(std::size_t r) const { return begin(r) + length(r); }
-    const Stencil<FT>& rows;
+    const Stencil_block<FT>& rows;
     const Entry* first;
   };
 
-  static void copy(const Stencil<FT>& rows, const Stored_value* old, Value* result)
+  static void copy(const Stencil_block<FT>& rows, const Stored_value* old, Value* result)
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r) result[r] = old[rows.begin(r)->vertex];
   }
 
-  static void wide(const Stencil<FT>& rows, const Stored_value* old, Value* result)
+  static void wide(const Stencil_block<FT>& rows, const Stored_value* old, Value* result)
   {
     const Row<0> any(rows);
     for (std::size_t first = 0, end; first < rows.number_of_rows(); first = end) {

@@ -7,7 +7,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_WIDE_PN_AVERAGE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +55,7 @@ template <int dimension>
 class Wide_PN_average<double, dimension>
 {
 public:
-  using Entry = Stencil<double>::Entry;
+  using Entry = Stencil_block<double>::Entry;
   using Value = Point_normal<double, dimension>;
 
   static constexpr std::size_t maximum_length = 32;

@@ -8,9 +8,9 @@
 
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/Uncertain.h>
 
 #include <boost/container/vector.hpp>
@@ -209,7 +209,7 @@ private:
   void evaluate(Index first, Index last, const Sink& sink) const
   {
     constexpr auto half = static_cast<Index>(block_size_v<FT>);
-    Stencil<FT> rows, normal_rows;
+    Stencil_block<FT> rows, normal_rows;
     std::array<Value, static_cast<std::size_t>(half)> values;
     std::array<Value, static_cast<std::size_t>(2 * half)> ordered;
     for (Index begin = first; begin < last; begin += 2 * half) {
@@ -226,16 +226,17 @@ private:
     }
   }
 
-  void emit(const Univariate_rows<FT>& source, Index start, Index end, Stencil<FT>& rows) const
+  void emit(const Univariate_rows<FT>& source, Index start, Index end,
+            Stencil_block<FT>& rows) const
   {
     rows.clear();
     for (Index i = start; i < end; i += 2) {
-      source.emit(i, size(), end_, rows);
+      source.emit(i, size(), end_, rows.row());
       rows.close_row();
     }
   }
 
-  void average(const Stencil<FT>& rows, [[maybe_unused]] const Stencil<FT>& normal_rows,
+  void average(const Stencil_block<FT>& rows, [[maybe_unused]] const Stencil_block<FT>& normal_rows,
                Value* result, Index start) const
   try {
     const Block block{};

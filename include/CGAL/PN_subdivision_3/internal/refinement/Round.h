@@ -8,8 +8,8 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 
@@ -59,7 +59,7 @@ public:
   // block
   void evaluate(Index begin, Index end, const Stored_value* old, Sink sink) const
   {
-    Stencil<FT> rows;
+    Stencil_block<FT> rows;
     [[maybe_unused]] Normal_rows normal_rows{};
     std::array<Value, block_size_v<FT>> values;
     for (Index first = begin; first < end;) {
@@ -78,7 +78,7 @@ private:
   struct No_mask
   {};
 
-  using Normal_rows = std::conditional_t<has_normal_mask, Stencil<FT>, No_mask>;
+  using Normal_rows = std::conditional_t<has_normal_mask, Stencil_block<FT>, No_mask>;
 
   static auto make_normal_mask(const Scheme& scheme, const Level_connectivity& level,
                                unsigned number)
@@ -95,16 +95,16 @@ private:
                                                 std::declval<const Level_connectivity&>(), 0u));
 
   template <class Any_mask>
-  void emit(const Any_mask& mask, Index first, Index n, Stencil<FT>& rows) const
+  void emit(const Any_mask& mask, Index first, Index n, Stencil_block<FT>& rows) const
   {
     rows.clear();
     for (Index i = 0; i < n; ++i) {
-      host_.stencil(mask, first + i, rows);
+      host_.stencil(mask, first + i, rows.row());
       rows.close_row();
     }
   }
 
-  void average(const Stencil<FT>& rows, [[maybe_unused]] const Normal_rows& normal_rows,
+  void average(const Stencil_block<FT>& rows, [[maybe_unused]] const Normal_rows& normal_rows,
                const Stored_value* old, Value* result, [[maybe_unused]] Index first) const
   {
     const Block block{};
