@@ -52,7 +52,7 @@ void print_curvatures(const char* name, Mesh mesh, const Scheme& scheme)
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/creature.obj";
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/creature.obj");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.is_empty()) {
     std::cerr << "Invalid input: " << filename << std::endl;

@@ -27,7 +27,8 @@ namespace params = CGAL::parameters;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/mixed_borders.off";
+  const std::string filename =
+    argc > 1 ? argv[1] : CGAL::data_file_path("meshes/mixed_borders.off");
   const std::string output = argc > 2 ? argv[2] : "estimate_normals.ply";
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.is_empty()) {

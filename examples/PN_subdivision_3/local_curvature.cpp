@@ -36,9 +36,9 @@ void print_row(const char* name, const local_examples::Mesh& mesh, const Scheme&
   std::printf("\n");
 }
 
-void print_table(const std::string& folder, const local_examples::Local_example& example)
+void print_table(const std::string& file, const local_examples::Local_example& example)
 {
-  const local_examples::Mesh mesh = local_examples::read(folder + "/" + example.file);
+  const local_examples::Mesh mesh = local_examples::read(file);
   std::printf("%s", example.file.c_str());
   if (example.gaussian_curvature)
     std::printf(", K of the sampled surface %.5f", *example.gaussian_curvature);
@@ -57,12 +57,11 @@ void print_table(const std::string& folder, const local_examples::Local_example&
 
 int main(int argc, char** argv)
 {
-  if (argc != 2) {
-    std::cerr << "usage: local_curvature FOLDER_OF_CONTROL_MESHES\n";
-    return EXIT_FAILURE;
-  }
   try {
-    for (const auto& example : local_examples::all()) print_table(argv[1], example);
+    for (const auto& example : local_examples::all())
+      print_table(argc > 1 ? argv[1] + ("/" + example.file)
+                           : CGAL::data_file_path("meshes/" + example.file),
+                  example);
   } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';
     return EXIT_FAILURE;

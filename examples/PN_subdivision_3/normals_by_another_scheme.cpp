@@ -28,7 +28,7 @@ namespace params = CGAL::parameters;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/creature.obj";
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/creature.obj");
   const std::string output = argc > 2 ? argv[2] : "normals_by_another_scheme.ply";
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.is_empty()) {

@@ -50,7 +50,7 @@ Mesh refined(Mesh mesh, unsigned rounds)
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/creature.obj";
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/creature.obj");
   const unsigned rounds = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 5;
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || mesh.is_empty()) {

@@ -31,7 +31,7 @@ namespace params = CGAL::parameters;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/creature.obj";
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/creature.obj");
   const std::string output = argc > 2 ? argv[2] : "polyhedron.off";
   Polyhedron polyhedron;
   if (!CGAL::IO::read_polygon_mesh(filename, polyhedron) || polyhedron.empty()) {

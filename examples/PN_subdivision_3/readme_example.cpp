@@ -19,7 +19,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 
 int main()
 {
-  // A cube whose control normals point away from its centre ...
+  // A cube whose control normals point away from its center ...
   Mesh mesh;
   CGAL::make_hexahedron(Point(-1, -1, -1), Point(1, -1, -1), Point(1, 1, -1), Point(-1, 1, -1),
                         Point(-1, 1, 1), Point(-1, -1, 1), Point(1, -1, 1), Point(1, 1, 1), mesh);

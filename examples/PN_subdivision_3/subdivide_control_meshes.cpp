@@ -3,19 +3,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Subdivides every control mesh of a folder, triangle meshes by PN-Loop and all others by
+// Subdivides control meshes, those of the package or all of a folder, triangle meshes by PN-Loop and all others by
 // PN-Catmull-Clark, and writes the results as PLY with normals. A comment line `sphere X Y Z R` or
 // `cylinder X Y Z DX DY DZ R` in a PLY file names the surface that the control data lies on; the
 // largest distance of the result from it is printed in units of 2^-52 times the radius.
 //
-//   subdivide_control_meshes FOLDER OUTPUT_FOLDER [ROUNDS]
+//   subdivide_control_meshes [FOLDER [OUTPUT_FOLDER [ROUNDS]]]
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Timer.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
   const bool triangles = CGAL::is_triangle_mesh(mesh);
   const Normal_map normals = control_normals(mesh);
 
-  CGAL::Timer timer;
+  CGAL::Real_timer timer;
   timer.start();
   const auto np = params::number_of_iterations(rounds).vertex_normal_map(normals);
   if (triangles)
@@ -105,7 +105,7 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
   std::cout << std::left << std::setw(26) << file.filename().string() << std::setw(18)
             << (triangles ? "PN-Loop" : "PN-Catmull-Clark") << std::right << std::setw(7)
             << control_faces << std::setw(10) << mesh.number_of_faces() << std::setw(10)
-            << mesh.number_of_vertices() << std::fixed << std::setprecision(1) << std::setw(9)
+            << mesh.number_of_vertices() << std::fixed << std::setprecision(2) << std::setw(9)
             << timer.time() * 1e3 << " ms";
   if (const auto surface = surface_in_comments(comments)) {
     const double distance =
@@ -122,19 +122,32 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
     throw std::runtime_error(output.string() + " is not writable");
 }
 
-int main(int argc, char** argv)
+std::vector<std::filesystem::path> control_meshes_of_the_package()
 {
-  if (argc < 3) {
-    std::cerr << "Usage: " << argv[0] << " FOLDER OUTPUT_FOLDER [ROUNDS]\n";
-    return EXIT_FAILURE;
-  }
-  const std::filesystem::path folder = argv[1], output = argv[2];
-  const unsigned rounds = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 4;
+  std::vector<std::filesystem::path> files;
+  for (const char* name :
+       {"cylinder_quads.ply", "cylinder_triangles.ply", "sphere_mixed.ply", "sphere_quads.ply",
+        "sphere_triangles.ply", "torus_quads.ply", "creature.obj", "head.obj", "spoon.obj"})
+    files.push_back(CGAL::data_file_path("meshes/" + std::string(name)));
+  return files;
+}
+
+std::vector<std::filesystem::path> control_meshes_of(const std::filesystem::path& folder)
+{
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     for (const char* extension : {".ply", ".off", ".obj"})
       if (entry.path().extension() == extension) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+int main(int argc, char** argv)
+{
+  const std::vector<std::filesystem::path> files =
+    argc > 1 ? control_meshes_of(argv[1]) : control_meshes_of_the_package();
+  const std::filesystem::path output = argc > 2 ? argv[2] : "subdivided";
+  const unsigned rounds = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 4;
   std::filesystem::create_directories(output);
 
   std::cout << "control mesh              scheme            control     faces  vertices        time"

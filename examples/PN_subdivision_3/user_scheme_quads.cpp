@@ -99,7 +99,7 @@ bool is_generalization(Mesh control)
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/wheel.off";
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/wheel.off");
   const Tension_scheme scheme{argc > 2 ? std::atof(argv[2]) : 0.25};
   if (!try_scheme(filename, scheme, "user_scheme_quads.ply")) return EXIT_FAILURE;
   Mesh control;

@@ -71,7 +71,8 @@ struct Warren_scheme
 
 int main(int argc, char** argv)
 {
-  const std::string filename = argc > 1 ? argv[1] : "data/valences_3_to_12.ply";
+  const std::string filename =
+    argc > 1 ? argv[1] : CGAL::data_file_path("meshes/valences_3_to_12.ply");
   try {
     return try_scheme(filename, Warren_scheme(), "user_scheme_triangles.ply") ? EXIT_SUCCESS
                                                                               : EXIT_FAILURE;

@@ -29,9 +29,8 @@ public:
   /// the degree of all refined faces, 0 if they may differ.
   static constexpr Index refined_degree = unspecified;
 
-  /// whether the old vertices are the first ones of the refined level, in their order. If so, no
-  /// kind of element becomes fewer by a round. If not, elements of the mesh that the refined level
-  /// does not use are removed at the end.
+  /// whether the refined level begins with the old vertices, in their order. If so, a round makes no kind of
+  /// element fewer. If not, elements of the mesh that the refined level does not use are removed at the end.
   static constexpr bool keeps_vertices = unspecified;
 
   /// returns the numbers of elements after a round on a level of the size `s`; rounds are counted
@@ -49,6 +48,9 @@ public:
 
   /// prepares one round on `level`, which outlives the host.
   PNSubdivisionHost_3(const CGAL::PN_subdivision_3::Level_connectivity& level, unsigned round);
+
+  /// optional: returns which old element a new vertex comes from. The hosts of the package have it.
+  CGAL::PN_subdivision_3::Element_parent parent_of_vertex(Index new_vertex) const;
 
   /// writes the row of the vertex `new_vertex` of the refined level, by one call of a function of
   /// `mask`. It is called by several threads at a time.

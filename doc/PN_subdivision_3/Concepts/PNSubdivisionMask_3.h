@@ -10,15 +10,17 @@
 The weights of a subdivision scheme on one level. A mask knows the connectivity of the level and
 nothing of points, normals or threads.
 
-Each function writes the row of one new vertex: old vertices with their weights, by calls of
-`Stencil::add()` and `Stencil::add_rest()`.
+Each function writes the row of one new vertex, that is old vertices with their weights, by
+`Stencil::add()` and `Stencil::add_rest()`. The rows are those of `CGAL::PN_subdivision_3::Stencil`; a
+host may also pass a class of its own with these two functions.
 
 - A mask provides those of the functions that its host calls: for `PQQ_host` the functions `vertex()`,
   `edge()` and `face()`; for `PTQ_host` `vertex()` and `edge()`; for `DQQ_host` `corner()`; for
-  `Sqrt3_host` `vertex()`, `face()` and `border_edge()`. A host of your own may call others.
+  `Sqrt3_host` `vertex()`, `face()`, `border_vertex()` and `border_edge()`. A host of your own may call
+  others.
 - The weights of a row sum to 1. Where they are rounded, write the last one with `add_rest()`.
-- Rows are flattened: all their vertices are old ones. A new edge vertex for example is given by
-  old vertices, not by new face vertices.
+- Rows are flattened: they hold old vertices only. A new edge vertex for example is written in terms of
+  old vertices, not of new face vertices.
 - A vertex may occur several times in a row; its weights add up. A row with a single entry is a copy
   of that vertex, with its normal.
 - `vertex()` is called for border vertices and for vertices without edges too, `edge()` for border
@@ -26,7 +28,7 @@ Each function writes the row of one new vertex: old vertices with their weights,
 - The functions are called by several threads at a time, in no particular order, and possibly more
   than once for a vertex; the row must be the same each time.
 - The weights are computed in `FT`, a field: make numbers of `int` only, `FT(3) / FT(8)`, so that
-  they are exact in exact number types. `cosine_weight()` gives cosines in any number type.
+  they are exact in exact number types. `cosine_weight()` returns cosines in any number type.
 
 The level outlives the mask, which may keep a reference to it.
 
@@ -65,6 +67,11 @@ public:
   /// writes the row of the new vertex of a corner: that of the face of `h` at the target of `h`.
   template <class Stencil>
   void corner(Index h, Stencil& stencil) const;
+
+  /// writes the row of the old border vertex that the border half-edge `h` leads to, in a round that refines
+  /// the border.
+  template <class Stencil>
+  void border_vertex(Index h, Stencil& stencil) const;
 
   /// writes the row of the new vertex `i`, 0 or 1, of the border edge of `h`, a half-edge with a face;
   /// 0 is the one at the source of `h`.

@@ -40,6 +40,12 @@ public:
   unspecified_type mask(const CGAL::PN_subdivision_3::Level_connectivity& level,
                         unsigned round) const;
 
+  /// optional: returns about how many entries all rows have that grow with a valence or a degree, in a
+  /// round of a call with the control mesh `level`, see
+  /// `CGAL::PN_subdivision_3::estimated_row_entries()`.
+  static double dense_row_entries(const CGAL::PN_subdivision_3::Level_connectivity& level,
+                                  unsigned round);
+
   /// optional: throws `std::invalid_argument` if the scheme has no rule for the control mesh. It is
   /// called once, after the check of the host. `names.vertex_name(v)`, `names.halfedge_name(h)` and
   /// `names.face_name(f)` return strings for the message.

@@ -116,8 +116,8 @@ back, and what such a map stores for vertices that exist no longer.
 \cgalNamedParamsEnd
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
-  joins several fans of faces, an edge without a face, broken connectivity), if a face is none that
-  the scheme can refine, or if a point or normal is not finite. The message names the element. These
+  joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
+  refine one of the faces, or if a point or normal is not finite. The message names the element. These
   checks do not depend on `NDEBUG`.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::overflow_error if a new point is out of the range of a floating point type

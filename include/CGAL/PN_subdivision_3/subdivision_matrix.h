@@ -90,15 +90,15 @@ private:
 returns the weights of one round of a scheme as a sparse matrix: row i holds the weights of the new
 vertex i on the old vertices, which are the columns. Multiplied with the matrix of the old points it
 gives the points of the linear scheme; the eigenvalues of its part that maps the neighborhood of a
-vertex to that of its successor decide on the smoothness there.
+vertex to the neighborhood of the same vertex after the round decide on the smoothness there.
 
 The rows sum to 1: exactly in exact number types; in floating point exactly when the weights are
 added in the order in which the mask emits them, and within 4 machine epsilons otherwise.
 
 Not part of the header `CGAL/PN_subdivision_3.h`, since it needs \ref thirdpartyEigen "Eigen".
 
-\tparam FT the number type of the weights; if it is none of Eigen's own, `Eigen::NumTraits<FT>` has
-  to be specialized
+\tparam FT the number type of the weights; for a type that Eigen does not know,
+  specialize `Eigen::NumTraits<FT>`
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam Scheme a model of `PNSubdivisionScheme_3`
 

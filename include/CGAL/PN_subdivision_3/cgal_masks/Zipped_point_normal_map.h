@@ -38,7 +38,7 @@ public:
   /// a point with its normal.
   using value_type = std::pair<typename boost::property_traits<VertexPointMap>::value_type,
                                typename boost::property_traits<VertexNormalMap>::value_type>;
-  /// values are put together when asked for.
+  /// values are made of the two maps on request.
   using reference = value_type;
   using category = boost::read_write_property_map_tag;
 

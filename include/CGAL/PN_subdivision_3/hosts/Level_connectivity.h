@@ -25,8 +25,8 @@ struct Level_size
   std::uint64_t corners = 0;
   /// vertices without edges
   std::uint64_t isolated_vertices = 0;
-  /// the sum of the valences of the border vertices. Like `isolated_vertices` it is known of the
-  /// control level, and refined by the hosts whose sizes depend on it.
+  /// the sum of the valences of the border vertices. Of refined levels this and `isolated_vertices` are known
+  /// only where the host's sizes depend on them.
   std::uint64_t border_valences = 0;
 
   std::uint64_t halfedges() const { return 2 * edges; }

@@ -99,7 +99,7 @@ private:
   template <class Stencil>
   void regular_edge(Index h, Index o, Stencil& s) const
   {
-    // what the four far points take or, reflected, give
+    // the four points opposite the wing edges; where there is none its reflection, by the weights below
     const Index wing_edges[4] = {level_.next(h), level_.next(level_.next(h)), level_.next(o),
                                  level_.next(level_.next(o))};
     bool inside[4];
@@ -115,7 +115,7 @@ private:
     add_wing(level_.target(wing_edges[2]), !inside[2], !inside[3], s);
   }
 
-  // A far point beyond the wing edge (end, wing) is end + wing - other end: -1/16 of it.
+  // The reflection beyond the wing edge (end, wing) is end + wing - other end. It has the weight -1/16.
   template <class Stencil>
   void add_end(Index end, bool own1, bool own2, bool others1, bool others2, Stencil& s) const
   {

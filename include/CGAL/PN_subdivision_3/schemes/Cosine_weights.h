@@ -8,12 +8,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -81,33 +79,6 @@ FT cosine_weight(std::int64_t k, std::int64_t n)
     return internal::irrational_cosine<FT>(k, n);
   }
 }
-
-/*!
-\ingroup PkgPNSubdivision3Schemes
-The values of `cosine_weight()`, those for n < 32 computed once.
-*/
-template <class FT>
-class Cosine_table
-{
-public:
-  Cosine_table()
-  {
-    values_.reserve(limit * (limit - 1) / 2);
-    for (std::int64_t n = 1; n < limit; ++n)
-      for (std::int64_t k = 0; k < n; ++k) values_.push_back(cosine_weight<FT>(k, n));
-  }
-
-  FT operator()(std::int64_t k, std::int64_t n) const
-  {
-    if (n >= limit) return cosine_weight<FT>(k, n);
-    return values_[static_cast<std::size_t>(n * (n - 1) / 2 + k % n)];
-  }
-
-private:
-  static constexpr std::int64_t limit = 32;
-
-  std::vector<FT> values_;
-};
 
 /*!
 \ingroup PkgPNSubdivision3Schemes

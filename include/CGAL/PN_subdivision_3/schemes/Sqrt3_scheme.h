@@ -94,7 +94,7 @@ private:
     return (FT(4) - FT(2) * cosine_weight<FT>(1, n)) / (FT(9) * FT(int(n)));
   }
 
-  // what n neighbors leave, added one by one as in the row
+  // 1 minus the weights of the n neighbors, which are added one by one as in the row
   static FT vertex_weight(Index n)
   {
     const FT weight = neighbor_weight(n);

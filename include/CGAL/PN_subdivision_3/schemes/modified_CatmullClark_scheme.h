@@ -85,9 +85,8 @@ struct Tuned_CatmullClark_frequencies
 template <class Number>
 using Matrix_3x3 = std::array<std::array<Number, 3>, 3>;
 
-// A_0', given the root in the eigenvalues of A_0:
-// A_0 + sum of (p' - p) (A_0 - 1)(A_0 - q) / ((p - 1)(p - q)) over its eigenvalues p and q, and q
-// and p.
+// A_0', given the square root that occurs in the eigenvalues p and q of A_0: the matrix A_0, plus
+// (p' - p) (A_0 - 1)(A_0 - q) / ((p - 1)(p - q)), plus the same with p and q exchanged.
 template <class Number>
 Matrix_3x3<Number> tuned_CatmullClark_mean(std::size_t valence, const Number& root,
                                            const Number& bound)
@@ -282,7 +281,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Modified Catmull-Clark subdivision: `modified_CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
-On a mesh without separated extraordinary vertices a round is one of `CatmullClark_scheme`.
+On a mesh without separated extraordinary vertices a round gives the same as one of `CatmullClark_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
 class modified_CatmullClark_scheme

@@ -134,7 +134,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Modified Loop subdivision: `modified_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
-without separated extraordinary vertices a round is one of `Loop_scheme`.
+without separated extraordinary vertices a round gives the same as one of `Loop_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
 class modified_Loop_scheme

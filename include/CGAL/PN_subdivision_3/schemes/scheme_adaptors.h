@@ -26,7 +26,7 @@ struct Has_check<
   : std::true_type
 {};
 
-// refuses a level that the host or, if it has a check() of its own, the scheme cannot refine
+// refuses a level that the host cannot refine, or the scheme if it has a check() of its own
 template <class Scheme, class Element_names>
 void check_scheme(const Scheme& scheme, const Level_connectivity& level, const Element_names& names)
 {
@@ -38,7 +38,8 @@ void check_scheme(const Scheme& scheme, const Level_connectivity& level, const E
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-The linear twin of a scheme, made by `linear()`: the same points as without normals.
+The linear twin of a scheme, made by `linear()`: it gives the points that the scheme gives where there
+are no normals.
 */
 template <class Scheme>
 struct Linear_scheme

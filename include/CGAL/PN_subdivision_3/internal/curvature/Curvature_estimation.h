@@ -82,7 +82,7 @@ private:
     number_of_rings_ = 0;
   }
 
-  // Adds a ring; false if there is none. What faces the other way belongs to another part of the
+  // Adds a ring; false if it is empty. What faces the other way belongs to another part of the
   // surface and is not entered.
   bool grow(const Eigen::Vector3d& normal)
   {

@@ -93,7 +93,7 @@ private:
     return twice_center_ >= 0 ? (twice_center_ + 1) / 2 : -(-twice_center_ / 2);
   }
 
-  // orders the row so that the largest weight comes last, with what the others leave
+  // puts the largest weight last and makes it 1 minus the sum of the others
   void close_row(std::size_t parity)
   {
     Row& row = rows_[parity];
@@ -102,7 +102,7 @@ private:
     const FT tolerance =
       FT(4) * machine_epsilon<FT>() * FT(static_cast<int>((std::max)(row.size(), std::size_t(1))));
     if (row.empty() || !CGAL::possibly(sum - FT(1) <= tolerance) ||
-        !CGAL::possibly(FT(1) - sum <= tolerance)) // NaN is none
+        !CGAL::possibly(FT(1) - sum <= tolerance)) // also refuses NaN
       throw std::invalid_argument("PN_subdivision_3: the mask's coefficients of " +
                                   std::string(parity == 0 ? "even" : "odd") +
                                   " index do not sum to 1");

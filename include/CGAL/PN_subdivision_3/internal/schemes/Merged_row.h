@@ -47,7 +47,7 @@ public:
     entries_.emplace_back(vertex, weight);
   }
 
-  // writes the row, the entry of the largest weight last and with the rest
+  // writes the row; the entry of the largest weight comes last, by add_rest()
   template <class Stencil>
   void emit(Stencil& s) const
   {

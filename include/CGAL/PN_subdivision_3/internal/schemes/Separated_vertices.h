@@ -28,7 +28,7 @@ inline bool is_separated(const Level_connectivity& level, Level_connectivity::In
   do {
     if (!level.has_degree(h, degree)) return false;
     for (Level_connectivity::Index g = level.next(h); g != h; g = level.next(g))
-      if (irregular_valence[level.target(g)] != 0) return false; // v again counts, too
+      if (irregular_valence[level.target(g)] != 0) return false; // also if v occurs again
     h = level.next_around_target(h);
   } while (h != first);
   return true;
@@ -70,8 +70,8 @@ public:
     return &weights_.find(valence_[v])->second;
   }
 
-  // the half-edge of e that leads to a separated vertex, and the weights about that; null if there is
-  // none
+  // the half-edge of e that leads to a separated vertex and the weights about that vertex, null if neither
+  // end is separated
   std::pair<Index, const Weights*> at_edge(const Level_connectivity& level, Index e) const
   {
     const Index h = Level_connectivity::halfedge_of_edge(e);
