@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Modelling with normals: the points stay on a circle, every second normal is rotated. The curve
+// Modeling with normals: the points stay on a circle, every second normal is rotated. The curve
 // follows as long as neighboring normals do not come near to opposite ones.
 //
 //   curve_normal_edit [OUTPUT.svg]

@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Where double is not enough, and what recentring buys. A unit sphere and a unit circle are sampled
+// Where double is not enough, and what recentering buys. A unit sphere and a unit circle are sampled
 // at distances of 1 to 10^12 from the origin, where doubles are 2^-53 to 10^-4 apart, and refined:
 //  - in place;
-//  - recentred: the control points are translated to the origin before and the result back after;
-//  - recentred and kept there: whoever draws or measures it adds the translation, if at all, last;
+//  - recentered: the control points are translated to the origin before and the result back after;
+//  - recentered and kept there: whoever draws or measures it adds the translation, if at all, last;
 //  - made about the origin in the first place, the translation a separate number.
 // Printed are the largest deviation from the shape (for results that are kept at the origin, from the
 // translated one) and the largest relative error of the discrete curvature of the circle.
@@ -41,8 +41,8 @@ using Point_3 = K::Point_3;
 
 namespace {
 
-enum Way { in_place, recentred, recentred_and_kept, made_at_origin, number_of_ways };
-const char* const names[] = {"in place", "recentred, moved back", "recentred, kept there",
+enum Way { in_place, recentered, recentered_and_kept, made_at_origin, number_of_ways };
+const char* const names[] = {"in place", "recentered, moved back", "recentered, kept there",
                              "made at the origin"};
 
 struct Errors
@@ -56,9 +56,9 @@ struct Translation
 {
   Translation(Way way, const Vector& c)
     : made_at(way == made_at_origin ? 0. * c : c)
-    , before(way == recentred || way == recentred_and_kept ? -c : 0. * c)
-    , after(way == recentred ? c : 0. * c)
-    , center(way == in_place || way == recentred ? c : 0. * c)
+    , before(way == recentered || way == recentered_and_kept ? -c : 0. * c)
+    , after(way == recentered ? c : 0. * c)
+    , center(way == in_place || way == recentered ? c : 0. * c)
   {}
   Vector made_at, before, after, center;
 };
@@ -108,8 +108,7 @@ int main(int argc, char** argv)
 {
   std::vector<log_plot_svg::Panel> panels{{"deviation from the sphere", {}},
                                           {"error of the curvature of the circle", {}}};
-  std::ofstream csv;
-  if (argc > 1) csv.open(argv[1]);
+  std::ofstream csv(argc > 1 ? argv[1] : "far_from_origin.csv");
   csv << "way,distance,sphere,circle,curvature\n";
   std::cout << "                        |c|/R    sphere, in 2^-52    circle, in 2^-52   curvature\n"
             << std::setprecision(3);
@@ -140,6 +139,6 @@ int main(int argc, char** argv)
                                 false,
                                 220};
   const bool written =
-    (argc < 2 || csv.flush()) && (argc < 3 || log_plot_svg::write(argv[2], plot));
+    csv.flush() && log_plot_svg::write(argc > 2 ? argv[2] : "far_from_origin.svg", plot);
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -319,7 +319,7 @@ int main(int argc, char** argv)
        "kernel           shape    |c|/R    0        1        2        3        4        5    "
        " 2^-52   its own a vertex   round  measure\n";
   measure_kernels(table);
-  const bool written = (files.empty() || write_csv(files[0], table)) &&
-                       (files.size() < 2 || write_svg(files[1], table));
+  const bool written = write_csv(files.empty() ? "kernel_precision.csv" : files[0], table) &&
+                       write_svg(files.size() < 2 ? "kernel_precision.svg" : files[1], table);
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -124,8 +124,9 @@ back, and what such a map stores for vertices that exist no longer.
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
 \cost linear in the size of the output, in time and memory, while the degrees of the faces and the
-valences are bounded: a face of degree m or a vertex of valence m takes time m<sup>2</sup>,
-m<sup>3</sup> at a vertex of Kobbelt's scheme
+valences are bounded. Loop, Catmull-Clark and \f$ \sqrt{3} \f$ subdivision are linear whatever the
+valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes, and a face of degree m
+with all that take polygons; `estimated_row_entries()` tells beforehand.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
