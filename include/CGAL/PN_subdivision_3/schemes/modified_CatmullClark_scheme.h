@@ -311,8 +311,12 @@ public:
   /// A face of the first round is a vertex of the next.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return 4 * internal::squared_irregular_valences(level, 4) +
-           (round == 1 ? 2 : 4) * internal::squared_irregular_degrees(level);
+    if (round == 1)
+      return 4 * internal::squared_separated_valences(level, 4, 4) +
+             2 * internal::squared_irregular_degrees(level);
+    // nearly all are separated
+    return 4 * (internal::squared_irregular_valences(level, 4) +
+                internal::squared_irregular_degrees(level));
   }
 
 private:

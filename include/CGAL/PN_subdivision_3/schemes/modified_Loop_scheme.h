@@ -161,9 +161,11 @@ public:
   }
 
   /// see `estimated_row_entries()`: the n edges of a separated vertex have n entries each.
-  static double dense_row_entries(const Level_connectivity& level, unsigned /*round*/)
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return internal::squared_irregular_valences(level, 6);
+    // from the second round on all are separated
+    return round == 1 ? internal::squared_separated_valences(level, 6, 3)
+                      : internal::squared_irregular_valences(level, 6);
   }
 
 private:

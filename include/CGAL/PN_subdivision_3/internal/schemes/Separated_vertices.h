@@ -34,6 +34,19 @@ inline bool is_separated(const Level_connectivity& level, Level_connectivity::In
   return true;
 }
 
+// The sum of the squares of the valences of the separated vertices.
+inline double squared_separated_valences(const Level_connectivity& level,
+                                         Level_connectivity::Index regular_valence,
+                                         Level_connectivity::Index degree)
+{
+  const auto valence = irregular_valences(level, regular_valence);
+  double sum = 0;
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (valence[v] > 2 && is_separated(level, v, degree, valence))
+      sum += double(valence[v]) * double(valence[v]);
+  return sum;
+}
+
 // The separated vertices of a level: the extraordinary ones about which a modified scheme replaces
 // the rules of the plain scheme, with weights that depend on their valence. A face has at most one
 // of them. Vertices of valence 2 keep others from being separated but are never separated
