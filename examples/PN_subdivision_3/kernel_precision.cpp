@@ -48,6 +48,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -142,9 +143,9 @@ double heap()
 }
 
 // Refines round by round, measuring.
-template <class Refine, class Measure, class Size>
 void measure_rounds(Table& table, Row row, unsigned rounds, double heap_before,
-                    const Refine& refine, const Measure& deviation, const Size& size)
+                    const std::function<void()>& refine, const std::function<double()>& deviation,
+                    const std::function<std::size_t()>& size)
 {
   std::vector<Row> rows;
   for (row.rounds = 0; row.rounds <= rounds; ++row.rounds) {

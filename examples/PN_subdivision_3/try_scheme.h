@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -34,7 +34,7 @@ namespace params = CGAL::parameters;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Exact_kernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Exact_mesh = CGAL::Surface_mesh<Exact_kernel::Point_3>;
 
 template <class Kernel_, class M>
@@ -66,10 +66,14 @@ Mesh refined(Mesh mesh, const Scheme& scheme, unsigned rounds)
 
 // The largest distance between one round with double and one with exact numbers.
 template <class Scheme>
-double rounding_error(const std::string& filename, Mesh control, const Scheme& scheme)
+double rounding_error(Mesh control, const Scheme& scheme)
 {
+  // with the same numbers of all elements
   Exact_mesh exact;
-  CGAL::IO::read_polygon_mesh(filename, exact);
+  for (const Kernel::Point_3& p : control.points())
+    exact.add_vertex(Exact_kernel::Point_3(p.x(), p.y(), p.z()));
+  for (Mesh::Face_index f : control.faces())
+    exact.add_face(CGAL::vertices_around_face(control.halfedge(f), control));
   const auto normals = normal_map<Kernel>(control);
   const auto exact_normals = normal_map<Exact_kernel>(exact);
   for (Mesh::Vertex_index v : control.vertices())
@@ -148,7 +152,7 @@ bool try_scheme(const std::string& filename, const Scheme& scheme, const std::st
   std::cout << "Largest distance to the linear scheme: " << largest_distance(mesh, linear)
             << std::endl;
 
-  const double error = rounding_error(filename, control, scheme);
+  const double error = rounding_error(control, scheme);
   std::cout << "Largest distance of one round to an exact one: " << error << std::endl;
   bool agree = error < 1e-13;
 
