@@ -296,16 +296,20 @@ TEST_F(Pn_subdivide, ProgressOnLongWorkOnlyAndNotWithQuiet)
             0u)
     << few;
   EXPECT_EQ(std::count(few.begin(), few.end(), '\n'), 1) << few;
-  const Outcome outcome =
-    surface(input, output, "--scheme catmull-clark --levels 8 --curvature mean");
+  const std::string triangles = folder.write("octahedron.off", octahedron);
+  const Outcome outcome = surface(triangles, output, "--levels 7 --curvature mean");
   EXPECT_EQ(outcome.code, 0);
   for (const char* step :
-       {"round 8 of 8: 393216 faces", "measuring the curvature at 393218 vertices", "writing "})
+       {"round 7 of 7: 131072 faces", "measuring the curvature at 65538 vertices", "writing "})
     EXPECT_NE(outcome.err.find(step), std::string::npos) << outcome.err;
-  const Outcome again = surface(output, folder.file("again.ply"), "--levels 0 --normals file");
-  EXPECT_NE(again.err.find("reading " + output), std::string::npos) << again.err;
+  const Outcome again =
+    surface(output, folder.file("again.ply"), "--levels 0 --normals file --ascii");
+  EXPECT_NE(again.err.find("read " + output + ": 65538 vertices, 131072 faces"), std::string::npos)
+    << again.err;
   EXPECT_NE(again.err.find("normals of the file"), std::string::npos) << again.err;
-  EXPECT_EQ(surface(input, output, "--scheme catmull-clark --levels 8 --quiet").err, "");
+  const Outcome large = surface(folder.file("again.ply"), output, "--levels 0");
+  EXPECT_EQ(large.err.rfind("reading " + folder.file("again.ply") + " (", 0), 0u) << large.err;
+  EXPECT_EQ(surface(triangles, output, "--levels 7 --quiet").err, "");
 }
 
 // --- repair ---
@@ -449,7 +453,8 @@ TEST_F(Pn_subdivide, WhatIsNotCarriedIsSaidOnceTheOutputIsComplete)
   EXPECT_EQ(surface(input, folder.file("o.ply"), "--quiet --levels 0 --normals none").err,
             "warning: " + input +
               ": not carried over to the result: materials, groups and texture coordinates\n");
-  expect_failure(input, "--quiet --scheme kobbelt", 1, "kobbelt"); // one line, without warnings
+  expect_failure(input, "--quiet --scheme kobbelt", 1,
+                 "quadrilaterals"); // one line, without warnings
 }
 
 // --- failures ---

@@ -100,8 +100,9 @@ protected:
   {
     SCOPED_TRACE(options);
     const std::string comb = folder.file("comb.svg");
-    const Outcome outcome = run("curve '" + folder.write("polygon.txt", polygon) + "' '" +
-                                folder.file("curve.txt") + "' --quiet --comb '" + comb + "' " + options);
+    const Outcome outcome =
+      run("curve '" + folder.write("polygon.txt", polygon) + "' '" + folder.file("curve.txt") +
+          "' --quiet --comb '" + comb + "' " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
     Drawing drawing(comb);
@@ -210,14 +211,14 @@ TEST_F(Pn_subdivide_comb, ALongCurveMakesASmallDrawing)
 // Control points too are drawn no closer than they can be told apart.
 TEST_F(Pn_subdivide_comb, ManyControlPointsMakeASmallDrawing)
 {
-  std::string circle;
+  std::ostringstream circle;
+  circle << std::setprecision(17);
   constexpr int n = 100000;
   for (int i = 0; i < n; ++i) {
-    const double t = 2 * std::acos(-1.) * i / n;
-    const std::string direction = std::to_string(std::cos(t)) + " " + std::to_string(std::sin(t));
-    circle += direction + " " + direction + "\n";
+    const double t = 2 * std::acos(-1.) * i / n, x = std::cos(t), y = std::sin(t);
+    circle << x << ' ' << y << ' ' << x << ' ' << y << '\n';
   }
-  drawn(circle, "--scheme bspline:3 --closed --levels 1");
+  drawn(circle.str(), "--scheme bspline:3 --closed --levels 1");
   EXPECT_LT(Temporary_folder::content(folder.file("comb.svg")).size(), 1500000u);
 }
 

@@ -87,8 +87,8 @@ protected:
   {
     SCOPED_TRACE(options);
     const std::string output = folder.file("curve.txt");
-    const Outcome outcome =
-      run("curve '" + folder.write("polygon.txt", polygon) + "' '" + output + "' --quiet " + options);
+    const Outcome outcome = run("curve '" + folder.write("polygon.txt", polygon) + "' '" + output +
+                                "' --quiet " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
     return Temporary_folder::content(output);
@@ -378,8 +378,8 @@ TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhatWasDone)
     return run("curve '" + input + "' '" + output + "' --closed --scheme chaikin " + options).err;
   };
   const std::string line = said("--levels 2");
-  EXPECT_EQ(line.rfind(output + ": 12 points, PN quadratic B-spline, 2 rounds, estimated normals, ", 0),
-            0u)
+  EXPECT_EQ(
+    line.rfind(output + ": 12 points, PN quadratic B-spline, 2 rounds, estimated normals, ", 0), 0u)
     << line;
   EXPECT_NE(said("--linear").find("no normals"), std::string::npos);
   EXPECT_EQ(said("--quiet"), "");

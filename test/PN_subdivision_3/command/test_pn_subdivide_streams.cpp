@@ -105,12 +105,12 @@ TEST_F(Streams, AFailureWritesNothing)
   expect_one_line(run(start + "--verify circle:0,0,1"), 2, "circle");
   if (std::filesystem::exists("/dev/full")) {
     const std::string err = work.file("message");
-    EXPECT_NE(std::system(("'" PN_SUBDIVIDE_COMMAND "' " + start + " --levels 4 >/dev/full 2>'" +
-                           err + "'")
-                            .c_str()),
-              0);
-    EXPECT_EQ(Temporary_folder::content(err).rfind("pn_subdivide: standard output: writing failed", 0),
-              0u)
+    EXPECT_NE(
+      std::system(
+        ("'" PN_SUBDIVIDE_COMMAND "' " + start + " --levels 4 >/dev/full 2>'" + err + "'").c_str()),
+      0);
+    EXPECT_EQ(
+      Temporary_folder::content(err).rfind("pn_subdivide: standard output: writing failed", 0), 0u)
       << Temporary_folder::content(err);
   }
 }
