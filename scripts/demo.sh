@@ -16,7 +16,7 @@ fi
 
 rm -rf build/demo
 mkdir -p build/demo
-build/release/examples/PN_subdivision_3/subdivide_control_meshes data build/demo
+build/release/examples/PN_subdivision_3/subdivide_control_meshes data/meshes build/demo
 
 meshes=(build/demo/*.ply)
 command=build/release/src/pn_subdivide/pn_subdivide
@@ -30,7 +30,7 @@ fi
 picture=build/demo/subdivided.png
 controls=()
 for mesh in "${meshes[@]}"; do
-  for control in data/"$(basename "$mesh" .ply)".*; do
+  for control in data/meshes/"$(basename "$mesh" .ply)".*; do
     [[ -e $control ]] && controls+=(--control "$control")
   done
 done

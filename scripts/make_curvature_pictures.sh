@@ -13,7 +13,7 @@ set -euo pipefail
 source "$(dirname "$0")/figure_setup.sh"
 
 refine() { # mesh, rounds, output, scheme, options
-  "$command" surface "data/$1" "$work/$3.vtp" --levels "$2" --curvature gaussian --quiet \
+  "$command" surface "data/meshes/$1" "$work/$3.vtp" --levels "$2" --curvature gaussian --quiet \
              --scheme "${@:4}"
 }
 

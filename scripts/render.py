@@ -7,8 +7,8 @@
 
 Needs the Debian packages python3-vtk9, python3-numpy and xvfb (--no-install-recommends is enough).
 
-  scripts/render.py -o sheet.png data/*.ply
-  scripts/render.py -o pn.png --control data/creature.obj out/creature_5.ply
+  scripts/render.py -o sheet.png data/meshes/*.ply
+  scripts/render.py -o pn.png --control data/meshes/creature.obj out/creature_5.ply
 
 Meshes with normals are shaded smoothly, others flat; insides (seen from behind) are orange, and
 vertices without a face are dots.

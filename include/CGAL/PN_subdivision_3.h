@@ -18,6 +18,7 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and wh
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
+#include <CGAL/PN_subdivision_3/version.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #endif // CGAL_PN_SUBDIVISION_3_H
