@@ -61,7 +61,7 @@ function(pn_test_settings target)
 endfunction()
 
 pn_precompile(
-  pn_test_headers <gtest/gtest.h> <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+  pn_test_headers <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h>
   <CGAL/PN_subdivision_3.h> <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
   <CGAL/subdivision_method_3.h>)
 pn_test_settings(pn_test_headers)
