@@ -1,22 +1,40 @@
-# Installs the headers and the files that find_package(PN_subdivision_3 CONFIG) reads.
+# Installs the headers, the files that find_package(PN_subdivision_3 CONFIG) reads, the examples with
+# their meshes, and the command. Components: PN_subdivision_3 (all that a program needs, with licenses),
+# PN_subdivision_3_examples, pn_subdivide.
 include(CMakePackageConfigHelpers)
-include(GNUInstallDirs)
 
-set(PN_config_dir ${CMAKE_INSTALL_DATADIR}/cmake/PN_subdivision_3)
+set(pn_config_dir ${CMAKE_INSTALL_DATADIR}/cmake/PN_subdivision_3)
+set(pn_component COMPONENT PN_subdivision_3)
 
-configure_package_config_file(
-  ${CMAKE_CURRENT_LIST_DIR}/PN_subdivision_3Config.cmake.in
-  ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
-  INSTALL_DESTINATION ${PN_config_dir}
-  PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/PN_subdivision_3Config.cmake.in
+               ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake @ONLY)
 write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/PN_subdivision_3ConfigVersion.cmake
   COMPATIBILITY SameMinorVersion
   ARCH_INDEPENDENT)
+install(TARGETS PN_subdivision_3 EXPORT PN_subdivision_3Targets)
+install(EXPORT PN_subdivision_3Targets NAMESPACE CGAL:: DESTINATION ${pn_config_dir} ${pn_component})
+install(FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
+              ${PROJECT_BINARY_DIR}/PN_subdivision_3ConfigVersion.cmake
+        DESTINATION ${pn_config_dir} ${pn_component})
 
-install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT PN_subdivision_3)
-install(
-  FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
-        ${PROJECT_BINARY_DIR}/PN_subdivision_3ConfigVersion.cmake
-        ${CMAKE_CURRENT_LIST_DIR}/PN_subdivision_3_dependencies.cmake
-  DESTINATION ${PN_config_dir} COMPONENT PN_subdivision_3)
+install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${pn_component})
+install(FILES LICENSE.LGPL LICENSE.GPL README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        ${pn_component})
+
+# side by side: there CGAL::data_file_path() finds the meshes
+install(DIRECTORY data examples DESTINATION ${CMAKE_INSTALL_DATADIR}/PN_subdivision_3
+        COMPONENT PN_subdivision_3_examples)
+
+if(TARGET pn_subdivide)
+  # optional: whoever wants the headers alone need not build the command
+  install(TARGETS pn_subdivide OPTIONAL
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT pn_subdivide)
+  install(FILES src/pn_subdivide/pn_subdivide.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+          COMPONENT pn_subdivide)
+  install(
+    CODE "if(NOT EXISTS \"$<TARGET_FILE:pn_subdivide>\")
+            message(STATUS \"Left out: pn_subdivide, which has not been built (target pn_subdivide)\")
+          endif()"
+    COMPONENT pn_subdivide)
+endif()

@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
@@ -16,7 +19,7 @@ fi
 
 rm -rf build/demo
 mkdir -p build/demo
-build/release/examples/PN_subdivision_3/subdivide_control_meshes data build/demo
+build/release/examples/PN_subdivision_3/subdivide_control_meshes data/meshes build/demo
 
 meshes=(build/demo/*.ply)
 command=build/release/src/pn_subdivide/pn_subdivide
@@ -30,7 +33,7 @@ fi
 picture=build/demo/subdivided.png
 controls=()
 for mesh in "${meshes[@]}"; do
-  for control in data/"$(basename "$mesh" .ply)".*; do
+  for control in data/meshes/"$(basename "$mesh" .ply)".*; do
     [[ -e $control ]] && controls+=(--control "$control")
   done
 done

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Makes the control meshes of data/, the same bytes each time, and data/README.md.
+"""Makes the control meshes of data/meshes/, the same bytes each time, and data/README.md.
 
 Needs Python 3.11 and nothing else. With --check nothing is written: the exit code is 1 if the
 files differ from what would be made.
@@ -164,7 +167,9 @@ def readme(lines: list[str]) -> str:
         "Made by `scripts/make_control_meshes.py`, which also checks them: oriented manifolds",
         "(closed components face outwards), no bow-ties. Do not edit the files, edit the script;",
         "`scripts/make_control_meshes.py --check` tells whether the two agree. The meshes may be",
-        "used like the rest of the project.",
+        "used like the rest of the project. They lie in `meshes/`, where",
+        "`CGAL::data_file_path(\"meshes/...\")` looks; for a CGAL source tree copy them to its",
+        "`Data/data/meshes` (`cp -n`: CGAL has a `cube.off` of its own).",
         "",
         "Points and normals of spheres and cylinders are rounded from 50 digits: each coordinate",
         "is the nearest double. Their surface is given by a comment in the file, `comment sphere",
@@ -189,9 +194,9 @@ def make_all() -> dict[str, str]:
             mesh = made(entry)
         except ValueError as error:
             raise SystemExit(f"{entry.name}: {error}") from error
-        files[entry.name] = as_text(mesh, entry.name)
+        files[f"meshes/{entry.name}"] = as_text(mesh, entry.name)
         if isinstance(mesh, Part):
-            files[entry.name.removesuffix(".obj") + ".selection.txt"] = selection_text(mesh)
+            files[f"meshes/{entry.name.removesuffix('.obj')}.selection.txt"] = selection_text(mesh)
         lines.append(readme_line(entry, mesh))
     return files | {"README.md": readme(lines)}
 
@@ -216,9 +221,8 @@ def main() -> int:
         for name in stale:
             print(f"{arguments.folder / name} is not what this script makes", file=sys.stderr)
         return 1 if stale else 0
-    arguments.folder.mkdir(parents=True, exist_ok=True)
     for name, text in files.items():
-        (arguments.folder / name).parent.mkdir(exist_ok=True)
+        (arguments.folder / name).parent.mkdir(parents=True, exist_ok=True)
         (arguments.folder / name).write_bytes(text.encode())
     return 0
 

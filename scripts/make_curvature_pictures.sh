@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
@@ -13,7 +16,7 @@ set -euo pipefail
 source "$(dirname "$0")/figure_setup.sh"
 
 refine() { # mesh, rounds, output, scheme, options
-  "$command" surface "data/$1" "$work/$3.vtp" --levels "$2" --curvature gaussian --quiet \
+  "$command" surface "data/meshes/$1" "$work/$3.vtp" --levels "$2" --curvature gaussian --quiet \
              --scheme "${@:4}"
 }
 

@@ -1,5 +1,8 @@
 #!/usr/bin/python3
 # Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
@@ -7,8 +10,8 @@
 
 Needs the Debian packages python3-vtk9, python3-numpy and xvfb (--no-install-recommends is enough).
 
-  scripts/render.py -o sheet.png data/*.ply
-  scripts/render.py -o pn.png --control data/creature.obj out/creature_5.ply
+  scripts/render.py -o sheet.png data/meshes/*.ply
+  scripts/render.py -o pn.png --control data/meshes/creature.obj out/creature_5.ply
 
 Meshes with normals are shaded smoothly, others flat; insides (seen from behind) are orange, and
 vertices without a face are dots.

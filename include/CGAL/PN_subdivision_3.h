@@ -1,4 +1,7 @@
 // Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
@@ -18,6 +21,7 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and wh
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
+#include <CGAL/PN_subdivision_3/version.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #endif // CGAL_PN_SUBDIVISION_3_H

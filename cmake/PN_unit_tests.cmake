@@ -1,9 +1,7 @@
-# pn_add_test(), the precompiled headers the tests share, real meshes, and headers compiled alone.
+# The GoogleTest programs: real meshes, the precompiled headers that they share, pn_add_test().
+include(GoogleTest)
 
-set(PN_TEST_OPTIMIZATION "" CACHE STRING
-    "Optimization level of the tests, -O0 for instance (empty: the one of the build type)")
-set(PN_TEST_EXTRA_MESH_DIR ${PN_subdivision_3_SOURCE_DIR}/../shared/data CACHE PATH
-    "Folder with further control meshes for the tests (may be missing)")
+set(PN_TEST_EXTRA_MESH_DIR "" CACHE PATH "Folder with further control meshes for the tests (or empty)")
 
 # --- real meshes: those of Debian's package libcgal-demo, unpacked into the build folder ---
 set(PN_TEST_REAL_MESH_DIR ${PN_subdivision_3_BINARY_DIR}/real_meshes/data/meshes)
@@ -44,13 +42,13 @@ endif()
 
 function(pn_test_settings target)
   pn_own_target(${target})
+  pn_use_data(${target})
   target_link_libraries(${target} PRIVATE GTest::gtest)
   target_include_directories(${target} PRIVATE ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3
                              ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support)
   target_compile_definitions(
     ${target}
-    PRIVATE PN_DATA_DIR="${PN_subdivision_3_SOURCE_DIR}/data"
-            PN_TEST_REAL_MESH_DIR="${PN_TEST_REAL_MESH_DIR}"
+    PRIVATE PN_TEST_REAL_MESH_DIR="${PN_TEST_REAL_MESH_DIR}"
             PN_TEST_EXTRA_MESH_DIR="${PN_TEST_EXTRA_MESH_DIR}")
   if(TARGET OpenMeshCore)
     target_link_libraries(${target} PRIVATE OpenMeshCore)
@@ -62,14 +60,11 @@ function(pn_test_settings target)
   target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
 endfunction()
 
-set(pn_empty_source ${PN_subdivision_3_BINARY_DIR}/generated/empty.cpp)
-file(GENERATE OUTPUT ${pn_empty_source} CONTENT "")
-add_library(pn_test_headers OBJECT ${pn_empty_source})
+pn_precompile(
+  pn_test_headers <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h>
+  <CGAL/PN_subdivision_3.h> <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
+  <CGAL/subdivision_method_3.h>)
 pn_test_settings(pn_test_headers)
-target_precompile_headers(
-  pn_test_headers PRIVATE <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h>
-  <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Polyhedron_3.h>
-  <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/subdivision_method_3.h>)
 
 # pn_add_test(name source... [WHOLE]): a GoogleTest program. Each of its tests is an entry of its own
 # in ctest; with WHOLE the program is one entry (for costly set-up that its tests share).
@@ -86,20 +81,34 @@ function(pn_add_test name)
   endif()
 endfunction()
 
-# --- every header compiles alone: one generated source per header ---
-function(pn_check_headers_alone)
-  set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${include_dir} ${include_dir}/*.h)
-  set(sources)
-  foreach(header ${headers})
-    string(MAKE_C_IDENTIFIER ${header} name)
-    set(source ${PN_subdivision_3_BINARY_DIR}/generated/headers_alone/${name}.cpp)
-    file(GENERATE OUTPUT ${source} CONTENT "#include <${header}>\n#include <${header}>\n")
-    list(APPEND sources ${source})
-  endforeach()
-  if(sources)
-    add_library(pn_headers_alone OBJECT ${sources})
-    pn_own_target(pn_headers_alone)
-    target_compile_options(pn_headers_alone PRIVATE -O0)
+# --- the programs ---
+# The exception to -O1: many number types, little to compute.
+set_source_files_properties(
+  ${CMAKE_CURRENT_SOURCE_DIR}/kernels/test_kernels_exact.cpp
+  ${CMAKE_CURRENT_SOURCE_DIR}/kernels/test_kernels_floating.cpp
+  ${CMAKE_CURRENT_SOURCE_DIR}/schemes/test_modified_schemes_numbers.cpp
+  PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+
+file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
+pn_leave_out_without_eigen(unit_tests "tests")
+foreach(unit_test ${unit_tests})
+  get_filename_component(name ${unit_test} NAME_WE)
+  if(NOT name MATCHES "^test_pn_subdivide")
+    # test_NAME.cpp may have further sources NAME_*.cpp
+    get_filename_component(folder ${unit_test} DIRECTORY)
+    string(REGEX REPLACE "^test_" "" subject ${name})
+    file(GLOB further CONFIGURE_DEPENDS ${folder}/${subject}_*.cpp)
+    pn_add_test(${name} ${unit_test} ${further})
+  elseif(TARGET pn_subdivide)
+    pn_add_test(${name} ${unit_test})
+    target_link_libraries(${name} PRIVATE pn_subdivide_io)
+    target_compile_definitions(
+      ${name} PRIVATE PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
+    add_dependencies(${name} pn_subdivide)
   endif()
-endfunction()
+endforeach()
+
+if(TARGET test_PN_mask_3_custom)
+  include(${CMAKE_CURRENT_LIST_DIR}/PN_manual_masks.cmake)
+  pn_unpack_cgal_examples(test_PN_mask_3_custom)
+endif()

@@ -1,0 +1,42 @@
+# Tests of the sources themselves: data, figures, the list of CGAL packages that are used, notices.
+set(pn_scripts ${PN_subdivision_3_SOURCE_DIR}/scripts)
+
+find_package(Python3 3.11 QUIET COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_test(NAME data_is_what_its_script_makes
+           COMMAND Python3::Interpreter -B ${pn_scripts}/make_control_meshes.py --check)
+  set(pn_compiler ${CMAKE_CXX_COMPILER})
+  get_target_property(pn_cgal_folders CGAL::CGAL INTERFACE_INCLUDE_DIRECTORIES)
+  foreach(folder ${pn_cgal_folders})
+    if(IS_DIRECTORY "${folder}" AND NOT folder STREQUAL "/usr/include")
+      string(APPEND pn_compiler " -I${folder}")
+    endif()
+  endforeach()
+  if(TARGET Eigen3::Eigen)
+    get_target_property(pn_eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+    add_test(NAME sources_are_in_order
+             COMMAND Python3::Interpreter -B ${pn_scripts}/check_sources.py
+                     "--compiler=${pn_compiler} -I${pn_eigen_folder}")
+  endif()
+
+  # the drawings of the manual, against those that the examples have just written
+  foreach(example_and_figure
+          curve_bottle curve_circle curve_normal_edit far_from_origin kernel_precision
+          extraordinary_curvature_table=extraordinary_curvature)
+    string(REGEX MATCH "^[^=]+" example ${example_and_figure})
+    string(REGEX MATCH "[^=]+$" figure ${example_and_figure})
+    # elsewhere long double, which kernel_precision draws too, is another type
+    if(TARGET ${example} AND (NOT example STREQUAL "kernel_precision"
+                              OR CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i.86"))
+      get_target_property(folder ${example} BINARY_DIR)
+      add_test(
+        NAME figure_${figure}
+        COMMAND Python3::Interpreter -B ${pn_scripts}/compare_figures.py ${folder}/${figure}.svg
+                ${PN_subdivision_3_SOURCE_DIR}/doc/PN_subdivision_3/fig/${figure}.svg)
+      set_tests_properties(figure_${figure} PROPERTIES FIXTURES_REQUIRED drawn_${example})
+    endif()
+  endforeach()
+else()
+  message(STATUS "PN_subdivision_3: Python 3.11 not found, the tests of data/ and of the sources'"
+                 " headers are left out (Debian package python3)")
+endif()

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
+CGAL packages whose headers the package's headers include, directly or not, and that version.h and
+CMakeLists.txt name the same version.
+
+With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
+something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
+"""
+
+import argparse
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+NAME = "PN_subdivision_3"
+NOTICE = f"""Copyright (c) 2026  {NAME} developers
+All rights reserved.
+
+This file is part of {NAME}, a package for CGAL (www.cgal.org).
+
+SPDX-License-Identifier: LGPL-3.0-or-later
+Author(s): {NAME} developers
+"""
+FOLDERS = ("include", "src", "examples", "test", "benchmark", "scripts", "doc", "cmake")
+COMMENTS = {".h": "//", ".cpp": "//", ".py": "#", ".sh": "#"}
+# The version of CGAL from whose headers the list of dependencies is derived: each names its package.
+REFERENCE_CGAL = "5.5"
+
+
+def notice(comment: str) -> str:
+    return "".join(f"{comment} {line}".rstrip() + "\n" for line in NOTICE.splitlines())
+
+
+def sources() -> Iterator[Path]:
+    for folder in FOLDERS:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in COMMENTS and "Concepts" not in path.parts:
+                yield path
+
+
+def without_notice(text: str, comment: str) -> tuple[str, str]:
+    """The line #!..., if any, and the text after the comment on top that names the license."""
+    lines = text.splitlines(keepends=True)
+    first = 1 if lines and lines[0].startswith("#!") else 0
+    end = first
+    while end < len(lines) and lines[end].startswith(comment):
+        end += 1
+        if "Author(s)" in lines[end - 1]:
+            break
+    if not any("SPDX" in line for line in lines[first:end]):
+        end = first
+    return "".join(lines[:first]), "".join(lines[end:])
+
+
+def check_notices(fix: bool) -> list[str]:
+    wrong = []
+    for path in sources():
+        comment = COMMENTS[path.suffix]
+        text = path.read_text()
+        first, rest = without_notice(text, comment)
+        right = first + notice(comment) + rest
+        if text != right and fix:
+            path.write_text(right)
+        elif text != right:
+            wrong.append(f"{path.relative_to(ROOT)} does not begin with the package's notice")
+    return wrong
+
+
+def included_headers(compiler: list[str]) -> list[Path]:
+    """CGAL's headers that the package's headers include, by the compiler's list of dependencies."""
+    include = ROOT / "include"
+    with tempfile.NamedTemporaryFile("w", suffix=".cpp") as file:
+        for header in sorted(include.rglob("*.h")):
+            file.write(f"#include <{header.relative_to(include)}>\n")
+        file.flush()
+        rule = subprocess.run([*compiler, "-std=c++17", "-M", f"-I{include}", file.name], check=True,
+                              capture_output=True, text=True).stdout
+    paths = map(Path, rule.replace("\\\n", " ").split()[1:])
+    return [p for p in paths if "CGAL" in p.parts and not p.is_relative_to(include)]
+
+
+def check_dependencies(compiler: list[str], fix: bool) -> list[str]:
+    packages, versions = {NAME}, set()
+    for header in included_headers(compiler):
+        # $URL: https://github.com/CGAL/cgal/blob/v5.5.1/BGL/include/CGAL/... $
+        where = re.search(r"\$URL: \S+/v([0-9.]+)/(\w+)/", header.read_text(errors="replace"))
+        if where:
+            versions.add(where[1])
+            packages.add(where[2])
+    path = ROOT / "package_info" / NAME / "dependencies"
+    listed = set(path.read_text().split())
+    if not all(version.startswith(REFERENCE_CGAL) for version in versions):
+        print(f"dependencies: not checked, since this is not CGAL {REFERENCE_CGAL}")
+        return []
+    if fix:
+        path.write_text("".join(f"{package}\n" for package in sorted(packages)))
+        return []
+    return ([f"{path.relative_to(ROOT)} lacks {p}, which is included" for p in
+             sorted(packages - listed)] +
+            [f"{path.relative_to(ROOT)} lists {p}, which is not included" for p in
+             sorted(listed - packages)])
+
+
+def check_version() -> list[str]:
+    project = (ROOT / "CMakeLists.txt").read_text()
+    header = (ROOT / "include/CGAL" / NAME / "version.h").read_text()
+    vcpkg = (ROOT / "vcpkg.json").read_text()
+    version = re.search(r"VERSION (\d+)\.(\d+)\.(\d+)", project)
+    if not version:
+        return ["CMakeLists.txt names no version"]
+    text = ".".join(version.groups())
+    major, minor, patch = map(int, version.groups())
+    number = f"1{major:02}{minor:02}{patch:02}"
+    wrong = []
+    if f'#define CGAL_PN_SUBDIVISION_3_VERSION "{text}"' not in header:
+        wrong.append(f"version.h does not define CGAL_PN_SUBDIVISION_3_VERSION as \"{text}\"")
+    if f"#define CGAL_PN_SUBDIVISION_3_VERSION_NR {number}\n" not in header:
+        wrong.append(f"version.h does not define CGAL_PN_SUBDIVISION_3_VERSION_NR as {number}")
+    if f'"version": "{text}"' not in vcpkg:
+        wrong.append(f"vcpkg.json does not name the version {text}")
+    return wrong
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--compiler", default="c++ -I/usr/include/eigen3", type=shlex.split,
+                        help="the compiler with the options that it needs to find CGAL and Eigen")
+    parser.add_argument("--fix", action="store_true", help="write what can be derived")
+    arguments = parser.parse_args()
+    wrong = check_notices(arguments.fix) + check_version()
+    wrong += check_dependencies(arguments.compiler, arguments.fix)
+    for line in wrong:
+        print(line, file=sys.stderr)
+    if wrong:
+        print("scripts/check_sources.py --fix mends notices and dependencies.", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
