@@ -63,13 +63,27 @@ their hosts); all property maps remain valid, and all other new elements have de
 stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
 afterwards if you need it.
 
+<b>New vertices.</b> Maps of the user's have to take vertices that the mesh gets while it grows: an
+array of fixed size does not. New elements of a `Polyhedron_3` with `Polyhedron_items_with_id_3` have
+no ids yet, so that a map which goes through `vertex->id()` would be written out of its bounds: use
+dynamic property maps, and call `CGAL::set_halfedgeds_items_id()` afterwards. A mask of your own must
+not read properties of the mesh, which grows at the same time: let the scheme hold a copy of them.
+
+<b>Floating point.</b> Results in `float` and `double` are the same, bit for bit, on all processors
+and for all compilers that round as IEEE 754 says. Where the compiler may fuse products and sums (all
+processors with FMA that it generates code for, hence aarch64 by default), pass
+`-ffp-contract=off`; results differ in their last bits otherwise. With `-ffast-math` the checks of the
+input remain, but bits are not promised. If `CGAL_PN_SUBDIVISION_3_NO_AVX2` is defined, the form of the
+average for processors with AVX2, which gives the same bits, is left out.
+
 <b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
 were. Beyond it is a property map of the user's whose `put()` throws also while old values are put
 back, and what such a map stores for vertices that exist no longer.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads. The
-  maps of `Surface_mesh` are then written by several threads, other maps by one.
+  maps of `Surface_mesh` are then written by several threads, other maps by one; other meshes by one
+  thread, too, unless `Refinable_mesh_traits` says more.
 \tparam PolygonMesh a model of `MutableFaceGraph` with hashable descriptors; a `Polyhedron_3` needs its
   default `HalfedgeDS_list`, since elements of a `HalfedgeDS_vector` cannot be removed
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
@@ -110,7 +124,7 @@ back, and what such a map stores for vertices that exist no longer.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object whose `round_done(unsigned k, std::size_t number_of_faces)` is
-                          called after the k-th round is computed; an exception of it cancels the
+                          called after the k-th round is computed, also of a mesh without faces; an exception of it cancels the
                           subdivision. It must not look at the mesh, which is being written, and with
                           `Parallel_tag` it may be called from another thread.}
     \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}

@@ -211,6 +211,30 @@ TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOneWithOppositeAndMissingNormal
   expect_same_bits<3>(6);
 }
 
+// What programs that trap floating point exceptions rely on.
+template <class Block, class FT, int dimension>
+int exceptions_raised(const std::vector<PN::Point_normal<FT, dimension>>& old)
+{
+  const auto rows = some_rows<FT>(PN::internal::block_size_v<FT>, 7, true, old.size());
+  std::feclearexcept(FE_ALL_EXCEPT);
+  block_of_rows<Block>(rows, old);
+  return std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
+}
+
+TYPED_TEST(PN_average_block, DividesByZeroNowhere)
+{
+  using FT = TypeParam;
+  using Block = typename PN::internal::Block_of<PN::PN_average<FT, 3>>::type;
+  auto old = some_values<FT>(40, 6);
+  EXPECT_EQ((exceptions_raised<Block, FT, 3>(old)), 0);
+  for (auto& value : old) value.normal.fill(FT(0));
+  EXPECT_EQ((exceptions_raised<Block, FT, 3>(old)), 0);
+  EXPECT_EQ((exceptions_raised<Narrow_block<FT, 3>, FT, 3>(old)), 0);
+  for (std::size_t v = 0; v < old.size(); ++v) old[v].normal[0] = FT(v % 2 == 0 ? 1 : -1);
+  EXPECT_EQ((exceptions_raised<Block, FT, 3>(old)), 0);
+  EXPECT_EQ((exceptions_raised<Narrow_block<FT, 3>, FT, 3>(old)), 0);
+}
+
 TYPED_TEST(PN_average_block, EqualsTheMatrixForm)
 {
   using FT = TypeParam;

@@ -271,6 +271,14 @@ TEST(Bad_input, MoreElementsThanTheIndexTypeNumbers)
   }
 }
 
+TEST(Bad_input, ANegativeNumberOfIterations)
+{
+  Mesh mesh = mesh_of(cube());
+  expect_words(message_of<std::invalid_argument>(
+                 [&] { PN::CatmullClark_subdivision(mesh, params::number_of_iterations(-1)); }),
+               {"number of iterations", "negative"});
+}
+
 // A tetrahedron has 4 * 4^k triangles with 12 * 4^k half-edges.
 TEST(Bad_input, MoreElementsThanTheIndexTypeNumbersInAPolyhedron)
 {

@@ -434,6 +434,16 @@ TEST(Visitor_parameter, IsCalledAfterEachRound)
   EXPECT_EQ(seen, expected);
 }
 
+TEST(Visitor_parameter, IsCalledWithoutFacesToo)
+{
+  Mesh mesh;
+  mesh.add_vertex(Kernel::Point_3(1, 2, 3));
+  std::vector<std::pair<unsigned, std::size_t>> seen;
+  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(3).visitor(Visitor{&seen}));
+  const std::vector<std::pair<unsigned, std::size_t>> expected{{1, 0}, {2, 0}, {3, 0}};
+  EXPECT_EQ(seen, expected);
+}
+
 TEST(Visitor_parameter, MayBeAReference)
 {
   Mesh mesh;

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BGL_MESH_ACCESS_H
 
+#include <CGAL/PN_subdivision_3/Refinable_mesh_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -65,36 +66,17 @@ constexpr std::uint64_t index_limit()
     return Level_connectivity::null;
 }
 
-template <class Mesh, class Vertex, class = void>
-struct Has_adjust_outgoing_halfedge : std::false_type
-{};
-template <class Mesh, class Vertex>
-struct Has_adjust_outgoing_halfedge<
-  Mesh, Vertex,
-  std::void_t<decltype(std::declval<Mesh&>().adjust_outgoing_halfedge(std::declval<Vertex>()))>>
-  : std::true_type
-{};
-
-template <class Mesh, class = void>
-struct Has_collect_garbage : std::false_type
-{};
-template <class Mesh>
-struct Has_collect_garbage<Mesh, std::void_t<decltype(std::declval<Mesh&>().has_garbage()),
-                                             decltype(std::declval<Mesh&>().collect_garbage())>>
-  : std::true_type
-{};
-
 // A mesh that keeps its elements in arrays (Surface_mesh, those of OpenMesh) loses the last ones
 // again by a resize(), without a trace and without an exception. Removing them would leave removed
 // slots.
-template <class Mesh, class = void>
+template <class Mesh, bool = Refinable_mesh_traits<Mesh>::has_resize>
 struct Slots
 {
   static constexpr bool exist = false;
   explicit Slots(const Mesh&) {}
 };
 template <class Mesh>
-struct Slots<Mesh, std::void_t<decltype(std::declval<Mesh&>().resize(0, 0, 0))>>
+struct Slots<Mesh, true>
 {
   static constexpr bool exist = true;
   explicit Slots(const Mesh& mesh) // BGL counts removed elements too
@@ -114,13 +96,13 @@ struct Slots<Mesh, std::void_t<decltype(std::declval<Mesh&>().resize(0, 0, 0))>>
 // While elements are added to a mesh that recycles removed ones, it must not: the order of vertices
 // would be lost, and if the copy of a property's default value fails while a slot is recycled,
 // Surface_mesh counts its removed elements wrongly. Meshes that do not recycle need nothing.
-template <class Mesh, class = void>
+template <class Mesh, bool = Refinable_mesh_traits<Mesh>::recycles>
 struct Recycling_pause
 {
   explicit Recycling_pause(Mesh&) {}
 };
 template <class Mesh>
-struct Recycling_pause<Mesh, std::void_t<decltype(std::declval<Mesh&>().does_recycle_garbage())>>
+struct Recycling_pause<Mesh, true>
 {
   explicit Recycling_pause(Mesh& m)
     : mesh(m)
@@ -141,6 +123,7 @@ template <class Graph>
 class Bgl_mesh_access : public Element_names
 {
   using Traits = boost::graph_traits<std::remove_const_t<Graph>>;
+  using Mesh_traits = Refinable_mesh_traits<std::remove_const_t<Graph>>;
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
   using Face = typename Traits::face_descriptor;
@@ -162,6 +145,7 @@ public:
   }
 
   static constexpr bool is_child_of_hosts = false;
+  static constexpr bool has_concurrent_connectivity = Mesh_traits::has_concurrent_connectivity;
 
   static constexpr std::uint64_t index_limit() { return internal::index_limit<Vertex>(); }
 
@@ -230,27 +214,34 @@ public:
       if (old_slots_.number() == old_size_.vertices + old_size_.edges + old_size_.faces)
         return old_slots_.resize(graph_, size.vertices, size.edges, size.faces);
     remove_beyond(size);
-    if constexpr (Has_collect_garbage<Graph>::value) try {
+    if constexpr (Mesh_traits::has_collect_garbage) try {
         if (collect && graph_.has_garbage()) graph_.collect_garbage();
       } catch (const std::bad_alloc&) {
       }
   }
 
   // gives the grown mesh the connectivity of the level
-  void write(const Level_connectivity& level)
+  template <class For_chunks>
+  void write(const Level_connectivity& level, const For_chunks& for_chunks)
   {
-    for (Index h = 0; h < level.number_of_halfedges(); ++h) {
-      const Halfedge d = halfedge_descriptor(h);
-      set_target(d, vertices_[level.target(h)], graph_);
-      set_next(d, halfedge_descriptor(level.next(h)), graph_);
-      set_face(d, level.is_border(h) ? Traits::null_face() : faces_[level.face(h)], graph_);
-    }
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      if (!level.is_isolated(v))
-        set_halfedge(vertices_[v], halfedge_descriptor(level.halfedge_of_vertex(v)), graph_);
-    for (Index f = 0; f < level.number_of_faces(); ++f)
-      set_halfedge(faces_[f], halfedge_descriptor(level.halfedge_of_face(f)), graph_);
-    if constexpr (Has_adjust_outgoing_halfedge<Graph, Vertex>::value)
+    for_chunks(level.number_of_edges(), [&](Index begin, Index end) {
+      for (Index h = 2 * begin; h < 2 * end; ++h) {
+        const Halfedge d = halfedge_descriptor(h);
+        set_target(d, vertices_[level.target(h)], graph_);
+        set_next(d, halfedge_descriptor(level.next(h)), graph_);
+        set_face(d, level.is_border(h) ? Traits::null_face() : faces_[level.face(h)], graph_);
+      }
+    });
+    for_chunks(level.number_of_vertices(), [&](Index begin, Index end) {
+      for (Index v = begin; v < end; ++v)
+        if (!level.is_isolated(v))
+          set_halfedge(vertices_[v], halfedge_descriptor(level.halfedge_of_vertex(v)), graph_);
+    });
+    for_chunks(level.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f)
+        set_halfedge(faces_[f], halfedge_descriptor(level.halfedge_of_face(f)), graph_);
+    });
+    if constexpr (Mesh_traits::has_adjust_outgoing_halfedge)
       for (Vertex v : vertices_)
         if (halfedge(v, graph_) != Traits::null_halfedge()) graph_.adjust_outgoing_halfedge(v);
   }

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -162,21 +163,25 @@ private:
   // keep() is called where nothing may fail any more. Threads may; then one alone repeats what they
   // have begun.
   template <class Access>
-  static void put_connectivity(const Refiner& refiner, const One_round& last, Access& access,
-                               Function_ref<void()> keep)
+  void put_connectivity(const Refiner& refiner, const One_round& last, Access& access,
+                        Function_ref<void()> keep) const
   {
-    if constexpr (Access::is_child_of_hosts) {
-      keep();
-      try {
-        refiner.connect(last, access);
-      } catch (...) {
-        last.host().connect(access, For_chunks());
-      }
-    } else {
-      Level_connectivity child(last.refined_size());
-      refiner.connect(last, child);
-      keep();
-      access.write(child);
+    std::optional<Level_connectivity> child;
+    if constexpr (!Access::is_child_of_hosts) {
+      child.emplace(last.refined_size());
+      refiner.connect(last, *child);
+    }
+    keep();
+    const auto write = [&](const For_chunks& for_chunks) {
+      if constexpr (Access::is_child_of_hosts)
+        last.host().connect(access, for_chunks);
+      else
+        access.write(*child, for_chunks);
+    };
+    try {
+      write(Access::has_concurrent_connectivity ? for_chunks_ : For_chunks());
+    } catch (...) {
+      write(For_chunks());
     }
   }
 

@@ -54,6 +54,7 @@ public:
 
   // the last round of a host writes the mesh itself
   static constexpr bool is_child_of_hosts = true;
+  static constexpr bool has_concurrent_connectivity = true;
 
   static constexpr std::uint64_t index_limit() { return Level_connectivity::null; }
 

@@ -120,15 +120,19 @@ constexpr bool may_be_point_3()
     return true;
 }
 
-// the normals belong to the points' kernel, or to that of the computation
+// vectors, with the number type of the points or of the computation
 template <class Normal, class Point, class Geom_traits>
 constexpr bool may_be_normal_of()
 {
   if constexpr (!Kernel_of_type<Normal>::exists || !Kernel_of_type<Point>::exists)
     return true;
-  else
-    return std::is_same_v<Normal, typename Kernel_of_type<Point>::type::Vector_3> ||
-           std::is_same_v<Normal, typename Geom_traits::Vector_3>;
+  else {
+    using Kernel = typename Kernel_of_type<Normal>::type;
+    using FT = typename Kernel::FT;
+    return std::is_same_v<Normal, typename Kernel::Vector_3> &&
+           (std::is_same_v<FT, typename Kernel_of_type<Point>::type::FT> ||
+            std::is_same_v<FT, typename Geom_traits::FT>);
+  }
 }
 
 // to be asked first: CGAL deduces the kernel from the map
@@ -171,8 +175,9 @@ constexpr bool check_normal_map()
     constexpr bool has_normals =
       may_be_normal_of<typename boost::property_traits<Map>::value_type,
                        typename boost::property_traits<Point_map>::value_type, Geom_traits>();
-    static_assert(has_normals, "PN_subdivision_3: the values of the normal map are not Vector_3 of "
-                               "the kernel of the points");
+    static_assert(has_normals,
+                  "PN_subdivision_3: the values of the normal map are not Vector_3 with "
+                  "the number type of the points");
     return is_accessible && has_normals;
   }
 }

@@ -15,6 +15,8 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -51,6 +53,7 @@ public:
     , mask_(scheme.template mask<FT>(mask_level, number))
     , normal_mask_(make_normal_mask(scheme, mask_level, number))
     , size_(Host::refined_size(host_level.size(), number))
+    , number_of_old_vertices_(mask_level.number_of_vertices())
     , number_(number)
   {}
 
@@ -104,7 +107,24 @@ private:
     for (Index i = 0; i < n; ++i) {
       host_.stencil(mask, first + i, rows.row());
       rows.close_row();
+      CGAL_precondition_msg(is_affine_row(rows.begin(i), rows.end(i)),
+                            "PN_subdivision_3: a row of the mask is empty, names a vertex that "
+                            "does not exist, or has weights that do not sum to 1");
     }
+  }
+
+  // Debug builds only: the rows may be those of a user's mask
+  template <class Entry>
+  bool is_affine_row(const Entry* begin, const Entry* end) const
+  {
+    FT sum(0), sizes(0);
+    for (const Entry* e = begin; e != end; ++e) {
+      if (e->vertex >= number_of_old_vertices_) return false;
+      sum += e->weight;
+      sizes += CGAL::abs(e->weight);
+    }
+    const FT error = CGAL::abs(FT(sum - FT(1)));
+    return begin != end && !CGAL::certainly(error > FT(64) * machine_epsilon<FT>() * sizes);
   }
 
   void average(const Stencil_block<FT>& rows, [[maybe_unused]] const Normal_rows& normal_rows,
@@ -135,6 +155,7 @@ private:
   Mask mask_;
   Normal_mask normal_mask_;
   Level_size size_;
+  Index number_of_old_vertices_;
   unsigned number_;
 };
 
