@@ -1,4 +1,7 @@
 // Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
@@ -75,7 +78,7 @@ void make_grid(Mesh& mesh)
       const int x = int(i) - 10, y = int(j) - 9;
       return typename Kernel::Point_3(FT(x), FT(y), FT(x * x + x * y) / FT(97));
     },
-    false);
+    true);
 }
 
 template <class Mesh>
