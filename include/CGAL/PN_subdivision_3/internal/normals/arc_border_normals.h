@@ -71,7 +71,7 @@ arc_border_normal(const Coordinates<double, 3>& open_normal, const Coordinates<d
   Vector a = open_normal;
   add_multiple<double, 3>(a, -dot<double, 3>(a, tangent), tangent);
   const double a_length = length(a);
-  if (!(a_length > 0)) return std::nullopt;
+  if (!(a_length > solved)) return std::nullopt;
   a = multiple(1 / a_length, a);
   const Vector b = cross(a, tangent);
 
