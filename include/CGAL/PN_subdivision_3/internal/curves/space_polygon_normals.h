@@ -104,7 +104,7 @@ private:
     for (std::size_t i = 0; i < size(); ++i) {
       edge_[i] = to_double_3<FT>(difference(points_[after(i)], points_[i]));
       length_[i] = length(edge_[i]);
-      if (length_[i] > 0) edge_[i] = multiple(1 / length_[i], edge_[i]);
+      if (length_[i] > 0) edge_[i] = quotient(edge_[i], length_[i]);
     }
     for (std::size_t i = 0; i < size(); ++i)
       if (has_neighbors(i)) measure_vertex(i);
@@ -122,7 +122,7 @@ private:
     add_multiple<double, 3>(t, w, b);
     const double t_length = length(t);
     if (!(t_length > vanishing_tolerance<FT>())) return;
-    tangent_[i] = multiple(1 / t_length, t);
+    tangent_[i] = quotient(t, t_length);
     // radius = |p_{i+1} - p_{i-1}| / (2 sin)
     const double longer = (std::max)(length_[before(i)], length_[i]);
     Vector chord = multiple(length_[before(i)] / longer, a);
@@ -153,7 +153,7 @@ private:
   {
     const Vector n = to_double_3<FT>(outward(i));
     const double n_length = length(n);
-    return n_length > 0 ? multiple(1 / n_length, n) : n;
+    return n_length > 0 ? quotient(n, n_length) : n;
   }
 
   // Signs that change as little as possible from each turning vertex to the next one. Round a closed

@@ -74,6 +74,7 @@ private:
     double weight = 0;      // beside the angle-weighted normal
     bool is_known = false;  // arcs may use it
     bool is_done = false;   // it is given or set
+    bool is_corner = false; // of one face
   };
 
   void take_given(Index s, const Coordinates<FT, 3>& normal)
@@ -140,7 +141,8 @@ private:
     e.normal = normal;
     if (is_zero(normal)) return;
     e.weight = blend_weight(normal, inverted_);
-    if (e.weight >= 1) finish(s, converted(normal), set_normal);
+    e.is_corner = inverted_.corners().size() == 1;
+    if (e.weight >= 1 && !e.is_corner) finish(s, converted(normal), set_normal);
   }
 
   // an arc to each neighbor whose normal in the same run of faces is known
@@ -170,7 +172,7 @@ private:
     const double size = std::sqrt(first.squared) + std::sqrt(last.squared);
     const double t_length = std::sqrt(dot<double, 3>(t, t));
     if (!(t_length > vanishing_tolerance<FT>() * size)) return {0, 0, 0};
-    return multiple(1 / t_length, t);
+    return quotient(t, t_length);
   }
 
   template <class Set_normal>
@@ -184,7 +186,15 @@ private:
     for (Index f = 0; f < level_.number_of_faces(); ++f)
       if (!all_corners(f, is_done)) angle_weighted.add_face(f, point_);
     for (Index s = 0; s < sectors_.number_of_sectors(); ++s)
-      if (!is_done(s)) set_normal(s, blended(estimates_[s], angle_weighted.normal(s)));
+      if (!is_done(s)) set_normal(s, blended(s, angle_weighted.normal(s)));
+  }
+
+  // A reflex corner beside others is turned by more than 60 degrees from their normal. The only
+  // corner of a fan has to be compared with its face.
+  bool is_reflex(Index s, const Vector& angle_weighted)
+  {
+    inverted_.assign(level_, sectors_.fan(s), point_);
+    return dot<double, 3>(inverted_.corners().front().normal, angle_weighted) < 0;
   }
 
   template <class Predicate>
@@ -199,14 +209,16 @@ private:
     return true;
   }
 
-  static Coordinates<FT, 3> blended(const Estimate& e, const Coordinates<FT, 3>& angle_weighted)
+  Coordinates<FT, 3> blended(Index s, const Coordinates<FT, 3>& angle_weighted)
   {
-    if (!(e.weight > 0)) return angle_weighted;
+    const Estimate& e = estimates_[s];
+    const Vector other = to_double_3<FT>(angle_weighted);
+    if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
     Vector n = multiple(e.weight, e.normal);
-    add_multiple<double, 3>(n, 1 - e.weight, to_double_3<FT>(angle_weighted));
+    add_multiple<double, 3>(n, 1 - e.weight, other);
     const double n_length = length(n);
     if (!(n_length > vanishing_tolerance<FT>())) return angle_weighted;
-    return converted(multiple(1 / n_length, n));
+    return converted(quotient(n, n_length));
   }
 
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double

@@ -72,7 +72,7 @@ arc_border_normal(const Coordinates<double, 3>& open_normal, const Coordinates<d
   add_multiple<double, 3>(a, -dot<double, 3>(a, tangent), tangent);
   const double a_length = length(a);
   if (!(a_length > solved)) return std::nullopt;
-  a = multiple(1 / a_length, a);
+  a = quotient(a, a_length);
   const Vector b = cross(a, tangent);
 
   double phi = 0;

@@ -85,7 +85,7 @@ Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const 
     const double epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
     if (!(sum_length > 4096 * epsilon * size) || !std::isfinite(sum_length)) return {0, 0, 0};
   }
-  return multiple(1 / sum_length, sum);
+  return quotient(sum, sum_length);
 }
 
 } // namespace internal

@@ -53,6 +53,11 @@ inline bool is_zero(const Coordinates<double, 3>& a)
   return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
 
+inline Coordinates<double, 3> quotient(const Coordinates<double, 3>& a, double divisor)
+{
+  return {a[0] / divisor, a[1] / divisor, a[2] / divisor};
+}
+
 inline Coordinates<double, 3> multiple(double factor, const Coordinates<double, 3>& a)
 {
   return {factor * a[0], factor * a[1], factor * a[2]};
