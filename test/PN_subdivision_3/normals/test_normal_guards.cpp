@@ -187,6 +187,33 @@ TEST(Normal_guards, SumsThatVanishTakeAngleWeights)
   for (const auto& n : exact) EXPECT_EQ(n, CGAL::NULL_VECTOR);
 }
 
+// W_2 - W_0 and W_3 - W_1 are parallel: what is left of their product is rounding, and no border normal
+// may be led by it.
+TEST(Normal_guards, RoundingIsNoNormal)
+{
+  Control_mesh mesh{
+    "parallel tangents", {{0, 0, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, {}};
+  for (const Vector& w :
+       {Vector(1, 0, 0.2), Vector(0.5, 0.7, 0.4), Vector(-1, 0, 0.2), Vector(-0.65, 0.7, 0.4)}) {
+    const Vector e = w / w.squaredNorm();
+    mesh.points.push_back({double(e[0]), double(e[1]), double(e[2])});
+  }
+  const auto expected = estimated(mesh);
+  for (double angle : {0.3, 0.9, 1.7, 2.4}) {
+    const Eigen::AngleAxis<Real> turn(angle, Vector(1, 2, -0.5).normalized());
+    Control_mesh turned = mesh;
+    for (Triple& p : turned.points) {
+      const Vector q = turn * Vector(p[0], p[1], p[2]);
+      p = {double(q[0]), double(q[1]), double(q[2])};
+    }
+    const auto n = estimated(turned);
+    for (std::size_t v = 0; v < 5; ++v) {
+      const Vector m = turn * Vector(expected[v][0], expected[v][1], expected[v][2]);
+      EXPECT_LE(distance(n[v], {double(m[0]), double(m[1]), double(m[2])}), 1e-12) << v;
+    }
+  }
+}
+
 TEST(Normal_guards, AnyPointsGiveFiniteNormals)
 {
   std::mt19937 generator(3);
