@@ -38,7 +38,8 @@ result turned by more than 73 degrees from it) it is the unit vector of \f$ \sum
 \f$ over the faces of the vertex.
 
 These fit a curved surface, and a box only with a ball around it. Hence let \f$ \alpha \f$ be the
-largest angle between the normal and the cross product of two neighboring edges, zero ones left out.
+largest angle between the normal and the cross product of two neighboring edges, zero ones left out;
+if this is below 60 degrees, the area vector of the face between the edges counts if it is closer.
 Up to 40 degrees the normal is as above; from 60 degrees on, and where the sum vanishes (is shorter
 than 2<sup>12</sup> times the machine epsilon times the sum of the lengths of its terms), it is the
 angle-weighted one; in between both are mixed, smoothly in \f$ \cos\alpha \f$. Edges of length zero are

@@ -127,6 +127,19 @@ TEST(Normal_guards, ReflexCornersKeepTheirAngleWeights)
   for (std::size_t v = 1; v < 10; v += 2) EXPECT_EQ(n[v], a[v]) << v;
 }
 
+// the same inside: three edges within 120 degrees, and a polygon around the rest
+TEST(Normal_guards, AReflexCornerOfAnInteriorVertex)
+{
+  const Control_mesh mesh{
+    "reflex",
+    {{0, 0, 0}, {1, 0, 0.05}, {0.5, 0.8, -0.05}, {-0.5, 0.8, 0.08}, {-2, -2, 0}, {2, -2, 0.1}},
+    {{0, 1, 2}, {0, 2, 3}, {0, 3, 4, 5, 1}},
+    {}};
+  const Triple n = estimated(mesh)[0];
+  EXPECT_EQ(n, by_angles(mesh)[0]);
+  EXPECT_GT(n[2], 0.9);
+}
+
 // --- degenerate fans ---
 
 TEST(Normal_guards, ARepeatedPointLeavesTheSphereExact)

@@ -48,8 +48,8 @@ TYPED_TEST_SUITE(Round_from_points, Schemes, Scheme_names);
 
 TYPED_TEST(Round_from_points, Spheres)
 {
-  std::vector<Control_mesh> shapes{scattered(1, 0.3, 1, on_sphere),
-                                   scattered(2, 0.3, 2, on_sphere)};
+  const auto sphere = [](const Vector& d) { return sampled_surfaces::on_sphere(d); };
+  std::vector<Control_mesh> shapes{scattered(1, 0.3, 1, sphere), scattered(2, 0.3, 2, sphere)};
   for (Cells cells : {Cells::quads, Cells::triangles, Cells::mixed})
     shapes.push_back(patch(9, 7, 0.3, cells, 3, cap(0.6)));
   for (const Control_mesh& mesh : shapes)

@@ -37,7 +37,7 @@ public:
       for (std::size_t i = 0; i < f.size(); ++i) {
         const Point_3 a = at(f[(i + f.size() - 1) % f.size()]) - at(f[i]);
         const Point_3 b = at(f[(i + 1) % f.size()]) - at(f[i]);
-        sums[std::size_t(f[i])] += angle(a, b) * area.normalized();
+        sums[std::size_t(f[i])] += angle(a, b) * area(f).normalized();
       }
     }
     for (Point_3& n : sums)
@@ -76,22 +76,18 @@ public:
     return result;
   }
 
-  // the largest angle between n and the normals of the corners at v, in degrees
-  Real widest_angle(int v, const Point_3& n) const
-  {
-    Real widest = 0;
-    for_each_corner(v, [&](const Point_3& a, const Point_3& b) {
-      widest = std::max(widest, angle(n, a.cross(b)) * 180 / std::acos(Real(-1)));
-    });
-    return widest;
-  }
-
 private:
   const Point_3& at(int v) const { return p_[std::size_t(v)]; }
 
   static Real angle(const Point_3& a, const Point_3& b)
   {
     return std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  Point_3 area(const Face& f) const
+  {
+    Point_3 sum = Point_3::Zero();
+    for (std::size_t i = 0; i < f.size(); ++i) sum += at(f[i]).cross(at(f[(i + 1) % f.size()]));
+    return sum;
   }
   static Point_3 inverted(const Point_3& e) { return e / e.squaredNorm(); }
 
@@ -159,10 +155,27 @@ private:
     return normal(phi);
   }
 
+  // the least cosine of the turns of the corners, with what faces of more than three corners add
+  Real least_cosine(int v, const Point_3& n) const
+  {
+    Real least = 1;
+    const std::vector<int> ring = mesh_.ring(v);
+    std::size_t i = 0;
+    for_each_corner(v, [&](const Point_3& a, const Point_3& b) {
+      Real c = std::cos(angle(n, a.cross(b)));
+      const Face& f = mesh_.faces()[std::size_t(mesh_.face(v, ring[i++]))];
+      const Real fade = std::clamp(2 * c, Real(0), Real(1));
+      if (f.size() > 3)
+        c += fade * fade * (3 - 2 * fade) * std::max(Real(0), std::cos(angle(n, area(f))) - c);
+      least = std::min(least, c);
+    });
+    return least;
+  }
+
   Real weight(int v, const Point_3& n) const
   {
     const Real degree = std::acos(Real(-1)) / 180;
-    const Real x = (std::cos(widest_angle(v, n) * degree) - std::cos(60 * degree)) /
+    const Real x = (least_cosine(v, n) - std::cos(60 * degree)) /
                    (std::cos(40 * degree) - std::cos(60 * degree));
     const Real c = std::clamp(x, Real(0), Real(1));
     return c * c * (3 - 2 * c);

@@ -9,6 +9,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
@@ -42,6 +43,7 @@ public:
     : level_(level)
     , sectors_(sectors)
     , point_(point)
+    , face_normal_(level, point)
     , estimates_(sectors.number_of_sectors())
   {}
 
@@ -100,7 +102,7 @@ private:
     e.normal = reciprocal_normal(level_, fan, point_, inverted_);
     e.is_known = !is_zero(e.normal);
     if (!e.is_known) return;
-    e.weight = blend_weight(e.normal, inverted_);
+    e.weight = blend_weight(e.normal, inverted_, face_normal_);
     if (e.weight >= 1) finish(s, exact_normal(fan, e.normal), set_normal);
   }
 
@@ -140,7 +142,7 @@ private:
     Estimate& e = estimates_[s];
     e.normal = normal;
     if (is_zero(normal)) return;
-    e.weight = blend_weight(normal, inverted_);
+    e.weight = blend_weight(normal, inverted_, face_normal_);
     e.is_corner = inverted_.corners().size() == 1;
     if (e.weight >= 1 && !e.is_corner) finish(s, converted(normal), set_normal);
   }
@@ -245,6 +247,7 @@ private:
   const Level_connectivity& level_;
   const Sectors& sectors_;
   const Point_of& point_;
+  Face_normals<FT, Point_of> face_normal_;
   std::vector<Estimate> estimates_;
   Inverted_fan<FT> inverted_; // of the sector at hand
   std::vector<Border_arc> arcs_;
