@@ -32,8 +32,6 @@ public:
   {
     std::vector<Point_3> sums(p_.size(), Point_3::Zero());
     for (const Face& f : mesh_.faces()) {
-      Point_3 area = Point_3::Zero();
-      for (std::size_t i = 0; i < f.size(); ++i) area += at(f[i]).cross(at(f[(i + 1) % f.size()]));
       for (std::size_t i = 0; i < f.size(); ++i) {
         const Point_3 a = at(f[(i + f.size() - 1) % f.size()]) - at(f[i]);
         const Point_3 b = at(f[(i + 1) % f.size()]) - at(f[i]);
