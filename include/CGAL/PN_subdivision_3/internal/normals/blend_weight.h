@@ -44,6 +44,7 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
         turn += smoothstep(turn / cos_60) * (std::max)(gain, 0.);
       }
     }
+    if (turn <= cos_60) return 0;
     least = (std::min)(least, turn);
   }
   if (least > 1) return 0;
