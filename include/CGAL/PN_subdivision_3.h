@@ -17,6 +17,7 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and wh
 */
 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

@@ -34,8 +34,8 @@ const char* const surface_footer =
 
 const char* const curve_footer =
   "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
-  "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. In "
-  "the\nplane missing normals are estimated. Messages count lines from 1.\n";
+  "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. "
+  "Missing\nnormals are estimated. Messages count lines from 1.\n";
 
 // Alone CLI11 takes an empty word, as of a shell variable that is not set, for 0, and words that
 // begin with 0 for octal or hexadecimal numbers.
@@ -156,7 +156,8 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   add_linear(surface, options.linear);
   surface.add_option("--normals", options.normals,
                      "Control normals: auto (the file's if it has any, else estimated), file, "
-                     "estimate, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
+                     "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
+                     "cylinder:X,Y,Z,DX,DY,DZ");
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");
@@ -188,6 +189,9 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("--end", options.end,
                    "Ends of an open polygon: reflect (default for primal schemes: up to the end "
                    "points) or none (default for dual ones: as far as whole stencils reach)");
+  curve.add_option("--sharp", options.sharp,
+                   "File with the numbers of the vertices, from 0 on, that are corners (primal "
+                   "schemes)");
   curve.add_option("--comb", options.comb,
                    "Draw curve, control polygon, control normals and curvature comb into this "
                    "SVG file");

@@ -8,6 +8,7 @@
 
 #include "curve/curve_command.h"
 
+#include "curve/curve_corners.h"
 #include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
 #include "io/Error.h"
@@ -16,6 +17,7 @@
 #include "io/mesh_io.h"
 #include "surface/verification.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -46,6 +48,14 @@ Curve_rule parse_rule(const Curve_options& options)
 {
   Curve_rule rule{parse_curve_scheme("--scheme", options.scheme), std::nullopt, options.linear};
   rule.end = parse_end(options, rule.scheme);
+  if (options.sharp && !rule.scheme.primal)
+    throw Usage_error("--sharp needs a primal scheme (bspline of odd degree, N-point): " +
+                      options.scheme + " keeps no end points");
+  if (options.sharp == "-" && options.input == "-")
+    throw Usage_error("--sharp -: standard input is the polygon already");
+  if (options.sharp && rule.end == PN::Curve_end::none)
+    throw Usage_error("--sharp and --end none exclude each other: the parts between corners end "
+                      "where the corners are");
   if (!options.normal_scheme) return rule;
   if (options.linear)
     throw Usage_error("--normal-scheme and --linear exclude each other: in linear schemes normals "
@@ -77,17 +87,65 @@ void require_writable_places(const Curve_options& options)
     throw Usage_error("--comb " + *options.comb + ": the drawing needs a file of its own");
 }
 
-// How it came to its normals, for the closing line.
-std::string set_control_normals(Curve_data& polygon, PN::Curve_end end)
+bool has_normal(const Curve_data& curve)
 {
-  if (polygon.has_normals) return "normals of the file";
-  Curve_2* const planar = std::get_if<Curve_2>(&polygon.points);
-  if (planar == nullptr)
-    throw Error("this is a curve in space without normals, and they can be estimated in the plane "
-                "only: give lines 'x y z nx ny nz', or use --linear");
-  *planar = PN::estimate_control_normals(*planar, end);
-  polygon.has_normals = true;
-  return "estimated normals";
+  const auto is_normal = [](const auto& item) { return item.second != CGAL::NULL_VECTOR; };
+  return std::visit(
+    [&](const auto& points) { return std::any_of(points.begin(), points.end(), is_normal); },
+    curve.points);
+}
+
+void require_a_turn(const std::vector<Curve_data>& parts)
+{
+  if (std::any_of(parts.begin(), parts.end(), has_normal)) return;
+  throw Error("this is a straight curve in space without normals, and it has none of its own: give "
+              "lines 'x y z nx ny nz', or use --linear");
+}
+
+// The polygon with its normals; in parts if it has corners.
+std::vector<Curve_data> control_parts(const Curve_data& polygon, const Curve_rule& rule,
+                                      const std::vector<std::size_t>& corners)
+{
+  const bool estimate = !rule.linear && !polygon.has_normals;
+  std::vector<Curve_data> parts;
+  if (!corners.empty())
+    parts = split_curve(polygon, rule.end, corners, estimate);
+  else if (estimate)
+    std::visit(
+      [&](const auto& points) {
+        parts.push_back({PN::estimate_control_normals(points, rule.end), true});
+      },
+      polygon.points);
+  else
+    parts.push_back(polygon);
+  if (estimate && std::holds_alternative<Curve_3>(polygon.points)) require_a_turn(parts);
+  return parts;
+}
+
+// The refined parts, and what they are together.
+struct Refined_curve
+{
+  std::vector<Curve_data> parts;
+  Curve_data whole;
+};
+
+Refined_curve refined_parts(const std::vector<Curve_data>& parts, const Curve_rule& rule,
+                            const std::vector<std::size_t>& corners, std::size_t size,
+                            unsigned levels)
+{
+  Refined_curve refined;
+  Curve_rule part_rule = rule;
+  if (!corners.empty()) part_rule.end = PN::Curve_end::reflect;
+  for (const Curve_data& part : parts)
+    refined.parts.push_back(refine_curve(part, part_rule, levels));
+  if (corners.empty()) {
+    refined.whole = refined.parts.front();
+    return refined;
+  }
+  // Vertex 0 of a closed polygon is in the last part. What is refined more often is a point.
+  const std::size_t first = *std::min_element(corners.begin(), corners.end());
+  refined.whole = joined_curve(refined.parts, rule.end, levels < 32 ? (size - first) << levels : 0);
+  return refined;
 }
 
 std::string caption(const Curve_rule& rule, const Curve_options& options)
@@ -121,17 +179,18 @@ auto naming(const std::string& file, const Function& function)
 
 // All is written before anything gets its name, and standard output comes last.
 void write_files(const Curve_options& options, const Curve_rule& rule, const Curve_data& polygon,
-                 const Curve_data& curve)
+                 const Refined_curve& curve)
 {
   std::unique_ptr<Output_file> out, comb;
   naming(output_title(options), [&] {
     out = std::make_unique<Output_file>(options.output);
-    write_curve(*out, curve);
+    write_curve(*out, curve.whole);
   });
   if (options.comb)
     naming(*options.comb, [&] {
       comb = std::make_unique<Output_file>(*options.comb);
-      comb->text(curve_picture(caption(rule, options), polygon, curve, rule.end));
+      comb->text(curve_picture(caption(rule, options), polygon, curve.parts, rule.end,
+                               options.sharp.has_value()));
       comb->commit();
     });
   naming(output_title(options), [&] { out->commit(); });
@@ -161,19 +220,27 @@ void run_curve_command(const Curve_options& options)
   if (polygon.size() >= points_worth_a_report)
     report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
                     " points");
-  std::string normals = "no normals";
-  const Curve_data curve = naming(input_title(options), [&] {
-    if (!rule.linear) normals = set_control_normals(polygon, rule.end);
-    polygon = refine_curve(polygon, rule, 0); // what the drawing shows: normals of unit length
-    const Curve_data refined = refine_curve(polygon, rule, options.levels);
-    if (verification) verification->measure(refined);
-    return refined;
+  const std::string normals = rule.linear           ? "no normals"
+                              : polygon.has_normals ? "normals of the file"
+                                                    : "estimated normals";
+  std::vector<std::size_t> corners;
+  if (options.sharp) corners = read_corners(*options.sharp, polygon.size());
+  const Refined_curve refined = naming(input_title(options), [&] {
+    const std::size_t size = polygon.size();
+    // normals of unit length, as the drawing shows them too
+    const Refined_curve control =
+      refined_parts(control_parts(polygon, rule, corners), rule, corners, size, 0);
+    polygon = control.whole;
+    Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels);
+    if (verification) verification->measure(curve.whole);
+    return curve;
   });
+  const Curve_data& curve = refined.whole;
   if (verification) verification->print(options.output == "-" ? stderr : stdout);
   if (curve.size() >= points_worth_a_report)
     report.progress("writing " + output_title(options) + ": " + std::to_string(curve.size()) +
                     " points");
-  write_files(options, rule, polygon, curve);
+  write_files(options, rule, polygon, refined);
   report.note(closing_line(options, rule, curve, normals, report));
   report.print_warnings();
   if (verification) verification->require_tolerance();

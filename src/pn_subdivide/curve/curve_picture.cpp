@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
+#include <functional>
 
 namespace pn_subdivide {
 namespace {
@@ -120,23 +122,52 @@ Curve shifted(Curve curve, int e)
   return curve;
 }
 
+// One drawing of all parts; their combs do not go across the corners.
+template <class Curve>
+curve_svg::Panel panel_of_parts(const Curve& polygon, const std::vector<Curve>& parts,
+                                PN::Curve_end end)
+{
+  curve_svg::Panel all;
+  std::vector<std::function<std::vector<curve_svg::Point>(double)>> combs;
+  for (const Curve& part : parts) {
+    curve_svg::Panel p = panel(polygon, part, PN::Curve_end::reflect);
+    p.curve.insert(p.curve.begin(), all.curve.begin(), all.curve.end());
+    p.curvature.insert(p.curvature.begin(), all.curvature.begin(), all.curvature.end());
+    combs.push_back(p.comb);
+    all = p;
+  }
+  all.comb = [combs](double scale) {
+    std::vector<curve_svg::Point> tips;
+    for (const auto& comb : combs)
+      for (const curve_svg::Point& tip : comb(scale)) tips.push_back(tip);
+    return tips;
+  };
+  all.closed = end == PN::Curve_end::closed;
+  return all;
+}
+
 } // namespace
 
 std::string curve_picture(const std::string& caption, const Curve_data& polygon,
-                          const Curve_data& curve, PN::Curve_end end)
+                          const std::vector<Curve_data>& parts, PN::Curve_end end, bool has_corners)
 {
   return std::visit(
-    [&](const auto& refined) {
-      using Curve = std::decay_t<decltype(refined)>;
+    [&](const auto& first) {
+      using Curve = std::decay_t<decltype(first)>;
       // a size about 1, so that no square overflows or vanishes
-      const int e = -exponent(refined);
-      const Curve control = shifted(std::get<Curve>(polygon.points), e),
-                  drawn = shifted(refined, e);
-      curve_svg::Panel p = panel(control, drawn, end);
+      int e = INT_MIN;
+      for (const Curve_data& part : parts)
+        e = (std::max)(e, exponent(std::get<Curve>(part.points)));
+      const Curve control = shifted(std::get<Curve>(polygon.points), -e);
+      std::vector<Curve> drawn;
+      for (const Curve_data& part : parts)
+        drawn.push_back(shifted(std::get<Curve>(part.points), -e));
+      curve_svg::Panel p =
+        has_corners ? panel_of_parts(control, drawn, end) : panel(control, drawn.front(), end);
       p.caption = caption;
       return curve_svg::drawing(caption, {p});
     },
-    curve.points);
+    parts.front().points);
 }
 
 } // namespace pn_subdivide

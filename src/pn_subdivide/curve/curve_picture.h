@@ -14,14 +14,17 @@
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
 // The text of an SVG file: a curve with its control polygon, control normals and curvature comb.
 // Curves in space are seen along the direction in which their control points extend least; their
-// curvatures are those in space.
+// curvatures are those in space. With corners the parts are the open curves between them,
+// else there is one.
 std::string curve_picture(const std::string& caption, const Curve_data& polygon,
-                          const Curve_data& curve, CGAL::PN_subdivision_3::Curve_end end);
+                          const std::vector<Curve_data>& parts,
+                          CGAL::PN_subdivision_3::Curve_end end, bool has_corners);
 
 } // namespace pn_subdivide
 

@@ -21,6 +21,8 @@
 namespace pn_subdivide {
 namespace {
 
+namespace PN = CGAL::PN_subdivision_3;
+
 using Source = Normals_option::Source;
 
 // In long double, so that normals of exact control data are correct to the last bit or nearly so.
@@ -52,12 +54,12 @@ void point_away(Mesh_data& mesh, const Normals_option& option)
   }
 }
 
-void estimate(Mesh_data& mesh)
+void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
 {
   mesh.normals.clear();
   Surface surface = make_surface(mesh);
   auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
-  CGAL::PN_subdivision_3::estimate_control_normals(surface, normals);
+  PN::estimate_control_normals(surface, normals, CGAL::parameters::default_values(), how);
   mesh.normals.reserve(mesh.points.size());
   for (const Surface::Vertex_index v : surface.vertices())
     mesh.normals.push_back(to_triple(normals[v]));
@@ -66,7 +68,7 @@ void estimate(Mesh_data& mesh)
 // As the library does it on entry, so that no round and several rounds start from the same normals.
 Vector_3 normalized(const Vector_3& n)
 {
-  using Traits = CGAL::PN_subdivision_3::Unit_normal_traits<double>;
+  using Traits = PN::Unit_normal_traits<double>;
   if (std::abs(n.squared_length() - 1) <= Traits::unit_tolerance()) return n;
   const double largest = (std::max)({std::abs(n.x()), std::abs(n.y()), std::abs(n.z())});
   if (largest == 0) return n;
@@ -87,6 +89,8 @@ Normals_option parse_normals_option(const std::string& text)
     option.source = Source::file;
   else if (text == "estimate")
     option.source = Source::estimate;
+  else if (text == "angle")
+    option.source = Source::angle;
   else if (text == "none")
     option.source = Source::none;
   else if (name == "sphere") {
@@ -101,7 +105,7 @@ Normals_option parse_normals_option(const std::string& text)
     const double largest = (std::max)({std::abs(x[3]), std::abs(x[4]), std::abs(x[5])});
     option.axis = {x[3] / largest, x[4] / largest, x[5] / largest};
   } else
-    throw Usage_error("--normals '" + text + "': expected auto, file, estimate, none, " +
+    throw Usage_error("--normals '" + text + "': expected auto, file, estimate, angle, none, " +
                       "sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
   return option;
 }
@@ -115,10 +119,13 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
                   "some");
     break;
   case Source::automatic:
-    if (!mesh.has_normals()) estimate(mesh);
+    if (!mesh.has_normals()) estimate(mesh, PN::Control_normal_estimate::reciprocal);
     break;
   case Source::estimate:
-    estimate(mesh);
+    estimate(mesh, PN::Control_normal_estimate::reciprocal);
+    break;
+  case Source::angle:
+    estimate(mesh, PN::Control_normal_estimate::angle);
     break;
   case Source::none:
     mesh.normals.clear();

@@ -18,14 +18,14 @@ namespace pn_subdivide {
 // Where control normals come from, as --normals says it.
 struct Normals_option
 {
-  enum class Source { automatic, file, estimate, none, sphere, cylinder };
+  enum class Source { automatic, file, estimate, angle, none, sphere, cylinder };
 
   Source source = Source::automatic;
   Triple center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
   Triple axis{0, 0, 1};   // of the cylinder
 };
 
-// auto | file | estimate | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
+// auto | file | estimate | angle | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
 Normals_option parse_normals_option(const std::string& text);
 
 // Sets, keeps or drops `mesh.normals`; all are unit vectors or zero afterwards. Throws Error if the

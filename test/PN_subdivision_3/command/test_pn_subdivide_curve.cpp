@@ -334,7 +334,41 @@ TEST_F(Pn_subdivide_curve, BadFiles)
   expect_bad_file("0 0\nnan 1\n", "line 2: the position is not finite");
   expect_bad_file("0 0 0 1\n1 1e999 0 1\n", "line 2: the position is not finite");
   expect_bad_file("0 0 0 1\n1 1 inf 1\n", "line 2: the normal is not finite");
-  expect_bad_file("0 0 0\n1 1 1\n2 2 3\n", "curve in space without normals");
+  expect_bad_file("0 0 0\n1 1 1\n3 3 3\n", "straight curve in space without normals");
+}
+
+TEST_F(Pn_subdivide_curve, CornersStaySharp)
+{
+  const std::string corners = folder.write("corners.txt", "# two\n0 2\n");
+  // the parts are straight: their normals are equal, and points stay on them
+  const Rows rows = numbers(
+    refined("0 0\n2 0\n4 0\n4 2\n", "--scheme 4-point --levels 2 --sharp '" + corners + "'"));
+  ASSERT_EQ(rows.size(), 13u);
+  for (std::size_t i = 0; i <= 8; ++i) EXPECT_EQ(rows[i][1], 0) << i;
+  for (std::size_t i = 8; i < 13; ++i) EXPECT_EQ(rows[i][0], 4) << i;
+  EXPECT_NEAR(rows[8][2], std::sqrt(0.5), 1e-15); // between the normals of both sides
+}
+
+TEST_F(Pn_subdivide_curve, ClosedPolygonsWithCornersBeginAtTheFirstVertex)
+{
+  const std::string corners = folder.write("corners.txt", "3 1\n");
+  const Rows rows =
+    numbers(refined(square, "--scheme bspline:3 --levels 3 --closed --sharp '" + corners + "'"));
+  ASSERT_EQ(rows.size(), 32u);
+  EXPECT_EQ(rows[8], (std::vector<double>{1, 1, rows[8][2], rows[8][3]}));
+  EXPECT_EQ(rows[24], (std::vector<double>{0, 0, rows[24][2], rows[24][3]}));
+}
+
+TEST_F(Pn_subdivide_curve, CornersThatCannotBe)
+{
+  const auto sharp = [&](const char* text) {
+    return " --sharp '" + folder.write("corners.txt", text) + "'";
+  };
+  expect_failure(square, "--scheme chaikin" + sharp("1"), 2, "primal");
+  expect_failure(square, "--scheme 4-point --end none" + sharp("1"), 2, "--end none");
+  expect_failure(square, "--scheme 4-point" + sharp("4"), 1, "no vertex 4");
+  expect_failure(square, "--scheme 4-point" + sharp("# none"), 1, "no numbers");
+  expect_failure(square, "--scheme 4-point" + sharp("one"), 1, "line 1");
 }
 
 TEST_F(Pn_subdivide_curve, FilesThatCannotBeReadOrWritten)

@@ -92,6 +92,164 @@ TEST(CurveNormals, FewPoints)
     EXPECT_EQ(item.second, none);
 }
 
+// --- in space ---
+
+using Point_3 = Double::Point_3;
+using Vector_3 = Double::Vector_3;
+
+std::vector<Vector_3> space_normals(const std::vector<Point_3>& points, Curve_end end)
+{
+  std::vector<Vector_3> normals;
+  for (const auto& item : PN::estimate_control_normals(points, end)) normals.push_back(item.second);
+  return normals;
+}
+
+double distance(const Vector_3& a, const Vector_3& b)
+{
+  return std::sqrt((a - b).squared_length());
+}
+
+// circles in any plane, ends of open ones included, and one round keeps them
+TEST(CurveNormalsInSpace, CirclesHaveTheirOwnOutwards)
+{
+  const Vector_3 u(1. / 3, 2. / 3, 2. / 3), v(2. / 3, 1. / 3, -2. / 3);
+  for (Curve_end end : {Curve_end::closed, Curve_end::reflect})
+    for (bool reversed : {false, true}) {
+      auto angles = uneven_angles(9, 5, Real(end == Curve_end::closed ? 2 : 1.6) * Real(CGAL_PI),
+                                  end == Curve_end::closed, 1);
+      if (reversed) std::reverse(angles.begin(), angles.end());
+      std::vector<Point_3> points;
+      for (Real a : angles)
+        points.push_back(Point_3(3, -1, 2) +
+                         2 * (double(std::cos(a)) * u + double(std::sin(a)) * v));
+      const auto polygon = PN::estimate_control_normals(points, end);
+      for (const auto& [p, n] : polygon) EXPECT_LE(distance(n, (p - Point_3(3, -1, 2)) / 2), 4e-15);
+      for (const auto& [p, n] :
+           PN::subdivide_curve(polygon, PN::B_spline_mask(3), end, params::number_of_iterations(3)))
+        EXPECT_NEAR(std::sqrt((p - Point_3(3, -1, 2)).squared_length()), 2, 1e-14);
+    }
+}
+
+TEST(CurveNormalsInSpace, InflectionsDoNotFlipThem)
+{
+  std::vector<Point_3> points;
+  for (int i = 0; i <= 20; ++i) points.emplace_back(0.4 * i, std::sin(0.8 * i), 0.3 * i);
+  const auto n = space_normals(points, Curve_end::reflect);
+  for (std::size_t i = 0; i + 1 < n.size(); ++i) EXPECT_GT(n[i] * n[i + 1], 0) << i;
+}
+
+// a quarter turn of the principal normal over a straight stretch: in proportion to the length
+TEST(CurveNormalsInSpace, StraightStretchesInterpolate)
+{
+  const std::vector<Point_3> points = {{0, 1, 0}, {1, 0, 0}, {2, 0, 0},
+                                       {4, 0, 0}, {5, 0, 0}, {6, 0, 1}};
+  const auto n = space_normals(points, Curve_end::reflect);
+  const auto angle = [&](std::size_t i) { return std::atan2(n[i].z(), n[i].y()); };
+  const auto turn = [&](std::size_t i) { // from the first one on
+    return std::remainder(angle(i) - angle(1), 2 * CGAL_PI);
+  };
+  EXPECT_NEAR(std::abs(turn(4)), CGAL_PI / 2, 1e-12);
+  EXPECT_NEAR(turn(2), turn(4) / 4, 1e-12);
+  EXPECT_NEAR(turn(3), turn(4) * 3 / 4, 1e-12);
+  EXPECT_NEAR(n[2].x(), 0, 1e-15);
+}
+
+TEST(CurveNormalsInSpace, StraightAndShortOnesHaveNone)
+{
+  const Vector_3 none(0, 0, 0);
+  const std::vector<Point_3> line = {{0, 0, 0}, {0.1, 0.3, 0.7}, {0.3, 0.9, 2.1}, {1, 3, 7}};
+  for (std::size_t n = 0; n <= line.size(); ++n)
+    for (Curve_end end : {Curve_end::closed, Curve_end::reflect})
+      for (const auto& normal :
+           space_normals({line.begin(), line.begin() + std::ptrdiff_t(n)}, end))
+        EXPECT_EQ(normal, none);
+  EXPECT_EQ(space_normals({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, Curve_end::closed)[1], none);
+}
+
+// Away from closing flips nothing depends on where a closed polygon begins or which way it runs.
+TEST(CurveNormalsInSpace, StartAndDirectionHaveNoPart)
+{
+  std::vector<Point_3> points;
+  for (int i = 0; i < 11; ++i) {
+    const double t = 2 * CGAL_PI * (i + 0.2 * std::sin(3. * i)) / 11;
+    points.emplace_back(2 * std::cos(t), std::sin(t), 0.3 * std::sin(2 * t));
+  }
+  const auto expected = space_normals(points, Curve_end::closed);
+  auto other = points;
+  std::rotate(other.begin(), other.begin() + 4, other.end());
+  const auto rotated = space_normals(other, Curve_end::closed);
+  std::reverse(other.begin(), other.end());
+  const auto reversed = space_normals(other, Curve_end::closed);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_LE(distance(rotated[i], expected[(i + 4) % 11]), 1e-14);
+    EXPECT_LE(distance(reversed[10 - i], expected[(i + 4) % 11]), 1e-14);
+  }
+}
+
+TEST(CurveNormalsInSpace, TinyHugeAndExactPolygons)
+{
+  using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+  const std::vector<Point_3> points = {{0, 0, 0}, {1, 0, 0.5}, {2, 1, 0}, {2, 2.5, 1}, {0, 3, 0}};
+  const auto expected = space_normals(points, Curve_end::reflect);
+  for (double scale : {1e-200, 1e200}) {
+    auto scaled = points;
+    for (Point_3& p : scaled) p = CGAL::ORIGIN + scale * (p - CGAL::ORIGIN);
+    const auto n = space_normals(scaled, Curve_end::reflect);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_LE(distance(n[i], expected[i]), 1e-14);
+  }
+  std::vector<Epeck::Point_3> exact;
+  for (const Point_3& p : points) exact.emplace_back(p.x(), p.y(), p.z());
+  const auto polygon = PN::estimate_control_normals(exact, Curve_end::reflect);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto& n = polygon[i].second;
+    EXPECT_LE(distance({CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z())},
+                       expected[i]),
+              1e-14);
+    if (i == 0 || i == 4) continue;
+    // in the plane of the three points, exactly
+    EXPECT_EQ(n * CGAL::cross_product(exact[i] - exact[i - 1], exact[i + 1] - exact[i]), 0);
+  }
+}
+
+// --- corners ---
+
+TEST(CurveCorners, PartsHaveOneSidedNormals)
+{
+  const Points house = {{0, 0}, {4, 0}, {4, 4}, {2, 6}, {0, 4}};
+  const auto parts = PN::split_at_corners(house, Curve_end::closed, {4, 1, 2, 1});
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_EQ(parts[0].size(), 2u);
+  EXPECT_EQ(parts[1].size(), 3u);
+  EXPECT_EQ(parts[2].size(), 3u);
+  for (const auto& item : parts[0]) EXPECT_EQ(item.second, Vector(1, 0));
+  EXPECT_EQ(parts[1][0].first, Point(4, 4));
+  EXPECT_NEAR(parts[1][1].second.y(), 1, 1e-15);
+  const auto curve = PN::joined_at_corners(parts, Curve_end::closed);
+  ASSERT_EQ(curve.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(curve[i].first, house[(i + 1) % 5]);
+}
+
+TEST(CurveCorners, GivenNormalsServeBothSides)
+{
+  const Vector n(0.6, 0.8);
+  const Curve_2<Double> polygon = {{{0, 0}, {0, 1}}, {{1, 0}, n}, {{2, 1}, {1, 0}}};
+  const auto parts = PN::split_at_corners(polygon, Curve_end::reflect, {1});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0][1].second, n);
+  EXPECT_EQ(parts[1][0].second, n);
+  EXPECT_EQ(PN::joined_at_corners(parts, Curve_end::reflect), polygon);
+}
+
+TEST(CurveCorners, WhatCannotBeSplit)
+{
+  const Points square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_THROW(PN::split_at_corners(square, Curve_end::closed, {}), std::invalid_argument);
+  EXPECT_THROW(PN::split_at_corners(square, Curve_end::reflect, {4}), std::invalid_argument);
+  EXPECT_TRUE(PN::split_at_corners(Points(), Curve_end::reflect, {}).empty());
+  EXPECT_EQ(PN::split_at_corners(Points{{1, 2}}, Curve_end::reflect, {0}).size(), 1u);
+  EXPECT_EQ(PN::split_at_corners(square, Curve_end::closed, {2}).front().size(), 5u);
+}
+
 TEST(CurveNormals, RepeatedPointsShareTheNormalOfOne)
 {
   const Points once = {{0, 0}, {3, 0}, {4, 2}, {1, 5}};

@@ -6,7 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Estimated control normals against closed forms.
+// Estimated control normals: the angle-weighted ones against closed forms, and what both estimates
+// have in common.
 
 #include "Mesh_cases.h"
 
@@ -32,13 +33,19 @@ using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 constexpr double pi = 3.14159265358979323846;
 
+using PN::Control_normal_estimate;
+
+constexpr Control_normal_estimate both[] = {Control_normal_estimate::reciprocal,
+                                            Control_normal_estimate::angle};
+
 template <class K>
-std::vector<Triple> estimate(const Soup& soup)
+std::vector<Triple> estimate(const Soup& soup,
+                             Control_normal_estimate how = Control_normal_estimate::angle)
 {
   CGAL::Surface_mesh<typename K::Point_3> mesh;
   build(soup, mesh);
   auto n = mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
-  PN::estimate_control_normals(mesh, n);
+  PN::estimate_control_normals(mesh, n, params::default_values(), how);
   return values(mesh, n);
 }
 
@@ -90,40 +97,46 @@ Soup fan()
 
 TEST(Estimate_control_normals, CubeCornersAreDiagonal)
 {
-  const auto d = estimate<Double>(cube());
-  const auto f = estimate<Float>(cube());
-  const auto e = estimate<Epeck>(cube());
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Triple p = cube().points[i];
-    expect_near(d[i], unit(p[0], p[1], p[2]), 2e-16);
-    expect_near(f[i], unit(p[0], p[1], p[2]), 6e-8);
-    expect_near(e[i], unit(p[0], p[1], p[2]), std::ldexp(1., -47));
+  for (Control_normal_estimate how : both) {
+    const auto d = estimate<Double>(cube(), how);
+    const auto f = estimate<Float>(cube(), how);
+    const auto e = estimate<Epeck>(cube(), how);
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Triple p = cube().points[i];
+      expect_near(d[i], unit(p[0], p[1], p[2]), 2e-16);
+      expect_near(f[i], unit(p[0], p[1], p[2]), 6e-8);
+      expect_near(e[i], unit(p[0], p[1], p[2]), std::ldexp(1., -47));
+    }
   }
 }
 
 // however the square faces are cut into triangles: the weights are angles
 TEST(Estimate_control_normals, TriangulatedCubeCornersAreDiagonal)
 {
-  Soup soup = cube();
-  std::vector<Polygon> triangles;
-  std::size_t i = 0;
-  for (const Polygon& f : soup.faces) {
-    const std::size_t s = i++ % 2;
-    triangles.push_back({f[s], f[s + 1], f[s + 2]});
-    triangles.push_back({f[s], f[s + 2], f[(s + 3) % 4]});
+  for (Control_normal_estimate how : both) {
+    Soup soup = cube();
+    std::vector<Polygon> triangles;
+    std::size_t i = 0;
+    for (const Polygon& f : soup.faces) {
+      const std::size_t s = i++ % 2;
+      triangles.push_back({f[s], f[s + 1], f[s + 2]});
+      triangles.push_back({f[s], f[s + 2], f[(s + 3) % 4]});
+    }
+    soup.faces = triangles;
+    const auto n = estimate<Double>(soup, how);
+    for (std::size_t v = 0; v < 8; ++v)
+      expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
   }
-  soup.faces = triangles;
-  const auto n = estimate<Double>(soup);
-  for (std::size_t v = 0; v < 8; ++v)
-    expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
 }
 
 TEST(Estimate_control_normals, IcosahedronIsRadial)
 {
-  const Soup soup = icosahedron();
-  const auto n = estimate<Double>(soup);
-  for (std::size_t v = 0; v < 12; ++v)
-    expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
+  for (Control_normal_estimate how : both) {
+    const Soup soup = icosahedron();
+    const auto n = estimate<Double>(soup, how);
+    for (std::size_t v = 0; v < 12; ++v)
+      expect_near(n[v], unit(soup.points[v][0], soup.points[v][1], soup.points[v][2]), 4e-16);
+  }
 }
 
 TEST(Estimate_control_normals, FanOfKnownAngles)
@@ -156,19 +169,23 @@ TEST(Estimate_control_normals, QuadThatIsNotPlanar)
 
 TEST(Estimate_control_normals, VerticesWithoutFacesGetZero)
 {
-  Soup soup = fan();
-  soup.points.push_back({1, 2, 3});
-  EXPECT_EQ(estimate<Double>(soup)[4], (Triple{0, 0, 0}));
-  EXPECT_EQ(estimate<Epeck>(soup)[4], (Triple{0, 0, 0}));
+  for (Control_normal_estimate how : both) {
+    Soup soup = fan();
+    soup.points.push_back({1, 2, 3});
+    EXPECT_EQ(estimate<Double>(soup, how)[4], (Triple{0, 0, 0}));
+    EXPECT_EQ(estimate<Epeck>(soup, how)[4], (Triple{0, 0, 0}));
+  }
 }
 
 // two triangles back to back, folded together: opposite unit normals, equal angles
 TEST(Estimate_control_normals, SumsThatVanishAreZero)
 {
-  const Soup soup{{{0.1, 0.2, 0.3}, {1.7, 0.4, 0.9}, {0.3, 2.1, 0.2}}, {{0, 1, 2}, {1, 0, 2}}};
-  for (const Triple& n : estimate<Double>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
-  for (const Triple& n : estimate<Float>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
-  for (const Triple& n : estimate<Epeck>(soup)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+  for (Control_normal_estimate how : both) {
+    const Soup soup{{{0.1, 0.2, 0.3}, {1.7, 0.4, 0.9}, {0.3, 2.1, 0.2}}, {{0, 1, 2}, {1, 0, 2}}};
+    for (const Triple& n : estimate<Double>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+    for (const Triple& n : estimate<Float>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+    for (const Triple& n : estimate<Epeck>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 0}));
+  }
 }
 
 // a triangle whose corners are on a line, with directions that no binary number has: only rounding
@@ -190,10 +207,13 @@ TEST(Estimate_control_normals, FacesWithoutAreaAddNothing)
 // but needles with an area of their own do
 TEST(Estimate_control_normals, NeedlesHaveNormals)
 {
-  for (double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
-    const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}}, {{0, 1, 2}}};
-    for (const Triple& n : estimate<Double>(soup)) EXPECT_EQ(n, (Triple{0, 0, 1})) << width;
-    for (const Triple& n : estimate<Epeck>(soup)) expect_near(n, {0, 0, 1}, std::ldexp(1., -47));
+  for (Control_normal_estimate how : both) {
+    for (double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
+      const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}}, {{0, 1, 2}}};
+      for (const Triple& n : estimate<Double>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 1})) << width;
+      for (const Triple& n : estimate<Epeck>(soup, how))
+        expect_near(n, {0, 0, 1}, std::ldexp(1., -47));
+    }
   }
 }
 
@@ -210,38 +230,45 @@ TEST(Estimate_control_normals, RepeatedCornersAreHarmless)
 // scaling by powers of two changes no bit
 TEST(Estimate_control_normals, DoNotDependOnTheScale)
 {
-  for (const Soup& soup : {icosahedron(), mixed_with_border(), triangles_with_border()}) {
-    const auto expected = estimate<Double>(soup);
-    for (int exponent : {-1000, -700, -332, -60, 60, 332, 500, 1000})
-      EXPECT_EQ(estimate<Double>(transformed(soup, std::ldexp(1., exponent), {0, 0, 0})), expected)
-        << exponent;
-    for (double scale : {1e-300, 1e-200, 1e-100, 1e-10, 1e10, 1e100, 1e150, 1e300}) {
-      const auto n = estimate<Double>(transformed(soup, scale, {0, 0, 0}));
-      for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 1e-15);
+  for (Control_normal_estimate how : both) {
+    for (const Soup& soup : {icosahedron(), mixed_with_border(), triangles_with_border()}) {
+      const auto expected = estimate<Double>(soup, how);
+      for (int exponent : {-1000, -700, -332, -60, 60, 332, 500, 1000})
+        EXPECT_EQ(estimate<Double>(transformed(soup, std::ldexp(1., exponent), {0, 0, 0}), how),
+                  expected)
+          << exponent;
+      for (double scale : {1e-300, 1e-200, 1e-100, 1e-10, 1e10, 1e100, 1e150, 1e300}) {
+        const auto n = estimate<Double>(transformed(soup, scale, {0, 0, 0}), how);
+        for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 4e-15);
+      }
     }
   }
 }
 
 TEST(Estimate_control_normals, DoNotDependOnTheScaleInOtherKernels)
 {
-  const Soup soup = triangles_with_border();
-  const auto expected = estimate<Double>(soup);
-  for (double scale : {1e-30, 1e-20, 1., 1e20, 1e35}) {
-    const auto n = estimate<Float>(transformed(soup, scale, {0, 0, 0}));
-    for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 4e-7);
-  }
-  for (double scale : {1e-200, 1e-100, 1e150}) {
-    const auto n = estimate<Epeck>(transformed(soup, scale, {0, 0, 0}));
-    for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 1e-14);
+  for (Control_normal_estimate how : both) {
+    const Soup soup = triangles_with_border();
+    const auto expected = estimate<Double>(soup, how);
+    for (double scale : {1e-30, 1e-20, 1., 1e20, 1e35}) {
+      const auto n = estimate<Float>(transformed(soup, scale, {0, 0, 0}), how);
+      for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 4e-7);
+    }
+    for (double scale : {1e-200, 1e-100, 1e150}) {
+      const auto n = estimate<Epeck>(transformed(soup, scale, {0, 0, 0}), how);
+      for (std::size_t v = 0; v < n.size(); ++v) expect_near(n[v], expected[v], 1e-14);
+    }
   }
 }
 
 // far from the origin the differences of points are exact, if the shift rounds nothing
 TEST(Estimate_control_normals, DoNotDependOnThePlace)
 {
-  const double shift = std::ldexp(1., 40);
-  EXPECT_EQ(estimate<Double>(transformed(cube(), 1, {shift, -shift, shift})),
-            estimate<Double>(cube()));
+  for (Control_normal_estimate how : both) {
+    const double shift = std::ldexp(1., 40);
+    EXPECT_EQ(estimate<Double>(transformed(cube(), 1, {shift, -shift, shift}), how),
+              estimate<Double>(cube(), how));
+  }
 }
 
 // the unit length is that of the kernel
@@ -264,8 +291,10 @@ TEST(Estimate_control_normals, Polyhedron)
     build(soup, mesh);
     const auto n = get(CGAL::dynamic_vertex_property_t<Double::Vector_3>(), mesh);
     const auto& constant = mesh;
-    PN::estimate_control_normals(constant, n);
-    EXPECT_EQ(values(mesh, n), estimate<Double>(soup));
+    for (Control_normal_estimate how : both) {
+      PN::estimate_control_normals(constant, n, params::default_values(), how);
+      EXPECT_EQ(values(mesh, n), estimate<Double>(soup, how));
+    }
   }
 }
 
@@ -277,18 +306,58 @@ TEST(Estimate_control_normals, PointsOfAMapOfTheUser)
   build(icosahedron(), mesh, p);
   for (auto v : mesh.vertices()) mesh.point(v) = Double::Point_3(0, 0, 0);
   PN::estimate_control_normals(mesh, n, params::vertex_point_map(p));
-  EXPECT_EQ(values(mesh, n), estimate<Double>(icosahedron()));
+  EXPECT_EQ(values(mesh, n), estimate<Double>(icosahedron(), Control_normal_estimate::reciprocal));
 }
 
 // what the subdivision takes when it gets no normals
-TEST(Estimate_control_normals, AreThoseOfASubdivisionWithoutNormals)
+template <class Scheme>
+void expect_estimate(const Scheme& scheme, Control_normal_estimate how)
 {
   CGAL::Surface_mesh<Double::Point_3> without, with;
   build(mixed_with_border(), without);
   build(mixed_with_border(), with);
   const auto n = with.add_property_map<CGAL::SM_Vertex_index, Double::Vector_3>("n").first;
-  PN::estimate_control_normals(with, n);
-  PN::CatmullClark_subdivision(with, params::number_of_iterations(2).vertex_normal_map(n));
-  PN::CatmullClark_subdivision(without, params::number_of_iterations(2));
+  PN::estimate_control_normals(with, n, params::default_values(), how);
+  PN::subdivide(with, scheme, params::number_of_iterations(2).vertex_normal_map(n));
+  PN::subdivide(without, scheme, params::number_of_iterations(2));
   EXPECT_EQ(points(with), points(without));
+}
+
+TEST(Estimate_control_normals, AreThoseOfASubdivisionWithoutNormals)
+{
+  expect_estimate(PN::CatmullClark_scheme(), Control_normal_estimate::reciprocal);
+  for (Control_normal_estimate how : both)
+    expect_estimate(PN::with_normal_estimate(PN::CatmullClark_scheme(), how), how);
+}
+
+TEST(Estimate_control_normals, AdaptorsOfSchemesNest)
+{
+  const PN::CatmullClark_scheme catmull_clark;
+  constexpr auto angle = Control_normal_estimate::angle,
+                 reciprocal = Control_normal_estimate::reciprocal;
+  const auto both_masks = PN::with_normal_scheme(catmull_clark, PN::modified_CatmullClark_scheme());
+  expect_estimate(both_masks, reciprocal);
+  expect_estimate(PN::with_normal_estimate(both_masks, angle), angle);
+  expect_estimate(PN::with_normal_scheme(PN::with_normal_estimate(catmull_clark, angle),
+                                         PN::modified_CatmullClark_scheme()),
+                  angle);
+  expect_estimate(PN::with_normal_scheme(PN::with_normal_estimate(catmull_clark, reciprocal),
+                                         PN::with_normal_estimate(catmull_clark, angle)),
+                  angle);
+  expect_estimate(
+    PN::with_normal_estimate(PN::with_normal_estimate(catmull_clark, reciprocal), angle), angle);
+
+  // linear schemes have no normals, whatever is said of them
+  std::vector<std::vector<Triple>> results;
+  const auto add = [&](const auto& scheme) {
+    CGAL::Surface_mesh<Double::Point_3> mesh;
+    build(mixed_with_border(), mesh);
+    PN::subdivide(mesh, scheme);
+    results.push_back(points(mesh));
+  };
+  add(PN::linear(catmull_clark));
+  add(PN::linear(PN::with_normal_estimate(catmull_clark, angle)));
+  add(PN::with_normal_estimate(PN::linear(catmull_clark), angle));
+  EXPECT_EQ(results[1], results[0]);
+  EXPECT_EQ(results[2], results[0]);
 }

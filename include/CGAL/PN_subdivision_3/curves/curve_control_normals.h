@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/curves/planar_polygon_normals.h>
+#include <CGAL/PN_subdivision_3/internal/curves/space_polygon_normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,21 +29,33 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Curves
 
-estimates the control normals of a planar polygon: at each vertex the unit normal of the circle
-through the vertex and its two neighbors, to the right of the direction of travel, hence outwards if
-the polygon runs counterclockwise.
+estimates the control normals of a polygon.
 
-With the edges e, f before and after a vertex, the tangent of that circle has the direction e/|e|
-weighted by |f| plus f/|f| weighted by |e|: the shorter edge counts more. Hence samples of a circle
-get its exact normals, however uneven they are. An end of an open polygon takes the normal of the
-circle through its last three points.
+<b>In the plane</b> it is at each vertex the unit normal of the circle through the vertex and its two
+neighbors, to the right of the direction of travel, hence outwards if the polygon runs
+counterclockwise. With the edges e, f before and after a vertex, the tangent of that circle has the
+direction e/|e| weighted by |f| plus f/|f| weighted by |e|: the shorter edge counts more. Hence
+samples of a circle get its exact normals, however uneven they are. An end of an open polygon takes
+the normal of the circle through its last three points: the mirror image of its neighbor's.
 
-Neighbors are the nearest points that differ, so that repeated points share a normal; an open
-polygon of two points gets the normal of its edge. Where a tangent is not defined, for a single
-point or if both neighbors are the same point, the result is zero, "no control normal".
+<b>In space</b> it is the unit normal of that circle away from its center, where the radius is below
+10<sup>6</sup> times the longer edge. Vertices in between, where the polygon is nearly straight,
+have the normal of the vertex before carried along (by the smallest rotations from tangent to edge to
+tangent) and turned about the tangent, in proportion to the length, to meet that of the vertex
+after. The same rotations say which of two normals point to the same side: past an inflection the
+normals point to the center, so that they do not flip. Altogether more turns have their normals
+outside than inside; if as many, the first one has it outside. Round a closed polygon the sides may
+not match (as on a Moebius strip); then the normals flip at one edge, where they differ most anyway.
+The signs, the carried normals and what is nearly straight are computed in `double`; at the other
+vertices normals of exact number types have their exact direction. A straight polygon in space gets
+zero vectors.
 
-\tparam Range a model of `ConstRange` whose items are `Point_2`, pairs with a `Point_2` first, or
-  anything that the named parameter `point_map` makes a `Point_2` of
+Neighbors are the nearest points that differ, so that repeated points share a normal; in the plane
+an open polygon of two points gets the normal of its edge. Where a tangent is not defined, for a
+single point or if both neighbors are the same point, the result is zero, "no control normal".
+
+\tparam Range a model of `ConstRange` whose items are points, `Point_2` or `Point_3`, pairs with a
+  point first, or anything that the named parameter `point_map` makes a point of
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param polygon the control polygon
@@ -52,6 +65,8 @@ point or if both neighbors are the same point, the result is zero, "no control n
 \returns the points of the polygon with their normals, as `subdivide_curve()` takes them
 
 \throws std::invalid_argument if a point is not finite (the message gives its position)
+
+\cost linear in the size of the polygon
 */
 template <class Range, class NamedParameters = parameters::Default_named_parameters>
 auto estimate_control_normals(const Range& polygon, Curve_end end,
@@ -59,9 +74,13 @@ auto estimate_control_normals(const Range& polygon, Curve_end end,
 {
   using Points = internal::Curve_points<Range, NamedParameters>;
   using FT = typename Points::FT;
-  static_assert(Points::dimension == 2, "control normals are estimated in the plane only");
   const auto points = Points::template get_all<FT>(polygon, np);
-  const auto normals = internal::planar_polygon_normals<FT>(points, end == Curve_end::closed);
+  const bool closed = end == Curve_end::closed;
+  std::vector<Coordinates<FT, Points::dimension>> normals;
+  if constexpr (Points::dimension == 2)
+    normals = internal::planar_polygon_normals<FT>(points, closed);
+  else
+    normals = internal::space_polygon_normals<FT>(points, closed);
   std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
   result.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANAR_POLYGON_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
+#include <CGAL/PN_subdivision_3/internal/curves/distinct_neighbors.h>
 
 #include <cstddef>
 #include <utility>
@@ -90,16 +91,7 @@ template <class FT>
 std::vector<Coordinates<FT, 2>>
 planar_polygon_normals(const std::vector<Coordinates<FT, 2>>& points, bool closed)
 {
-  std::vector<Coordinates<FT, 2>> distinct;
-  std::vector<std::size_t> position;
-  for (const auto& p : points) {
-    if (distinct.empty() || p != distinct.back()) distinct.push_back(p);
-    position.push_back(distinct.size() - 1);
-  }
-  if (closed && distinct.size() > 1 && distinct.front() == distinct.back()) {
-    distinct.pop_back();
-    for (std::size_t& i : position) i %= distinct.size();
-  }
+  auto [distinct, position] = distinct_neighbors(points, closed);
   const Planar_polygon_tangents<FT> tangent(std::move(distinct), closed);
   std::vector<Coordinates<FT, 2>> normals;
   for (std::size_t i : position) {

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <boost/container/vector.hpp>
@@ -97,7 +98,7 @@ private:
     const unsigned rounds = level.size().faces == 0 ? 1 : rounds_;
     const Level_size size =
       checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
-    auto values = read_values<Average>(access, level, points, normals);
+    auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
     Mesh_writer<Value, Access, Point_map, Normal_map> writer(access, points, normals,
                                                              is_any_near_overflow(values));
     Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);

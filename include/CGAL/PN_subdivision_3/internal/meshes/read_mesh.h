@@ -14,7 +14,8 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <array>
 #include <cstddef>
@@ -85,12 +86,32 @@ void read_normals(const Access& access, Normal_map normals, std::vector<Value>& 
   }
 }
 
+// Types with names, so that the estimation is compiled once for a number type.
+template <class FT>
+struct Point_of_value
+{
+  const Coordinates<FT, 3>& operator()(Level_connectivity::Index v) const
+  {
+    return values[v].point;
+  }
+  const Point_normal<FT, 3>* values;
+};
+template <class FT>
+struct Set_normal_of_value
+{
+  void operator()(Level_connectivity::Index v, const Coordinates<FT, 3>& n) const
+  {
+    values[v].normal = n;
+  }
+  Point_normal<FT, 3>* values;
+};
+
 // The points of a mesh and, of values that have them, the control normals: the user's, or estimated
 // ones if there is no map of them.
 template <class Average, class Access, class Point_map, class Normal_map>
-std::vector<typename Average::Value> read_values(const Access& access,
-                                                 const Level_connectivity& level, Point_map points,
-                                                 [[maybe_unused]] Normal_map normals)
+std::vector<typename Average::Value>
+read_values(const Access& access, const Level_connectivity& level, Point_map points,
+            [[maybe_unused]] Normal_map normals, [[maybe_unused]] Control_normal_estimate estimate)
 {
   using FT = typename Average::FT;
   using Value = typename Average::Value;
@@ -100,9 +121,8 @@ std::vector<typename Average::Value> read_values(const Access& access,
     point_of(values[v]) = checked_point<FT>(access, points, v);
   if constexpr (std::is_same_v<Value, Point_normal<FT, 3>>) {
     if constexpr (std::is_same_v<Normal_map, No_normal_map>)
-      angle_weighted_normals<FT>(
-        level, [&](Index v) -> const Coordinates<FT, 3>& { return values[v].point; },
-        [&](Index v, const Coordinates<FT, 3>& n) { values[v].normal = n; });
+      estimate_normals<FT>(level, estimate, Point_of_value<FT>{values.data()},
+                           Set_normal_of_value<FT>{values.data()});
     else
       read_normals<FT>(access, normals, values);
   }

@@ -12,49 +12,34 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
+#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-template <class T>
-Coordinates<T, 3> cross(const Coordinates<T, 3>& a, const Coordinates<T, 3>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class T>
-Coordinates<double, 3> to_double_3(const Coordinates<T, 3>& a)
-{
-  return {close_double(a[0]), close_double(a[1]), close_double(a[2])};
-}
-
-inline double length(const Coordinates<double, 3>& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-// Sums, over the faces of each vertex, of the corner's angle times the unit face normal. The area
+// Sums, over the faces of each sector, of the corner's angle times the unit face normal. The area
 // vectors are those of the number type (float is widened); the factor angle/area, irrational
 // anyway, is a double.
-template <class FT>
+template <class FT, class Sectors>
 class Angle_weighted_normals
 {
 public:
   using Index = Level_connectivity::Index;
-  using T = std::conditional_t<std::is_same_v<FT, float>, double, FT>;
+  using T = Wide_number<FT>;
 
-  explicit Angle_weighted_normals(const Level_connectivity& level)
+  Angle_weighted_normals(const Level_connectivity& level, const Sectors& sectors)
     : level_(level)
-    , sums_(level.number_of_vertices(), Coordinates<T, 3>{T(0), T(0), T(0)})
-    , angles_(level.number_of_vertices(), 0.)
+    , sectors_of_(sectors)
+    , sums_(sectors.number_of_sectors(), Coordinates<T, 3>{T(0), T(0), T(0)})
+    , angles_(sectors.number_of_sectors(), 0.)
   {}
 
   template <class Point_of>
@@ -73,17 +58,17 @@ public:
       const double angle =
         corner_angle(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]);
       const T weight(angle / area_length);
-      for (int k = 0; k < 3; ++k) sums_[vertices_[i]][k] += weight * area[k];
-      angles_[vertices_[i]] += angle;
+      for (int k = 0; k < 3; ++k) sums_[sectors_[i]][k] += weight * area[k];
+      angles_[sectors_[i]] += angle;
     }
   }
 
-  // the unit sum at v; zero if it vanishes
-  Coordinates<FT, 3> normal(Index v) const
+  // the unit sum of a sector whose faces have been added; zero if it vanishes
+  Coordinates<FT, 3> normal(Index s) const
   {
-    const double vanishing = 4096 * std::numeric_limits<double>::epsilon() * angles_[v];
-    if (!(length(to_double_3(sums_[v])) > vanishing)) return {FT(0), FT(0), FT(0)};
-    Coordinates<T, 3> n = sums_[v];
+    const double vanishing = 4096 * std::numeric_limits<double>::epsilon() * angles_[s];
+    if (!(length(to_double_3(sums_[s])) > vanishing)) return {FT(0), FT(0), FT(0)};
+    Coordinates<T, 3> n = sums_[s];
     normalize_control_normal<T, 3>(n);
     return {FT(n[0]), FT(n[1]), FT(n[2])};
   }
@@ -95,15 +80,15 @@ private:
   template <class Point_of>
   void collect_corners(Index f, const Point_of& point)
   {
-    vertices_.clear();
+    sectors_.clear();
     corners_.clear();
     const Index first = level_.halfedge_of_face(f);
+    const auto& origin = point(level_.target(first));
     Index h = first;
     double largest = 0, largest_coordinate = 0;
     do {
-      vertices_.push_back(level_.target(h));
-      const auto& p = point(vertices_.back());
-      const auto& origin = point(vertices_.front());
+      sectors_.push_back(sectors_of_.at_target(h));
+      const auto& p = point(level_.target(h));
       corners_.push_back({T(p[0]) - T(origin[0]), T(p[1]) - T(origin[1]), T(p[2]) - T(origin[2])});
       for (double x : to_double_3(corners_.back())) largest = (std::max)(largest, std::abs(x));
       if constexpr (!is_exact_v<FT>)
@@ -135,9 +120,10 @@ private:
   }
 
   const Level_connectivity& level_;
+  const Sectors& sectors_of_;
   std::vector<Coordinates<T, 3>> sums_;
   std::vector<double> angles_;
-  std::vector<Index> vertices_;
+  std::vector<Index> sectors_; // those of the corners
   std::vector<Coordinates<T, 3>> corners_;
   double least_area_ = 0;
 };
@@ -147,7 +133,8 @@ template <class FT, class Point_of, class Set_normal>
 void angle_weighted_normals(const Level_connectivity& level, const Point_of& point,
                             const Set_normal& set_normal)
 {
-  Angle_weighted_normals<FT> normals(level);
+  const Vertex_sectors sectors(level);
+  Angle_weighted_normals<FT, Vertex_sectors> normals(level, sectors);
   for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
     normals.add_face(f, point);
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)

@@ -1,0 +1,295 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Face_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
+#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/arc_border_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/blend_weight.h>
+#include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
+// closed ones, then those open ones whose neighbors are all open by the arcs to the former, and
+// last mixes in the angle-weighted normals of wide fans.
+template <class FT, class Sectors, class Point_of>
+class Normal_estimation
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  Normal_estimation(const Level_connectivity& level, const Sectors& sectors, const Point_of& point)
+    : level_(level)
+    , sectors_(sectors)
+    , point_(point)
+    , face_normal_(level, point)
+    , estimates_(sectors.number_of_sectors())
+  {}
+
+  // given(s) points to the given normal of a sector or is null, set_normal(s, n) gets all others
+  template <class Given, class Set_normal>
+  void operator()(const Given& given, const Set_normal& set_normal)
+  {
+    const Index n = sectors_.number_of_sectors();
+    std::vector<Index> open;
+    for (Index s = 0; s < n; ++s) {
+      if (const Coordinates<FT, 3>* normal = given(s))
+        take_given(s, *normal);
+      else if (sectors_.is_empty(s))
+        finish(s, {FT(0), FT(0), FT(0)}, set_normal);
+      else if (const Fan fan = sectors_.fan(s); fan.closed)
+        estimate_closed(s, fan, set_normal);
+      else
+        open.push_back(s);
+    }
+    open = estimate_open(open, set_normal);
+    open = estimate_open(open, set_normal);
+    for (Index s : open) take_open_normal(s, set_normal);
+    blend(set_normal);
+  }
+
+private:
+  struct Estimate
+  {
+    Vector normal{0, 0, 0}; // a unit vector, without the angle-weighted share; zero if unknown
+    double weight = 0;      // beside the angle-weighted normal
+    bool is_known = false;  // arcs may use it
+    bool is_done = false;   // it is given or set
+    bool is_corner = false; // of one face
+  };
+
+  void take_given(Index s, const Coordinates<FT, 3>& normal)
+  {
+    Estimate& e = estimates_[s];
+    e.normal = to_double_3<FT>(normal);
+    e.is_known = !is_zero(e.normal);
+    e.is_done = true;
+  }
+
+  template <class Set_normal>
+  void finish(Index s, const Coordinates<FT, 3>& normal, const Set_normal& set_normal)
+  {
+    estimates_[s].is_done = true;
+    set_normal(s, normal);
+  }
+
+  template <class Set_normal>
+  void estimate_closed(Index s, const Fan& fan, const Set_normal& set_normal)
+  {
+    Estimate& e = estimates_[s];
+    inverted_.assign(level_, fan, point_);
+    e.normal = reciprocal_normal(level_, fan, point_, inverted_);
+    e.is_known = !is_zero(e.normal);
+    if (!e.is_known) return;
+    e.weight = blend_weight(e.normal, inverted_, face_normal_);
+    if (e.weight >= 1) finish(s, exact_normal(fan, e.normal), set_normal);
+  }
+
+  // estimates open fans by the arcs to known neighbors; returns those that have none
+  template <class Set_normal>
+  std::vector<Index> estimate_open(const std::vector<Index>& open, const Set_normal& set_normal)
+  {
+    std::vector<Index> without_arcs, found;
+    for (Index s : open) {
+      const Fan fan = sectors_.fan(s);
+      inverted_.assign(level_, fan, point_);
+      collect_arcs(fan);
+      if (arcs_.empty()) {
+        without_arcs.push_back(s);
+        continue;
+      }
+      const Vector open_normal = reciprocal_normal(level_, fan, point_, inverted_);
+      const std::optional<Vector> n = arc_border_normal(open_normal, border_tangent(), arcs_);
+      if (n) found.push_back(s);
+      set_open(s, n.value_or(open_normal), set_normal);
+    }
+    for (Index s : found) estimates_[s].is_known = true; // only now: their order has no part
+    return without_arcs;
+  }
+
+  template <class Set_normal>
+  void take_open_normal(Index s, const Set_normal& set_normal)
+  {
+    const Fan fan = sectors_.fan(s);
+    inverted_.assign(level_, fan, point_);
+    set_open(s, reciprocal_normal(level_, fan, point_, inverted_), set_normal);
+  }
+
+  template <class Set_normal>
+  void set_open(Index s, const Vector& normal, const Set_normal& set_normal)
+  {
+    Estimate& e = estimates_[s];
+    e.normal = normal;
+    if (is_zero(normal)) return;
+    e.weight = blend_weight(normal, inverted_, face_normal_);
+    e.is_corner = inverted_.corners().size() == 1;
+    if (e.weight >= 1 && !e.is_corner) finish(s, converted(normal), set_normal);
+  }
+
+  // an arc to each neighbor whose normal in the same run of faces is known
+  void collect_arcs(const Fan& fan)
+  {
+    arcs_.clear();
+    bool is_first = true;
+    for (const auto& ray : inverted_.rays()) {
+      const Index neighbor = is_first && ray.halfedge == fan.first
+                               ? sectors_.at_source(ray.halfedge)
+                               : sectors_.at_target(level_.opposite(ray.halfedge));
+      is_first = false;
+      const Estimate& e = estimates_[neighbor];
+      if (e.is_known && ray.squared > 0)
+        arcs_.push_back({multiple(1 / std::sqrt(ray.squared), ray.inverted), e.normal});
+    }
+  }
+
+  // The unit tangent, at the vertex of an open fan, of the circle through it and its two neighbors on
+  // the border; zero if there is none.
+  Vector border_tangent() const
+  {
+    if (!inverted_.has_ends() || inverted_.rays().size() < 2) return {0, 0, 0};
+    const auto &first = inverted_.rays().front(), &last = inverted_.rays().back();
+    Vector t = first.inverted;
+    add_multiple<double, 3>(t, -1, last.inverted);
+    const double size = std::sqrt(first.squared) + std::sqrt(last.squared);
+    const double t_length = std::sqrt(dot<double, 3>(t, t));
+    if (!(t_length > vanishing_tolerance<FT>() * size)) return {0, 0, 0};
+    return quotient(t, t_length);
+  }
+
+  template <class Set_normal>
+  void blend(const Set_normal& set_normal)
+  {
+    const auto is_done = [this](Index s) { return estimates_[s].is_done; };
+    bool all_done = true;
+    for (const Estimate& e : estimates_) all_done = all_done && e.is_done;
+    if (all_done) return;
+    Angle_weighted_normals<FT, Sectors> angle_weighted(level_, sectors_);
+    for (Index f = 0; f < level_.number_of_faces(); ++f)
+      if (!all_corners(f, is_done)) angle_weighted.add_face(f, point_);
+    for (Index s = 0; s < sectors_.number_of_sectors(); ++s)
+      if (!is_done(s)) set_normal(s, blended(s, angle_weighted.normal(s)));
+  }
+
+  // A reflex corner beside others is turned by more than 60 degrees from their normal. The only
+  // corner of a fan has to be compared with its face.
+  bool is_reflex(Index s, const Vector& angle_weighted)
+  {
+    inverted_.assign(level_, sectors_.fan(s), point_);
+    return dot<double, 3>(inverted_.corners().front().normal, angle_weighted) < 0;
+  }
+
+  template <class Predicate>
+  bool all_corners(Index f, const Predicate& predicate) const
+  {
+    const Index first = level_.halfedge_of_face(f);
+    Index h = first;
+    do {
+      if (!predicate(sectors_.at_target(h))) return false;
+      h = level_.next(h);
+    } while (h != first);
+    return true;
+  }
+
+  Coordinates<FT, 3> blended(Index s, const Coordinates<FT, 3>& angle_weighted)
+  {
+    const Estimate& e = estimates_[s];
+    const Vector other = to_double_3<FT>(angle_weighted);
+    if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
+    Vector n = multiple(e.weight, e.normal);
+    add_multiple<double, 3>(n, 1 - e.weight, other);
+    const double n_length = length(n);
+    if (!(n_length > vanishing_tolerance<FT>())) return angle_weighted;
+    return converted(quotient(n, n_length));
+  }
+
+  // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
+  Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
+  {
+    using T = Wide_number<FT>;
+    if constexpr (!std::is_same_v<T, double>) {
+      Coordinates<T, 3> n = reciprocal_sum<T>(level_, fan, point_);
+      if (is_finite_number(T(n[0] + n[1] + n[2])) && length(to_double_3<T>(n)) > 0) {
+        normalize_control_normal<T, 3>(n);
+        return n;
+      }
+    }
+    return converted(normal);
+  }
+
+  static Coordinates<FT, 3> converted(const Vector& normal)
+  {
+    Coordinates<FT, 3> n{FT(normal[0]), FT(normal[1]), FT(normal[2])};
+    if constexpr (!std::is_floating_point_v<FT>) normalize_control_normal<FT, 3>(n);
+    return n;
+  }
+
+  const Level_connectivity& level_;
+  const Sectors& sectors_;
+  const Point_of& point_;
+  Face_normals<FT, Point_of> face_normal_;
+  std::vector<Estimate> estimates_;
+  Inverted_fan<FT> inverted_; // of the sector at hand
+  std::vector<Border_arc> arcs_;
+};
+
+// Calls set_normal(s, n) for every sector that is not given, where point(v) returns
+// Coordinates<FT, 3>; given(s) points to the given normal of a sector, a unit vector or zero, or is
+// null.
+template <class FT, class Sectors, class Point_of, class Given, class Set_normal>
+void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                      const Sectors& sectors, const Point_of& point, const Given& given,
+                      const Set_normal& set_normal)
+{
+  if (estimate == Control_normal_estimate::reciprocal) {
+    Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
+    estimation(given, set_normal);
+    return;
+  }
+  Angle_weighted_normals<FT, Sectors> normals(level, sectors);
+  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
+    normals.add_face(f, point);
+  for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
+    if (given(s) == nullptr) set_normal(s, normals.normal(s));
+}
+
+template <class FT>
+struct No_given_normals
+{
+  const Coordinates<FT, 3>* operator()(Level_connectivity::Index) const { return nullptr; }
+};
+
+// the same for whole vertices, none of them given
+template <class FT, class Point_of, class Set_normal>
+void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                      const Point_of& point, const Set_normal& set_normal)
+{
+  const Vertex_sectors sectors(level);
+  estimate_normals<FT>(level, estimate, sectors, point, No_given_normals<FT>(), set_normal);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_NORMAL_ESTIMATION_H

@@ -1,0 +1,122 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_NORMAL_ESTIMATE_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_NORMAL_ESTIMATE_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/// \ingroup PkgPNSubdivision3Functions
+/// How control normals are estimated from the points of a mesh, see `estimate_control_normals()`.
+enum class Control_normal_estimate {
+  reciprocal, ///< exact on spheres and on grids on cylinders, cones and tori, borders included
+  angle       ///< the normals of the faces weighted by their angles
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+A scheme with the estimate of control normals that it uses for meshes without any, made by
+`with_normal_estimate()`.
+*/
+template <class Scheme>
+struct Scheme_with_normal_estimate
+{
+  using Host = typename Scheme::Host;
+
+  template <class FT>
+  auto mask(const Level_connectivity& level, unsigned round) const
+  {
+    return scheme.template mask<FT>(level, round);
+  }
+
+  template <class FT, class S = Scheme>
+  auto normal_mask(const Level_connectivity& level, unsigned round) const
+    -> decltype(std::declval<const S&>().template normal_mask<FT>(level, round))
+  {
+    return scheme.template normal_mask<FT>(level, round);
+  }
+
+  template <class Element_names>
+  void check(const Level_connectivity& level, const Element_names& names) const
+  {
+    internal::check_scheme(scheme, level, names);
+  }
+
+  std::optional<Control_normal_estimate> normal_estimate() const { return estimate; }
+
+  Scheme scheme;
+  Control_normal_estimate estimate;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+returns the scheme with a choice of how control normals are estimated if the mesh comes without a
+`vertex_normal_map`; without this adaptor it is `Control_normal_estimate::reciprocal`. The adaptors
+can be nested in any order; of two nested choices the outer one counts. With `linear()` the choice
+has no effect, since there are no normals.
+*/
+template <class Scheme, class = typename Scheme::Host>
+Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
+                                                         Control_normal_estimate estimate)
+{
+  return {scheme, estimate};
+}
+
+namespace internal {
+
+template <class Scheme>
+struct Is_linear<Scheme_with_normal_estimate<Scheme>> : Is_linear<Scheme>
+{};
+
+template <class Scheme>
+struct Has_normal_mask<Scheme_with_normal_estimate<Scheme>> : Has_normal_mask<Scheme>
+{};
+
+template <class Scheme, class = void>
+struct States_normal_estimate : std::false_type
+{};
+template <class Scheme>
+struct States_normal_estimate<
+  Scheme, std::void_t<decltype(std::declval<const Scheme&>().normal_estimate())>> : std::true_type
+{};
+
+// what a scheme or an adaptor says about the estimate, if anything
+template <class Scheme>
+std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
+{
+  if constexpr (States_normal_estimate<Scheme>::value)
+    return scheme.normal_estimate();
+  else
+    return std::nullopt;
+}
+
+// of the two schemes for points and normals the one for normals is asked first
+template <class Scheme, class Normal_scheme>
+std::optional<Control_normal_estimate>
+stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme)
+{
+  const auto stated = stated_normal_estimate(scheme.normal_scheme);
+  return stated ? stated : stated_normal_estimate(scheme.scheme);
+}
+
+template <class Scheme>
+Control_normal_estimate normal_estimate(const Scheme& scheme)
+{
+  return stated_normal_estimate(scheme).value_or(Control_normal_estimate::reciprocal);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_NORMAL_ESTIMATE_H

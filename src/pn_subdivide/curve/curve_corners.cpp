@@ -1,0 +1,77 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "curve/curve_corners.h"
+
+#include "io/Error.h"
+#include "io/Text_reader.h"
+#include "io/file_content.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+} // namespace
+
+std::vector<std::size_t> read_corners(const std::string& file, std::size_t size)
+{
+  const std::string text = file_content(file);
+  std::vector<std::size_t> corners;
+  try {
+    Text_reader in(text, '#');
+    while (in.next_line())
+      while (!in.at_end_of_line()) {
+        const std::int64_t corner = in.integer("the number of a vertex");
+        if (corner < 0 || static_cast<std::size_t>(corner) >= size)
+          in.fail("there is no vertex " + std::to_string(corner) + ", only 0 to " +
+                  std::to_string(size - 1));
+        corners.push_back(static_cast<std::size_t>(corner));
+      }
+    if (corners.empty()) throw Error("there are no numbers of vertices in this file");
+  } catch (const std::exception& e) {
+    throw Error(file + ": " + e.what());
+  }
+  return corners;
+}
+
+std::vector<Curve_data> split_curve(const Curve_data& polygon, PN::Curve_end end,
+                                    const std::vector<std::size_t>& corners, bool estimate)
+{
+  std::vector<Curve_data> parts;
+  std::visit(
+    [&](const auto& points) {
+      for (auto& part : PN::split_at_corners(points, end, corners))
+        parts.push_back({polygon.has_normals || !estimate
+                           ? part
+                           : PN::estimate_control_normals(part, PN::Curve_end::reflect),
+                         true});
+    },
+    polygon.points);
+  return parts;
+}
+
+Curve_data joined_curve(const std::vector<Curve_data>& parts, PN::Curve_end end, std::size_t first)
+{
+  Curve_data joined;
+  joined.has_normals = parts.front().has_normals;
+  std::visit(
+    [&](const auto& first_part) {
+      using Curve = std::decay_t<decltype(first_part)>;
+      std::vector<Curve> curves;
+      for (const Curve_data& part : parts) curves.push_back(std::get<Curve>(part.points));
+      Curve curve = PN::joined_at_corners(curves, end);
+      if (end == PN::Curve_end::closed && first < curve.size())
+        std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end());
+      joined.points = std::move(curve);
+    },
+    parts.front().points);
+  return joined;
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,34 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CURVE_CORNERS_H
+#define PN_SUBDIVIDE_CURVE_CORNERS_H
+
+#include "io/curve_data.h"
+
+#include <CGAL/PN_subdivision_curve.h>
+
+#include <string>
+#include <vector>
+
+namespace pn_subdivide {
+
+// Reads the numbers of the vertices that are corners, from 0 on, in any number of lines. Throws Error
+// if there are none or one is not below `size`.
+std::vector<std::size_t> read_corners(const std::string& file, std::size_t size);
+
+// The open parts of a polygon between its corners, with their estimated normals where the file gave
+// none and `estimate` is set.
+std::vector<Curve_data> split_curve(const Curve_data& polygon,
+                                    CGAL::PN_subdivision_3::Curve_end end,
+                                    const std::vector<std::size_t>& corners, bool estimate);
+
+// The parts as one curve; if it is closed, it begins with point `first`.
+Curve_data joined_curve(const std::vector<Curve_data>& parts, CGAL::PN_subdivision_3::Curve_end end,
+                        std::size_t first);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CURVE_CORNERS_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Estimated control normals of a control mesh, and what the tests ask of them.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_ESTIMATED_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_TEST_ESTIMATED_NORMALS_H
+
+#include "Sampled_surfaces.h"
+#include "reference/Control_normals.h"
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+namespace estimated_normals {
+
+using CGAL::PN_subdivision_3::Control_normal_estimate;
+using sampled_surfaces::Real;
+using test_meshes::Control_mesh;
+using test_meshes::Triple;
+
+constexpr double ulp = std::numeric_limits<double>::epsilon(); // 2^-52
+
+template <class K>
+CGAL::Surface_mesh<typename K::Point_3> to_mesh(const Control_mesh& control)
+{
+  CGAL::Surface_mesh<typename K::Point_3> mesh;
+  for (const Triple& p : control.points)
+    mesh.add_vertex(
+      typename K::Point_3(typename K::FT(p[0]), typename K::FT(p[1]), typename K::FT(p[2])));
+  for (const reference::Face& face : control.faces) {
+    std::vector<CGAL::SM_Vertex_index> vertices;
+    for (int v : face) vertices.emplace_back(unsigned(v));
+    if (mesh.add_face(vertices) == mesh.null_face())
+      throw std::logic_error("the test mesh " + control.name + " is not a manifold");
+  }
+  return mesh;
+}
+
+template <class K = CGAL::Simple_cartesian<double>>
+std::vector<typename K::Vector_3>
+estimate(const Control_mesh& control,
+         Control_normal_estimate how = Control_normal_estimate::reciprocal)
+{
+  auto mesh = to_mesh<K>(control);
+  auto normals =
+    mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
+  CGAL::PN_subdivision_3::estimate_control_normals(mesh, normals,
+                                                   CGAL::parameters::default_values(), how);
+  std::vector<typename K::Vector_3> result;
+  for (auto v : mesh.vertices()) result.push_back(normals[v]);
+  return result;
+}
+
+inline std::vector<Triple>
+estimated(const Control_mesh& control,
+          Control_normal_estimate how = Control_normal_estimate::reciprocal)
+{
+  std::vector<Triple> result;
+  for (const auto& n : estimate(control, how)) result.push_back({n.x(), n.y(), n.z()});
+  return result;
+}
+
+inline double distance(const Triple& a, const Triple& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+inline double largest_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    if (!(distance(a[i], b[i]) <= largest)) largest = distance(a[i], b[i]); // NaN is large
+  return largest;
+}
+
+// angles to the true normals, in degrees
+struct Angles
+{
+  double rms = 0, largest = 0;
+};
+
+template <class Predicate>
+Angles angles(const Control_mesh& mesh, const std::vector<Triple>& normals, const Predicate& counts)
+{
+  Angles a;
+  int n = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!counts(int(i))) continue;
+    const double x = 2 * std::asin((std::min)(1., distance(normals[i], mesh.normals[i]) / 2)) *
+                     180 / std::acos(-1.);
+    a.rms += x * x;
+    a.largest = (std::max)(a.largest, x);
+    ++n;
+  }
+  a.rms = std::sqrt(a.rms / (std::max)(n, 1));
+  return a;
+}
+
+inline std::vector<reference::Point_3> reference_points(const Control_mesh& mesh)
+{
+  std::vector<reference::Point_3> points;
+  for (const Triple& p : mesh.points) points.emplace_back(p[0], p[1], p[2]);
+  return points;
+}
+
+inline std::vector<Triple> triples(const std::vector<reference::Point_3>& points)
+{
+  std::vector<Triple> result;
+  for (const auto& p : points) result.push_back({double(p[0]), double(p[1]), double(p[2])});
+  return result;
+}
+
+} // namespace estimated_normals
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_ESTIMATED_NORMALS_H
