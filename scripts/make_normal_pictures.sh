@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
@@ -99,7 +102,7 @@ scripts/render.py --output "$folder/points_alone.png" --columns 3 --tile 320 --s
                   --same-view --view=35,25 --scalars mean_curvature --range 1.6 \
                   "${all_captions[@]}" "${meshes[@]}"
 
-refine catmull-clark data/head.obj 4 head
+refine catmull-clark data/meshes/head.obj 4 head
 scripts/render.py --output "$folder/rims.png" --columns 3 --tile 320 --shading averaged --same-view \
                   --view=-35,-15 --scalars mean_curvature --range 3 "${captions[@]}" \
                   "$work"/head_{linear,angle,estimate}.vtp
