@@ -252,6 +252,28 @@ void add_triangle_schemes()
 #endif
 }
 
+// The estimate of control normals beside the angle-weighted one, both on the mesh's reading. A rough
+// mesh has wide fans, which need both.
+void add_normal_estimates()
+{
+  const auto estimate = [](PN::Control_normal_estimate how) -> Job {
+    return [how](const Mesh& control, unsigned /*rounds*/) -> Result {
+      Mesh mesh = control;
+      const auto normals = Control_meshes::add_normals(mesh);
+      const double seconds = seconds_of(
+        [&] { PN::estimate_control_normals(mesh, normals, params::default_values(), how); });
+      return {seconds, mesh.number_of_faces()};
+    };
+  };
+  const std::pair<const char*, Control> controls[] = {{"quads", quads(1000, 1000)},
+                                                      {"triangles", triangles(1000, 500)}};
+  for (const auto& [name, control] : controls) {
+    const std::string group = std::string("normals/1M-") + name;
+    add(group + "/angle", control, 0, estimate(PN::Control_normal_estimate::angle));
+    add(group + "/reciprocal", control, 0, estimate(PN::Control_normal_estimate::reciprocal));
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -260,6 +282,7 @@ int main(int argc, char** argv)
     add_quad_schemes();
     add_triangle_schemes();
     add_modified_schemes();
+    add_normal_estimates();
     return names;
   });
 }
