@@ -206,6 +206,10 @@ public:
     plain_.face(f, s);
   }
 
+  /// the parts of `CatmullClark_mask`. \pre the row is the one of that mask
+  FT face_part_of_vertex(Index h, Index n) const { return plain_.face_part_of_vertex(h, n); }
+  FT face_part_of_edge(Index h) const { return plain_.face_part_of_edge(h); }
+
 private:
   // The weights of e_d and f_d; v has the rest.
   struct Ring_weights
