@@ -36,9 +36,11 @@ public:
     std::vector<Level_connectivity::Counted_valence> counted;
     for (const Crease_star& star : creases.stars) {
       const Index ends = star.number_of_ends;
-      // a dart counts by its valence; a corner inside a smooth surface is no extraordinary vertex
-      if (!star.is_border && ends <= 1)
-        counted.push_back({star.vertex, ends == 1 ? level.valence(star.vertex) : 0});
+      // these are not cut off: a dart counts by its valence, a corner inside a smooth surface not
+      if (!star.is_border && ends <= 1) {
+        const bool is_dart = creases.rule(star) == Vertex_rule::dart;
+        counted.push_back({star.vertex, is_dart ? level.valence(star.vertex) : 0});
+      }
       if (ends != 0 && (!star.is_border || star.number_of_wedges > 1)) cut(star);
     }
     cut_.set_counted_valences(std::move(counted));

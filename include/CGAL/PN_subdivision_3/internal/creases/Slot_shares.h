@@ -53,11 +53,13 @@ public:
     corners_.clear();
     const Index n = level_.valence(v);
     const Index first = level_.halfedge_of_vertex(v);
+    const bool is_border = level_.is_border(first);
     Index h = first;
     do {
       if (!level_.is_border(h)) {
         FT part(0);
-        if constexpr (Has_face_parts<Mask>::value) part = mask_.face_part_of_vertex(h, n);
+        if constexpr (Has_face_parts<Mask>::value)
+          if (!is_border) part = mask_.face_part_of_vertex(h, n);
         add_face(h, part,
                  [&](Index g) { return g == h || g == level_.next(h) || level_.next(g) == h; });
       }
