@@ -65,11 +65,11 @@ inline Control triangulated(const Control& control)
   return result;
 }
 
-struct Names
+struct Names : internal::Element_names
 {
-  static std::string vertex_name(Index v) { return "vertex " + std::to_string(v); }
-  static std::string halfedge_name(Index h) { return "half-edge " + std::to_string(h); }
-  static std::string face_name(Index f) { return "face " + std::to_string(f); }
+  std::string vertex_name(Index v) const override { return "vertex " + std::to_string(v); }
+  std::string halfedge_name(Index h) const override { return "half-edge " + std::to_string(h); }
+  std::string face_name(Index f) const override { return "face " + std::to_string(f); }
 };
 
 // edges in the order in which the faces have them first
@@ -112,8 +112,7 @@ inline Level_connectivity level_of(const Control& control)
   for (const auto& entry : along_border)
     level.set_next(entry.second, along_border.at(level.target(entry.second)));
   const Names names{};
-  internal::Connectivity_check<Names> check(level, names);
-  check();
+  internal::Connectivity_check(level, names)();
   return level;
 }
 
@@ -123,7 +122,7 @@ class Crease_run
 public:
   static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
   using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
-  using Refiner = internal::Crease_refiner<Scheme, Average, internal::For_chunks<Concurrency_tag>>;
+  using Refiner = internal::Crease_refiner<Scheme, Average>;
   using Vector = Coordinates<FT, 3>;
 
   Crease_run(const Control& control, const Scheme& scheme)
@@ -219,7 +218,8 @@ private:
         stored.push_back(v);
       else
         stored.push_back(v.point);
-    return Refiner(scheme, std::move(level), std::move(creases), std::move(stored));
+    return Refiner(scheme, std::move(level), std::move(creases), std::move(stored),
+                   internal::For_chunks::with(Concurrency_tag()));
   }
 
   Scheme scheme_;

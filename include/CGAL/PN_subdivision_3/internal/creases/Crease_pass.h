@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/Uncertain.h>
 
 #include <cstddef>
@@ -44,7 +45,6 @@ public:
   {}
 
   // every new value belongs to one star or edge
-  template <class For_chunks>
   std::vector<Slot_value> operator()(const For_chunks& for_chunks)
   {
     const auto stars = static_cast<Index>(data_.creases.stars.size());

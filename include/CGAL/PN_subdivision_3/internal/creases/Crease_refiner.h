@@ -9,8 +9,8 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-
-#include <boost/container/vector.hpp>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <utility>
 
@@ -20,60 +20,53 @@ namespace internal {
 
 // A level with creases, the values of its slots, and the rounds of a scheme on them. It knows neither
 // a mesh nor its maps.
-template <class Scheme, class Average, class For_chunks>
+template <class Scheme, class Average>
 class Crease_refiner
 {
 public:
+  using Refiner = Level_refiner<Scheme, Average>;
   using One_round = Crease_round<Scheme, Average>;
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
-  using Value = typename One_round::Value;
-  using Values = boost::container::vector<typename One_round::Stored_value>;
+  using Values = typename Refiner::Values;
 
   // level, creases and values are those of the first round
   Crease_refiner(const Scheme& scheme, Level_connectivity&& level, Creases<FT>&& creases,
                  Values&& values, const For_chunks& for_chunks = For_chunks())
     : scheme_(scheme)
-    , level_(std::move(level))
+    , refiner_(scheme, std::move(level), std::move(values), for_chunks)
     , creases_(std::move(creases))
-    , values_(std::move(values))
     , for_chunks_(for_chunks)
   {}
 
-  const Level_connectivity& level() const { return level_; }
+  const Level_connectivity& level() const { return refiner_.level(); }
   const Creases<FT>& creases() const { return creases_; }
   // of the slots
-  const Values& values() const { return values_; }
+  const Values& values() const { return refiner_.values(); }
+  const Refiner& refiner() const { return refiner_; }
+
+  // \pre the level stays while the round is used
+  One_round next_round()
+  {
+    return {scheme_, refiner_.level(), creases_, refiner_.values().data(),
+            refiner_.rounds_done() + 1};
+  }
 
   void refine()
   {
-    One_round crease_round(scheme_, level_, creases_, values_.data(), rounds_done_ + 1);
-    const auto& round = crease_round.round();
-    Level_connectivity child(round.refined_size());
-    child.set_uniform_degree(Scheme::Host::refined_degree);
-    round.host().connect(child, for_chunks_);
-    Creases<FT>& creases = crease_round.refined_creases();
-    Values refined(creases.number_of_slots, boost::container::default_init);
-    for_chunks_(child.number_of_vertices(), [&](Index begin, Index end) {
-      round.evaluate(begin, end, values_.data(), [&](Index v, const Value* values, Index n) {
-        for (Index i = 0; i < n; ++i) refined[v + i] = values[i];
-      });
-    });
-    for (const auto& slot : crease_round.crease_values(for_chunks_))
-      refined[slot.first] = slot.second;
+    One_round round = next_round();
+    const auto on_creases = round.crease_values(for_chunks_);
+    Creases<FT> creases = std::move(round.refined_creases());
+    refiner_.refine(round.round(), creases.number_of_slots - round.number_of_vertices());
+    for (const auto& slot : on_creases) refiner_.values()[slot.first] = slot.second;
     creases_ = std::move(creases);
-    level_ = std::move(child);
-    values_ = std::move(refined);
-    ++rounds_done_;
   }
 
 private:
   const Scheme& scheme_;
-  Level_connectivity level_;
+  Refiner refiner_;
   Creases<FT> creases_;
-  Values values_;
   For_chunks for_chunks_;
-  unsigned rounds_done_ = 0;
 };
 
 } // namespace internal

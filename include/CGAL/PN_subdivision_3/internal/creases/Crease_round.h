@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/soften_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <algorithm>
 #include <optional>
@@ -48,7 +49,7 @@ public:
     , old_(old)
     , cut_(level, creases)
     , round_(scheme, level, cut_.connectivity(), number)
-    , refined_(creases, level, static_cast<Index>(round_.refined_size().vertices))
+    , refined_(creases, level, number_of_vertices())
   {
     if (needs_smooth_rules()) {
       count_valences();
@@ -62,9 +63,9 @@ public:
 
   // of all new vertices; values on creases do not hold
   const One_round& round() const { return round_; }
+  Index number_of_vertices() const { return static_cast<Index>(round_.refined_size().vertices); }
 
   // the values on the creases, for each of their slots
-  template <class For_chunks>
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
   {
     const typename Crease_pass<Scheme, Average>::Data data{
