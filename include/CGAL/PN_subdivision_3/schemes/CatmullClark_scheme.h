@@ -200,6 +200,9 @@ struct CatmullClark_scheme
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "catmull-clark"; }
 
+  /// along creases the rules are those of the border.
+  static constexpr bool has_crease_rules = true;
+
   template <class FT>
   CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

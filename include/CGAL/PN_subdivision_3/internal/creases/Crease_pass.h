@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/Uncertain.h>
 
@@ -50,12 +51,15 @@ public:
     const auto stars = static_cast<Index>(data_.creases.stars.size());
     const auto edges = static_cast<Index>(data_.creases.edges.size());
     place_results(stars, edges);
+    const Precision precision;
     for_chunks(stars, [&](Index begin, Index end) {
+      const typename Precision::In_this_thread scope(precision);
       Rules rules(data_);
       for (Index i = begin; i < end; ++i)
         decided(data_.creases.stars[i].vertex, [&] { star(rules, i); });
     });
     for_chunks(edges, [&](Index begin, Index end) {
+      const typename Precision::In_this_thread scope(precision);
       Rules rules(data_);
       for (Index i = begin; i < end; ++i) decided(new_vertex(i), [&] { edge(rules, i); });
     });
@@ -67,6 +71,7 @@ private:
   static constexpr Index null = Level_connectivity::null;
   using Rule_value = typename Rules::Value;
   using Vector = Coordinates<FT, 3>;
+  using Precision = Caller_precision<FT>;
 
   Index new_vertex(Index crease) const
   {

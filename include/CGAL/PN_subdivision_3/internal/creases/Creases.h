@@ -38,6 +38,7 @@ struct Crease_edge
   using Index = Level_connectivity::Index;
 
   Index edge;
+  Index control_edge; // of which it is a part
   double sharpness;
   Index border_side = no_side;   // of the half-edge that has no face
   std::array<Index, 2> after{};  // the slot of the end in the face of the half-edge

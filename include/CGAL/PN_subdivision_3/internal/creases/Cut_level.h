@@ -134,6 +134,23 @@ private:
   std::vector<Index> copy_; // of the crease edges; meaningless for border edges
 };
 
+// Calls f(half-edge, slot) for every corner of the level: that of the half-edge's face at its target.
+template <class Function>
+void for_each_corner(const Level_connectivity& level, const Level_connectivity& cut,
+                     const Function& f)
+{
+  using Index = Level_connectivity::Index;
+  for (Index face = 0; face < level.number_of_faces(); ++face) {
+    const Index first = level.halfedge_of_face(face);
+    Index h = first, g = cut.halfedge_of_face(face); // the same one, and so on
+    do {
+      f(h, cut.target(g));
+      h = level.next(h);
+      g = cut.next(g);
+    } while (h != first);
+  }
+}
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

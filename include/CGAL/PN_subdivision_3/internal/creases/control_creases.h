@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,11 +45,11 @@ public:
 
   // values[slot] has the point; its normal if is_given[slot]
   Control_creases(const Level_connectivity& level, Creases<FT>& creases,
-                  std::vector<Point_normal<FT, 3>>& values, const std::vector<bool>& is_given)
+                  std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given)
     : level_(level)
     , creases_(creases)
     , values_(values)
-    , is_given_(is_given)
+    , is_given_(std::move(is_given))
   {}
 
   // tangents are made unless they are there
@@ -113,7 +114,7 @@ private:
   const Level_connectivity& level_;
   Creases<FT>& creases_;
   std::vector<Point_normal<FT, 3>>& values_;
-  const std::vector<bool>& is_given_;
+  const std::vector<bool> is_given_;
 };
 
 } // namespace internal

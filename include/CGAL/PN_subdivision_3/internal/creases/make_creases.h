@@ -63,7 +63,7 @@ private:
   void add_edge(Index e, double sharpness)
   {
     Crease_edge<FT> crease;
-    crease.edge = e;
+    crease.edge = crease.control_edge = e;
     crease.tangent_from.fill(zero_vector<FT, 3>());
     for (Index side = 0; side < 2; ++side)
       if (level_.is_border(2 * e + side)) crease.border_side = side;
