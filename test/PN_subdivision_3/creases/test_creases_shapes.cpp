@@ -113,17 +113,19 @@ TEST_P(Crease_shapes, Stay_exact)
   Part part = GetParam().make();
   part.place();
   const Real epsilon = std::numeric_limits<double>::epsilon();
-  for_each_scheme(part, true, [&](const auto& scheme, const Control& control,
-                                  const std::vector<std::size_t>& group, const char* name) {
-    const Deviation d = deviation<double>(part, control, group, scheme, GetParam().rounds);
-    EXPECT_LE(d.points, 8 * epsilon * part.scale()) << name;
-    EXPECT_LE(d.border, 8 * epsilon * part.scale()) << name;
-    EXPECT_LE(d.normals, 8 * epsilon) << name;
-    RecordProperty(std::string(name) + " points", std::to_string(double(d.points / epsilon)));
-    std::printf("%s %s: points %.2f (scale %.2f) border %.2f normals %.2f\n", GetParam().name, name,
-                double(d.points / epsilon / part.scale()), double(part.scale()),
-                double(d.border / epsilon / part.scale()), double(d.normals / epsilon));
-  });
+  for_each_scheme(
+    part, true,
+    [&](const auto& scheme, const Control& control, const std::vector<std::size_t>& group,
+        const char* name) {
+      const Deviation d = deviation<double>(part, control, group, scheme, GetParam().rounds);
+      EXPECT_LE(d.points, 8 * epsilon * part.scale()) << name;
+      EXPECT_LE(d.border, 8 * epsilon * part.scale()) << name;
+      EXPECT_LE(d.normals, 8 * epsilon) << name;
+      RecordProperty(std::string(name) + " points", std::to_string(double(d.points / epsilon)));
+      std::printf("%s %s: points %.2f (scale %.2f) border %.2f normals %.2f\n", GetParam().name,
+                  name, double(d.points / epsilon / part.scale()), double(part.scale()),
+                  double(d.border / epsilon / part.scale()), double(d.normals / epsilon));
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -63,9 +63,9 @@ class Part
 {
 public:
   Border border = Border::surface;
-  std::vector<Surface> surfaces;       // of the groups
-  std::vector<Surface> of_border;      // all border vertices lie on one of them
-  std::vector<std::size_t> group;      // of the faces
+  std::vector<Surface> surfaces;  // of the groups
+  std::vector<Surface> of_border; // all border vertices lie on one of them
+  std::vector<std::size_t> group; // of the faces
   std::vector<Face> faces;
   std::vector<Vector> points;
   std::map<int, double> sharp_vertices;
@@ -188,7 +188,8 @@ inline std::vector<Real> uneven(int n)
 inline Part capped_cylinder(const std::vector<Real>& angles)
 {
   Part p;
-  const auto side = p.add(upright_cylinder(1)), bottom = p.add(plane(0, -1)), top = p.add(plane(2, 1));
+  const auto side = p.add(upright_cylinder(1)), bottom = p.add(plane(0, -1)),
+             top = p.add(plane(2, 1));
   const Ring a = p.ring(1, 0, angles), b = p.ring(1, Real(0.8), angles), c = p.ring(1, 2, angles);
   p.tube(side, a, b);
   p.tube(side, b, c);
@@ -203,8 +204,8 @@ inline void dome(Part& p, std::size_t surface, Ring rim, const std::vector<Real>
 {
   const Surface s = p.surfaces[surface];
   for (const Real latitude : latitudes) {
-    const Ring next = p.ring(s.radius * std::cos(latitude), s.point[2] + s.radius * std::sin(latitude),
-                             angles);
+    const Ring next =
+      p.ring(s.radius * std::cos(latitude), s.point[2] + s.radius * std::sin(latitude), angles);
     p.tube(surface, rim, next);
     rim = next;
   }
@@ -346,8 +347,7 @@ inline Part bolt()
   Ring low, high;
   for (int k = 0; k < 6; ++k)
     for (const Real share : {Real(0), Real(0.45)}) {
-      const Vector a(2 * std::cos(six[std::size_t(k)]),
-                     2 * std::sin(six[std::size_t(k)]), 0);
+      const Vector a(2 * std::cos(six[std::size_t(k)]), 2 * std::sin(six[std::size_t(k)]), 0);
       const Real next = Real(k + 1) * pi / 3;
       const Vector b(2 * std::cos(next), 2 * std::sin(next), 0);
       low.push_back(p.vertex((1 - share) * a + share * b));
@@ -356,8 +356,7 @@ inline Part bolt()
   for (std::size_t k = 0; k < 6; ++k) {
     const Real middle = (Real(k) + Real(0.5)) * pi / 3;
     const Vector out(std::cos(middle), std::sin(middle), 0);
-    const auto wall =
-      p.add({Surface::plane, Vector(out * 2 * std::cos(pi / 6)), out, 0});
+    const auto wall = p.add({Surface::plane, Vector(out * 2 * std::cos(pi / 6)), out, 0});
     for (std::size_t i = 2 * k; i < 2 * k + 2; ++i) {
       const std::size_t j = (i + 1) % 12;
       p.face(wall, {low[i], low[j], high[j], high[i]});
@@ -379,7 +378,8 @@ inline Part cube()
 {
   Part p;
   Ring r;
-  for (int k = 0; k < 8; ++k) r.push_back(p.vertex({Real(k & 1), Real((k >> 1) & 1), Real(k >> 2)}));
+  for (int k = 0; k < 8; ++k)
+    r.push_back(p.vertex({Real(k & 1), Real((k >> 1) & 1), Real(k >> 2)}));
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) {
       Vector out = Vector::Zero();
@@ -411,7 +411,8 @@ inline Part ball_cap()
   Part p;
   const auto angles = uneven(8);
   const auto s = p.add(sphere(0, 1));
-  dome(p, s, p.ring(std::cos(Real(0.3)), std::sin(Real(0.3)), angles), {Real(0.7), Real(1.1)}, angles);
+  dome(p, s, p.ring(std::cos(Real(0.3)), std::sin(Real(0.3)), angles), {Real(0.7), Real(1.1)},
+       angles);
   p.border = Border::curve;
   p.of_border = {plane(std::sin(Real(0.3)), 1)};
   return p;

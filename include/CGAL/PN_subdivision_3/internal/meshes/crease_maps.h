@@ -34,6 +34,14 @@ double sharpness_of(const Value& value)
     return double(CGAL::to_double(value));
 }
 
+// of a key of such a map
+template <class Map, class Key>
+double sharpness_in(const Map& map, const Key& key)
+{
+  using Value = std::decay_t<typename boost::property_traits<Map>::value_type>;
+  return sharpness_of(static_cast<Value>(get(map, key))); // bits have references of their own
+}
+
 template <class Name>
 double checked_sharpness(double s, const Name& name)
 {
