@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,8 +127,8 @@ public:
   using Vector = Coordinates<FT, 3>;
 
   Crease_run(const Control& control, const Scheme& scheme)
-    : scheme_(scheme)
-    , refiner_(make(control, scheme_))
+    : scheme_(std::make_shared<const Scheme>(scheme))
+    , refiner_(make(control, *scheme_))
   {}
   Crease_run(const Crease_run&) = delete;
   Crease_run& operator=(const Crease_run&) = delete;
@@ -222,7 +223,7 @@ private:
                    internal::For_chunks::with(Concurrency_tag()));
   }
 
-  Scheme scheme_;
+  std::shared_ptr<const Scheme> scheme_;
   Refiner refiner_;
 };
 
