@@ -1,4 +1,7 @@
 // Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
@@ -11,10 +14,10 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <algorithm>
@@ -86,9 +89,8 @@ public:
     const Index a = data_.cut.target(e.halfedge(1)), b = data_.cut.target(e.halfedge(0));
     row_.clear();
     data_.round.mask().edge(e.edge, row_);
-    row_.close_row();
     std::array<FT, 2> weight{FT(0), FT(0)};
-    for (const auto* entry = row_.begin(0); entry != row_.end(0); ++entry)
+    for (const auto* entry = row_.begin(); entry != row_.end(); ++entry)
       weight[entry->vertex == b ? 1 : 0] += entry->weight;
     const std::array<Entry, 2> entries{
       {{weight[0], point(a), e.tangent_from[0]},
@@ -134,7 +136,7 @@ public:
 private:
   using Rule = Crease_average<FT, 3>;
   using Entry = typename Rule::Entry;
-  using Row = Stencil<FT>;
+  using Row = Entry_row<FT>;
   using Shares = Slot_shares<FT, std::decay_t<decltype(std::declval<Data>().round.mask())>>;
 
   Vector point(Index slot) const
@@ -250,10 +252,9 @@ private:
   {
     row_.clear();
     data_.round.mask().vertex(v, row_);
-    row_.close_row();
     std::array<FT, 3> weights{FT(0), FT(0), FT(0)};
     std::size_t next = 0;
-    for (const auto* e = row_.begin(0); e != row_.end(0); ++e)
+    for (const auto* e = row_.begin(); e != row_.end(); ++e)
       weights[e->vertex == v ? 2 : (std::min)(next++, std::size_t(1))] += e->weight;
     return weights;
   }
@@ -263,10 +264,9 @@ private:
   {
     row_.clear();
     shared_row(*shares_, row_);
-    row_.close_row();
     const Average average{};
     if constexpr (!is_pn)
-      return {average(row_.begin(0), row_.end(0), data_.old), {}, {}};
+      return {average(row_.begin(), row_.end(), data_.old), {}, {}};
     else {
       const typename Average::Value value = smooth_value(average, shared_row);
       Value result{value.point, {}, {}};
@@ -290,10 +290,9 @@ private:
       Slot_shares<FT, std::decay_t<decltype(mask)>> shares(data_.level, data_.cut, mask);
       Row normal_row;
       shared_row(shares, normal_row);
-      normal_row.close_row();
-      return average(row_.begin(0), row_.end(0), normal_row.begin(0), normal_row.end(0), old);
+      return average(row_.begin(), row_.end(), normal_row.begin(), normal_row.end(), old);
     } else
-      return average(row_.begin(0), row_.end(0), old);
+      return average(row_.begin(), row_.end(), old);
   }
 
   const Data& data_;

@@ -1,4 +1,7 @@
 // Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
@@ -7,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SLOT_SHARES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -38,7 +41,7 @@ class Slot_shares
 {
 public:
   using Index = Level_connectivity::Index;
-  using Row = Stencil<FT>;
+  using Row = Entry_row<FT>;
 
   // `level` is that of the mask, `cut` the same one cut open
   Slot_shares(const Level_connectivity& level, const Level_connectivity& cut, const Mask& mask)
@@ -110,10 +113,9 @@ private:
 
   void share_out(Row& row)
   {
-    mask_row_.close_row();
     std::stable_sort(corners_.begin(), corners_.end(),
                      [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
-    entries_.assign(mask_row_.begin(0), mask_row_.end(0));
+    entries_.assign(mask_row_.begin(), mask_row_.end());
     std::stable_sort(entries_.begin(), entries_.end(),
                      [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
     shares_.clear();

@@ -1,4 +1,7 @@
 // Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
@@ -115,7 +118,8 @@ private:
     put_constraints(last.refined_creases(), size, edges, vertices, rounds);
     round_done_(rounds, static_cast<std::size_t>(size.faces));
     for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
-    Plain::put_connectivity(refiner.refiner(), last.round(), access, [&] {
+    const Plain plain(scheme_, rounds_, round_done_);
+    plain.put_connectivity(refiner.refiner(), last.round(), access, [&] {
       writer.keep();
       corners.keep();
       edges.keep();
