@@ -112,3 +112,12 @@ if(TARGET test_PN_mask_3_custom)
   include(${CMAKE_CURRENT_LIST_DIR}/PN_manual_masks.cmake)
   pn_unpack_cgal_examples(test_PN_mask_3_custom)
 endif()
+
+find_package(OpenSubdiv CONFIG QUIET)
+if(TARGET OpenSubdiv::osdCPU AND TARGET test_creases_opensubdiv)
+  target_link_libraries(test_creases_opensubdiv PRIVATE OpenSubdiv::osdCPU)
+  target_compile_definitions(test_creases_opensubdiv PRIVATE PN_TEST_WITH_OPENSUBDIV)
+else()
+  message(STATUS "PN_subdivision_3: OpenSubdiv not found, the comparison with it is skipped"
+                 " (Debian package libosd-dev)")
+endif()

@@ -23,6 +23,7 @@ the weights of the new vertices. Parameters such as a tension are members of the
 \cgalHasModels{CGAL::PN_subdivision_3::modified_Loop_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Linear_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_normals}
+\cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_border}
 \cgalHasModelsEnd
 
 \sa `CGAL::PN_subdivision_3::subdivide()`
@@ -45,6 +46,12 @@ public:
   /// `CGAL::PN_subdivision_3::estimated_row_entries()`.
   static double dense_row_entries(const CGAL::PN_subdivision_3::Level_connectivity& level,
                                   unsigned round);
+
+  /// optional: `true` if the rules of the mask for border edges and border vertices, rows of two and three
+  /// entries along the border, may serve along creases. The host is then `PQQ_host` or `PTQ_host`. If the
+  /// mask has `face_part_of_edge()` and `face_part_of_vertex()` as `CatmullClark_mask`, they say how rows
+  /// are shared out to the faces where a crease ends.
+  static constexpr bool has_crease_rules;
 
   /// optional: throws `std::invalid_argument` if the scheme has no rule for the control mesh. It is
   /// called once, after the check of the host. `names.vertex_name(v)`, `names.halfedge_name(h)` and

@@ -10,9 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Creased_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -40,6 +42,42 @@ void with_mesh_access(Mesh& mesh, const Function& f)
   f(access);
 }
 
+// The subdivision that a call asks for: without anything that could be sharp, the plain one.
+template <class Concurrency_tag, class Scheme, class FT>
+struct Any_subdivision
+{
+  using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
+
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                  Vertex_map vertex_map) const
+  {
+    constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
+    constexpr bool may_be_sharp = is_constraint_map_v<Edge_map> ||
+                                  is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
+                                  has_corner_normals;
+    if constexpr (!may_be_sharp)
+      Plain(scheme, rounds, round_done)(access, points, normals);
+    else if constexpr (Has_crease_rules<Scheme>::value)
+      Creased_subdivision<Concurrency_tag, Scheme, FT>(scheme, rounds, round_done)(
+        access, points, normals, edge_map, vertex_map);
+    else {
+      static_assert(!has_corner_normals || Is_linear<Scheme>::value,
+                    "PN_subdivision_3: the scheme has no rules for creases and takes a normal per "
+                    "vertex, not per half-edge");
+      refuse_creases(scheme, access, edge_map, vertex_map);
+      if constexpr (!has_corner_normals)
+        Plain(scheme, rounds, round_done)(access, points, normals);
+      else if constexpr (Is_linear<Scheme>::value)
+        Plain(scheme, rounds, round_done)(access, points, No_normal_map());
+    }
+  }
+
+  const Scheme& scheme;
+  unsigned rounds;
+  typename Plain::Round_done round_done;
+};
+
 } // namespace internal
 
 /*!
@@ -55,6 +93,21 @@ The vertex normal map holds the control normals. A zero vector means "no control
 vectors of other lengths are normalized once. After the call it holds the refined normals. Without a
 vertex normal map, control normals are estimated as by `estimate_control_normals()` and dropped
 afterwards.
+
+<b>Creases.</b> Sharp edges and vertices are given by `edge_is_constrained_map` and
+`vertex_is_constrained_map`. Runs of faces around a vertex between sharp edges are its wedges; points
+are shared by all wedges, normals belong to them. A vertex with two sharp edges is on a crease, one
+that is sharp itself or has more of them is a corner and stays where it is, and at one with a single
+sharp edge the crease fades out. Along creases `Crease_average` holds: rims of spheres, cylinders and
+all surfaces of revolution stay exact circles, straight edges straight, and each surface beside them
+stays what it is up to the crease. Normals per wedge come with a normal map whose keys are half-edges:
+it holds, for each half-edge that has a face, the normal of that face's surface at the target of the
+half-edge; where they differ within a wedge their sum counts. With a map of vertices, or none, the
+normals of vertices with several wedges are estimated wedge by wedge. Afterwards a map of vertices
+holds the mean normal of the wedges. All boundaries between different surfaces should be creases, also
+where the surfaces are tangent. A sharpness s that is finite holds for s rounds: edges lose 1 in each
+round, and where less than 1 is left the sharp and the smooth rule are mixed. The border is a crease
+by `with_border()`.
 
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
 with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's
@@ -115,6 +168,29 @@ back, and what such a map stores for vertices that exist no longer.
                           `geom_traits::Vector_3` as value type}
     \cgalParamDefault{estimated normals, which are dropped afterwards}
     \cgalParamExtra{A linear scheme ignores it.}
+    \cgalParamExtra{For schemes with rules for creases the keys may be
+                    `boost::graph_traits<PolygonMesh>::%halfedge_descriptor`s: a normal per corner.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the sharp edges of `mesh`. If the map can be written, the parts of a sharp
+                          edge get its value, less the number of rounds if it is a finite number,
+                          and all other edges 0 or `false`.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and as value type
+                   `bool` (`true` is infinitely sharp) or a number type (a sharpness that is not
+                   negative)}
+    \cgalParamDefault{no edge is sharp}
+    \cgalParamExtra{A sharp border edge is infinitely sharp, and a border vertex with a sharp edge that
+                    is not on the border is a corner. Butterfly, Kobbelt's scheme and
+                    \f$ \sqrt{3} \f$ subdivision refuse sharp edges, and so does Doo-Sabin
+                    subdivision, which keeps no edges.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{the corners of `mesh`, as with edges}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `bool` or a
+                   number type as value type}
+    \cgalParamDefault{no vertex is a corner by itself}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class; its `FT` is the number type of
@@ -134,7 +210,8 @@ back, and what such a map stores for vertices that exist no longer.
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
   joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
-  refine one of the faces, or if a point or normal is not finite. The message names the element. These
+  refine one of the faces, if a point or normal is not finite, if a sharpness is negative or not a
+  number, or if something is sharp and the scheme has no rules for it. The message names the element. These
   checks do not depend on `NDEBUG`.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::overflow_error if a new point is out of the range of a floating point type
@@ -158,10 +235,11 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme,
     const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
       internal::unwrapped(visitor).round_done(k, number_of_faces);
     };
-    const internal::Mesh_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision(
-      scheme, iterations, round_done);
+    const internal::Any_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision{
+      scheme, iterations, round_done};
     internal::with_mesh_access(mesh, [&](auto& access) {
-      subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np));
+      subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                  Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
     });
   }
 }

@@ -11,8 +11,11 @@
 
 #include <boost/container/vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -66,6 +69,22 @@ public:
     , halfedge_of_vertex_(size.vertices, boost::container::default_init)
     , halfedge_of_face_(size.faces, boost::container::default_init)
   {}
+
+  /// copies `other` and makes room for more vertices and edges, which are undefined until they are
+  /// set.
+  /// \pre `size` has as many faces as `other`, and at least as many vertices and edges
+  Level_connectivity(const Level_connectivity& other, const Level_size& size)
+    : Level_connectivity(size)
+  {
+    uniform_degree_ = other.uniform_degree_;
+    std::copy(other.target_.begin(), other.target_.end(), target_.begin());
+    std::copy(other.next_.begin(), other.next_.end(), next_.begin());
+    std::copy(other.face_.begin(), other.face_.end(), face_.begin());
+    std::copy(other.halfedge_of_vertex_.begin(), other.halfedge_of_vertex_.end(),
+              halfedge_of_vertex_.begin());
+    std::copy(other.halfedge_of_face_.begin(), other.halfedge_of_face_.end(),
+              halfedge_of_face_.begin());
+  }
 
   /// \name Size
   /// @{
@@ -162,6 +181,23 @@ public:
   }
   /// @}
 
+  /// \name Counted valences
+  /// What a mask that has its own rules at extraordinary vertices asks for besides the valences.
+  /// @{
+
+  /// a vertex to which no such rule applies, and the valence by which it counts beside others; 0 if
+  /// it counts as regular. In the order of the vertices.
+  struct Counted_valence
+  {
+    Index vertex, valence;
+  };
+  const std::vector<Counted_valence>& counted_valences() const { return counted_valences_; }
+  void set_counted_valences(std::vector<Counted_valence> valences)
+  {
+    counted_valences_ = std::move(valences);
+  }
+  /// @}
+
   /// \name Modification
   /// Used while a level is built. Different elements may be set by different threads.
   /// @{
@@ -188,6 +224,7 @@ private:
   Index uniform_degree_ = 0;
   Array target_, next_, face_;
   Array halfedge_of_vertex_, halfedge_of_face_;
+  std::vector<Counted_valence> counted_valences_;
 };
 
 } // namespace PN_subdivision_3

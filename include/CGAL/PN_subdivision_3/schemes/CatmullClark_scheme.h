@@ -94,6 +94,20 @@ public:
     s.add_rest(level_.target(h));
   }
 
+  /// \name Parts of faces
+  /// What a corner of the face of `h` has as such of its weight, the other parts of which belong to
+  /// the edges of the face. Needed where the two faces at an edge read different values of its ends.
+  /// @{
+
+  /// in the row of the target of `h`, an interior vertex of valence `n`.
+  FT face_part_of_vertex(Index h, Index n) const
+  {
+    return FT(1) / (FT(int(n)) * FT(int(n)) * FT(int(level_.degree(h))));
+  }
+  /// in the row of the edge of `h`, an interior edge.
+  FT face_part_of_edge(Index h) const { return quarter_ / FT(int(level_.degree(h))); }
+  /// @}
+
 private:
   bool is_quad(Index h) const { return level_.uniform_degree() == 4 || level_.has_degree(h, 4); }
 
@@ -185,6 +199,9 @@ struct CatmullClark_scheme
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "catmull-clark"; }
+
+  /// along creases the rules are those of the border.
+  static constexpr bool has_crease_rules = true;
 
   template <class FT>
   CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const

@@ -101,6 +101,9 @@ struct Loop_scheme
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "loop"; }
 
+  /// along creases the rules are those of the border.
+  static constexpr bool has_crease_rules = true;
+
   template <class FT>
   Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

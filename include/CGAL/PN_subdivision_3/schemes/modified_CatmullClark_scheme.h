@@ -206,6 +206,10 @@ public:
     plain_.face(f, s);
   }
 
+  /// the parts of `CatmullClark_mask`. \pre the row is the one of that mask
+  FT face_part_of_vertex(Index h, Index n) const { return plain_.face_part_of_vertex(h, n); }
+  FT face_part_of_edge(Index h) const { return plain_.face_part_of_edge(h); }
+
 private:
   // The weights of e_d and f_d; v has the rest.
   struct Ring_weights
@@ -297,6 +301,9 @@ public:
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "cap"; }
   static constexpr double default_parameter() { return 0.5; }
+
+  /// along creases the rules are those of the border.
+  static constexpr bool has_crease_rules = true;
 
   /// \pre `0 < cap <= 1`
   /// \throws std::invalid_argument otherwise

@@ -151,6 +151,9 @@ public:
   static constexpr const char* parameter_name() { return "cap"; }
   static constexpr double default_parameter() { return 0.5; }
 
+  /// along creases the rules are those of the border.
+  static constexpr bool has_crease_rules = true;
+
   /// \pre `0 < cap <= 1`
   /// \throws std::invalid_argument otherwise
   explicit modified_Loop_scheme(double cap = default_parameter())

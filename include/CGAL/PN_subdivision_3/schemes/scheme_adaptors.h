@@ -18,6 +18,15 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// whether the scheme says that its border rules serve along creases
+template <class Scheme, class = void>
+struct Has_crease_rules : std::false_type
+{};
+template <class Scheme>
+struct Has_crease_rules<Scheme, std::void_t<decltype(Scheme::has_crease_rules)>>
+  : std::bool_constant<Scheme::has_crease_rules>
+{};
+
 template <class Scheme, class Element_names, class = void>
 struct Has_check : std::false_type
 {};
@@ -48,6 +57,8 @@ template <class Scheme>
 struct Linear_scheme
 {
   using Host = typename Scheme::Host;
+
+  static constexpr bool has_crease_rules = internal::Has_crease_rules<Scheme>::value;
 
   template <class FT>
   auto mask(const Level_connectivity& level, unsigned round) const
@@ -83,6 +94,9 @@ struct Scheme_with_normals
                 "the schemes of points and normals need the same host");
 
   using Host = typename Scheme::Host;
+
+  static constexpr bool has_crease_rules =
+    internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
 
   template <class FT>
   auto mask(const Level_connectivity& level, unsigned round) const

@@ -151,6 +151,8 @@ public:
 
   Level_size size() const { return old_size_; }
   Vertex vertex(Index v) const { return vertices_[v]; }
+  Halfedge halfedge_at(Index h) const { return halfedge_descriptor(h); }
+  typename Traits::edge_descriptor edge_at(Index e) const { return edge(edges_[e], graph_); }
 
   std::string vertex_name(Index v) const override
   {

@@ -88,52 +88,6 @@ public:
       subdivide(access, points, No_normal_map());
   }
 
-private:
-  template <class Access, class Point_map, class Normal_map>
-  void subdivide(Access& access, Point_map points, Normal_map normals) const
-  {
-    Level_connectivity level = checked_level(access);
-    check_scheme<Scheme, Element_names>(scheme_, level, access);
-    // without faces all rounds are alike
-    const unsigned rounds = level.size().faces == 0 ? 1 : rounds_;
-    const Level_size size =
-      checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
-    auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
-    Mesh_writer<Value, Access, Point_map, Normal_map> writer(access, points, normals,
-                                                             is_any_near_overflow(values));
-    Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
-    std::vector<Value>().swap(values);
-
-    // the mesh grows while the levels before the last one are made
-    const Caller_precision<FT> precision;
-    run_together<Concurrency_tag>([&] { access.grow(size); },
-                                  [&] {
-                                    const typename Caller_precision<FT>::In_this_thread scope(
-                                      precision);
-                                    refine_up_to_last(refiner, rounds);
-                                  });
-    const One_round last = refiner.next_round();
-    put_values(refiner, last, writer);
-    round_done_(rounds, static_cast<std::size_t>(size.faces));
-    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
-    put_connectivity(refiner, last, access, [&] { writer.keep(); });
-    if constexpr (!Scheme::Host::keeps_vertices) access.trim(size, writer.has_own_maps);
-  }
-
-  static bool is_any_near_overflow(const std::vector<Value>& values)
-  {
-    return std::any_of(values.begin(), values.end(),
-                       [](const Value& v) { return is_near_overflow(point_of(v)); });
-  }
-
-  void refine_up_to_last(Refiner& refiner, unsigned rounds) const
-  {
-    for (unsigned k = 1; k < rounds; ++k) {
-      refiner.refine();
-      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
-    }
-  }
-
   template <class Writer>
   static void put_values(const Refiner& refiner, const One_round& last, Writer& writer)
   {
@@ -183,6 +137,52 @@ private:
       write(Access::has_concurrent_connectivity ? for_chunks_ : For_chunks());
     } catch (...) {
       write(For_chunks());
+    }
+  }
+
+private:
+  template <class Access, class Point_map, class Normal_map>
+  void subdivide(Access& access, Point_map points, Normal_map normals) const
+  {
+    Level_connectivity level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme_, level, access);
+    // without faces all rounds are alike
+    const unsigned rounds = level.size().faces == 0 ? 1 : rounds_;
+    const Level_size size =
+      checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
+    auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
+    Mesh_writer<Value, Access, Point_map, Normal_map> writer(access, points, normals,
+                                                             is_any_near_overflow(values));
+    Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
+    std::vector<Value>().swap(values);
+
+    // the mesh grows while the levels before the last one are made
+    const Caller_precision<FT> precision;
+    run_together<Concurrency_tag>([&] { access.grow(size); },
+                                  [&] {
+                                    const typename Caller_precision<FT>::In_this_thread scope(
+                                      precision);
+                                    refine_up_to_last(refiner, rounds);
+                                  });
+    const One_round last = refiner.next_round();
+    put_values(refiner, last, writer);
+    round_done_(rounds, static_cast<std::size_t>(size.faces));
+    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
+    put_connectivity(refiner, last, access, [&] { writer.keep(); });
+    if constexpr (!Scheme::Host::keeps_vertices) access.trim(size, writer.has_own_maps);
+  }
+
+  static bool is_any_near_overflow(const std::vector<Value>& values)
+  {
+    return std::any_of(values.begin(), values.end(),
+                       [](const Value& v) { return is_near_overflow(point_of(v)); });
+  }
+
+  void refine_up_to_last(Refiner& refiner, unsigned rounds) const
+  {
+    for (unsigned k = 1; k < rounds; ++k) {
+      refiner.refine();
+      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
     }
   }
 

@@ -60,6 +60,8 @@ public:
 
   Level_size size() const { return old_size_; }
   Vertex vertex(Index v) const { return Vertex(v); }
+  Halfedge halfedge_at(Index h) const { return Halfedge(h); }
+  typename Mesh::Edge_index edge_at(Index e) const { return typename Mesh::Edge_index(e); }
 
   std::string vertex_name(Index v) const override { return "vertex " + std::to_string(v); }
   std::string halfedge_name(Index h) const override { return "half-edge " + std::to_string(h); }

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONCEPT_CHECKS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONCEPT_CHECKS_H
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -42,7 +43,8 @@ using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np
 using Subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
-                  internal_np::visitor_t>;
+                  internal_np::visitor_t, internal_np::edge_is_constrained_t,
+                  internal_np::vertex_is_constrained_t>;
 
 template <class Used, class NamedParameters>
 constexpr bool are_used_v = true;
@@ -158,14 +160,19 @@ constexpr bool check_point_map()
   return is_accessible && has_points;
 }
 
-template <class Mesh, class Map, class Point_map, class Geom_traits, class Access_tag>
+// normals of vertices or, if the function takes them, of corners
+template <class Mesh, class Map, class Point_map, class Geom_traits, class Access_tag,
+          bool takes_corners = false>
 constexpr bool check_normal_map()
 {
-  using Vertex = typename boost::graph_traits<std::remove_const_t<Mesh>>::vertex_descriptor;
+  using Traits = boost::graph_traits<std::remove_const_t<Mesh>>;
+  constexpr bool is_map =
+    Is_property_map_of<Map, typename Traits::vertex_descriptor>::value ||
+    (takes_corners && Is_property_map_of<Map, typename Traits::halfedge_descriptor>::value);
   if constexpr (std::is_same_v<Map, No_normal_map>)
     return true;
-  else if constexpr (!Is_property_map_of<Map, Vertex>::value) {
-    static_assert(Is_property_map_of<Map, Vertex>::value,
+  else if constexpr (!is_map) {
+    static_assert(is_map,
                   "PN_subdivision_3: the normal map is no property map of the mesh's vertices "
                   "(a function object is none: see boost::make_function_property_map())");
     return false;
@@ -179,6 +186,37 @@ constexpr bool check_normal_map()
                   "PN_subdivision_3: the values of the normal map are not Vector_3 with "
                   "the number type of the points");
     return is_accessible && has_normals;
+  }
+}
+
+template <class Map>
+struct Has_sharpness
+{
+  using Value = std::decay_t<typename boost::property_traits<Map>::value_type>;
+  static constexpr bool value =
+    std::is_arithmetic_v<Value> ||
+    std::is_convertible_v<typename Algebraic_structure_traits<Value>::Algebraic_category*,
+                          Integral_domain_without_division_tag*>;
+};
+
+template <class Key, class Map>
+constexpr bool check_constraint_map()
+{
+  if constexpr (!is_constraint_map_v<Map>)
+    return true;
+  else if constexpr (!Is_property_map_of<Map, Key>::value) {
+    static_assert(Is_property_map_of<Map, Key>::value,
+                  "PN_subdivision_3: edge_is_constrained_map or vertex_is_constrained_map is no "
+                  "property map of the mesh's edges or vertices");
+    return false;
+  } else {
+    constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
+    static_assert(is_readable, "PN_subdivision_3: edge_is_constrained_map or "
+                               "vertex_is_constrained_map cannot be read");
+    constexpr bool is_number = Has_sharpness<Map>::value;
+    static_assert(is_number, "PN_subdivision_3: the values of edge_is_constrained_map or "
+                             "vertex_is_constrained_map are neither bool nor numbers");
+    return is_readable && is_number;
   }
 }
 
@@ -203,7 +241,8 @@ constexpr bool check_subdivision_arguments()
   constexpr bool are_used = are_used_v<Subdivision_parameters, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
-                          "vertex_normal_map, geom_traits, visitor");
+                          "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
+                          "geom_traits, visitor");
   using Iterations =
     typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
                                                  NamedParameters, unsigned>::type;
@@ -220,7 +259,12 @@ constexpr bool check_subdivision_arguments()
     if constexpr (is_scheme && check_point_map<typename Parameters::Point_map,
                                                boost::writable_property_map_tag>())
       return check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                              typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+                              typename Parameters::Geom_traits, boost::writable_property_map_tag,
+                              true>() &&
+             check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                                  typename Parameters::Edge_constraint_map>() &&
+             check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                  typename Parameters::Vertex_constraint_map>();
     else
       return false;
   }

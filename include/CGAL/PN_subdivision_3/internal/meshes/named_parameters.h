@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_constraint_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -51,6 +52,11 @@ struct Surface_parameters
   using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>::type>;
 
+  using Edge_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
+    internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>::type>;
+  using Vertex_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
+    internal_np::vertex_is_constrained_t, NamedParameters, No_constraint_map>::type>;
+
   static unsigned number_of_iterations(const NamedParameters& np)
   {
     const auto n = parameters::choose_parameter(
@@ -75,6 +81,16 @@ struct Surface_parameters
   {
     return parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::vertex_normal_map), No_normal_map());
+  }
+  static Edge_constraint_map edge_constraint_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::edge_is_constrained), No_constraint_map());
+  }
+  static Vertex_constraint_map vertex_constraint_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::vertex_is_constrained), No_constraint_map());
   }
   static auto visitor(const NamedParameters& np)
   {

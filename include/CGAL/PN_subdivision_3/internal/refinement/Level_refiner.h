@@ -52,6 +52,7 @@ public:
   {}
 
   const Level_connectivity& level() const { return level_; }
+  Level_connectivity& level() { return level_; }
   const Values& values() const { return values_; }
   Values& values() { return values_; }
   unsigned rounds_done() const { return rounds_done_; }

@@ -59,6 +59,8 @@ public:
 
   const Level_size& refined_size() const { return size_; }
   const Host& host() const { return host_; }
+  const auto& mask() const { return mask_; }
+  const auto& normal_mask() const { return normal_mask_; }
   unsigned number() const { return number_; }
 
   // computes the new vertices [begin, end) from the old values, and hands them to the sink block by

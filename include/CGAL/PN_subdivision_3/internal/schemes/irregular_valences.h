@@ -17,7 +17,8 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The valence of each interior vertex that is not regular; 0 for all other vertices.
+// The valence of each interior vertex that is not regular; 0 for all other vertices. Counted valences go
+// first.
 inline std::vector<Level_connectivity::Index> irregular_valences(const Level_connectivity& level,
                                                                  Level_connectivity::Index regular)
 {
@@ -28,6 +29,8 @@ inline std::vector<Level_connectivity::Index> irregular_valences(const Level_con
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
     if (irregular[v] == regular || (irregular[v] != 0 && level.is_border_vertex(v)))
       irregular[v] = 0;
+  for (const auto& counted : level.counted_valences())
+    irregular[counted.vertex] = counted.valence == regular ? 0 : counted.valence;
   return irregular;
 }
 

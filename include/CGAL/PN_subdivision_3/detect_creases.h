@@ -1,0 +1,88 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_DETECT_CREASES_H
+#define CGAL_PN_SUBDIVISION_3_DETECT_CREASES_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/creases/crease_angles.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+finds the edges of a polygon mesh at which its faces meet at an angle: those that `subdivide()` may
+take as creases.
+
+An edge with two faces becomes `true` in the map if the angle between the area vectors of the faces
+is greater than the given one, all others, border edges among them, become `false`. Edges of faces
+without area do not count as sharp. Choose the angle between that of the true edges of the shape and
+those of its approximation: the sides of a prism of n sides, which may stand for a cylinder, differ by
+360/n degrees.
+
+Angles are computed in `double` from area vectors of the number type.
+
+\tparam PolygonMesh a model of `FaceListGraph`
+\tparam EdgeMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param degrees the angle, at least 0 and at most 180
+\param edge_map the map to write; if it throws, some edges may have been written
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
+  `geom_traits` as in `subdivide()`
+
+\return the number of edges that are sharp
+\throws std::invalid_argument if the angle is out of its range, the mesh is not an oriented
+  2-manifold with border, or a point is not finite; nothing has been written then
+\cost linear in the size of the mesh
+*/
+template <class PolygonMesh, class EdgeMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge_map,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Index = Level_connectivity::Index;
+  if (!(degrees >= 0 && degrees <= 180))
+    throw std::invalid_argument(
+      "PN_subdivision_3: the angle of creases must be between 0 and 180 degrees");
+  const auto points = Parameters::const_point_map(mesh, np);
+  std::size_t number = 0;
+  internal::with_mesh_access(mesh, [&](const auto& access) {
+    const Level_connectivity level = internal::checked_level(access);
+    const auto values = internal::read_values<Linear_average<FT, 3>>(
+      access, level, points, internal::No_normal_map(), Control_normal_estimate::angle);
+    const std::vector<bool> is_sharp = internal::edges_of_greater_angle<FT>(level, values, degrees);
+    for (Index e = 0; e < level.number_of_edges(); ++e) {
+      put(edge_map, access.edge_at(e), bool(is_sharp[e]));
+      number += is_sharp[e];
+    }
+  });
+  return number;
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_DETECT_CREASES_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/utils.h>
+
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class FT, int dimension>
+Coordinates<FT, dimension> zero_vector()
+{
+  Coordinates<FT, dimension> zero;
+  zero.fill(FT(0));
+  return zero;
+}
+
+template <class FT, int dimension>
+Coordinates<FT, dimension> difference(Coordinates<FT, dimension> a,
+                                      const Coordinates<FT, dimension>& b)
+{
+  for (int c = 0; c < dimension; ++c) a[c] -= b[c];
+  return a;
+}
+
+template <class FT, int dimension>
+Coordinates<FT, dimension> opposite_vector(Coordinates<FT, dimension> a)
+{
+  for (FT& x : a) x = -x;
+  return a;
+}
+
+template <class FT, int dimension>
+void scale(Coordinates<FT, dimension>& v, const FT& factor)
+{
+  for (FT& x : v) x *= factor;
+}
+
+// \pre squared_length > 0
+template <class FT, int dimension>
+void divide_by_length(Coordinates<FT, dimension>& v, const FT& squared_length)
+{
+  if constexpr (std::is_floating_point_v<FT>) {
+    const FT length = std::sqrt(squared_length);
+    for (FT& x : v) x /= length;
+  } else
+    scale<FT, dimension>(v, Unit_normal_traits<FT>::inverse_length(squared_length));
+}
+
+template <class FT>
+FT root_of_square(const FT& square)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::sqrt(square);
+  else
+    return square == FT(0) ? FT(0) : FT(square * Unit_normal_traits<FT>::inverse_length(square));
+}
+
+// The length; its square neither overflows nor underflows.
+template <class FT, int dimension>
+FT length_of(Coordinates<FT, dimension> v)
+{
+  FT largest(0);
+  for (const FT& x : v) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
+  if (largest == FT(0)) return largest;
+  for (FT& x : v) x /= largest;
+  return largest * root_of_square<FT>(dot<FT, dimension>(v, v));
+}
+
+// The unit vector of v, zero if the length of v is at most the tolerance times `scale`.
+template <class FT, int dimension>
+Coordinates<FT, dimension> unit_or_zero(Coordinates<FT, dimension> v, const FT& scale)
+{
+  const FT least = Unit_normal_traits<FT>::vanishing_tolerance() * scale;
+  const FT squared_length = dot<FT, dimension>(v, v);
+  if (squared_length <= least * least) return zero_vector<FT, dimension>();
+  divide_by_length<FT, dimension>(v, squared_length);
+  return v;
+}
+
+// whether v, which is a unit vector or zero, is zero
+template <class FT, int dimension>
+bool is_zero_not_unit(const Coordinates<FT, dimension>& v)
+{
+  return PN_average<FT, dimension>::is_zero(v);
+}
+
+// 0 below 0, 1 above 1, with zero slopes there
+template <class FT>
+FT smoothstep(const FT& x)
+{
+  if (x <= FT(0)) return FT(0);
+  if (x >= FT(1)) return FT(1);
+  return x * x * (FT(3) - FT(2) * x);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_VECTORS_H

@@ -1,0 +1,224 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+constexpr double infinite_sharpness = std::numeric_limits<double>::infinity();
+
+// after a round
+inline double refined_sharpness(double s)
+{
+  return s > 1 ? s - 1 : 0;
+}
+
+// An edge of positive sharpness.
+//
+// A slot is a pair of a vertex and one of its wedges, the runs of faces between crease edges; it has
+// the number of the vertex in the first wedge, and one behind all vertices in others. Everything at
+// an end of the edge is indexed by the side 0 or 1: the half-edge 2 * edge + side leads to that end.
+template <class FT>
+struct Crease_edge
+{
+  using Index = Level_connectivity::Index;
+
+  Index edge;
+  Index control_edge; // of which it is a part
+  double sharpness;
+  Index border_side = no_side;   // of the half-edge that has no face
+  std::array<Index, 2> after{};  // the slot of the end in the face of the half-edge
+  std::array<Index, 2> before{}; // and in the face of its opposite
+  std::array<Coordinates<FT, 3>, 2> tangent_from{}; // at the other end, along the half-edge
+
+  static constexpr Index no_side = 2;
+
+  bool is_border() const { return border_side != no_side; }
+  bool has_after(Index side) const { return border_side != side; }
+  bool has_before(Index side) const { return border_side != 1 - side; }
+  Index halfedge(Index side) const { return 2 * edge + side; }
+};
+
+// A half-edge of a crease edge that leads to a vertex.
+struct Crease_end
+{
+  using Index = Level_connectivity::Index;
+
+  Index crease; // the position of the edge in Creases::edges
+  Index side;
+};
+
+enum class Vertex_rule { smooth, dart, crease, corner };
+
+// A vertex with crease edges or a sharpness of its own.
+struct Crease_star
+{
+  using Index = Level_connectivity::Index;
+
+  Index vertex;
+  double sharpness;
+  bool is_border;
+  Index first_end = 0, number_of_ends = 0; // in Creases::ends, clockwise, from the border on
+  Index first_extra_slot = 0, number_of_wedges = 1;
+
+  Index slot(Index wedge) const { return wedge == 0 ? vertex : first_extra_slot + wedge - 1; }
+  Index wedge(Index slot) const { return slot == vertex ? 0 : slot - first_extra_slot + 1; }
+};
+
+// a border vertex where an inner crease ends is a corner
+inline Vertex_rule vertex_rule(double sharpness, std::size_t number_of_ends, bool ends_at_border)
+{
+  if (sharpness > 0 || number_of_ends > 2 || ends_at_border) return Vertex_rule::corner;
+  if (number_of_ends == 2) return Vertex_rule::crease;
+  return number_of_ends == 1 ? Vertex_rule::dart : Vertex_rule::smooth;
+}
+
+// The creases of a level: what is sharp, the slots, and the tangents. All sizes are those of the
+// tagged part of the level.
+template <class FT>
+struct Creases
+{
+  using Index = Level_connectivity::Index;
+
+  std::vector<Crease_edge<FT>> edges; // in the order of the edges
+  std::vector<Crease_end> ends;
+  std::vector<Crease_star> stars;
+  Index number_of_slots = 0;
+  bool has_fixed_border = false; // all vertices of border creases are corners
+
+  explicit Creases(Index number_of_vertices = 0)
+    : number_of_slots(number_of_vertices)
+  {}
+
+  bool empty() const { return edges.empty() && stars.empty(); }
+
+  const Crease_end& end(const Crease_star& star, Index i) const { return ends[star.first_end + i]; }
+  const Crease_edge<FT>& edge(const Crease_end& e) const { return edges[e.crease]; }
+  Index halfedge(const Crease_end& e) const { return edge(e).halfedge(e.side); }
+  bool is_inner(const Crease_end& e) const { return !edge(e).is_border(); }
+
+  Vertex_rule rule(const Crease_star& star) const
+  {
+    bool has_inner = false;
+    for (Index i = 0; i < star.number_of_ends; ++i) has_inner = has_inner || is_inner(end(star, i));
+    return vertex_rule(star.sharpness, star.number_of_ends, star.is_border && has_inner);
+  }
+
+  // adds a star whose ends are the last ones, and numbers its wedges: the first wedge begins behind
+  // the first end, or at the border
+  void add_star(Crease_star star, Index first_end)
+  {
+    star.first_end = first_end;
+    star.number_of_ends = static_cast<Index>(ends.size()) - first_end;
+    star.first_extra_slot = number_of_slots;
+    const Index k = star.number_of_ends;
+    Index wedge = star.is_border || k == 0 ? 0 : k - 1;
+    for (Index i = 0; i < k; ++i) {
+      const Crease_end& e = ends[first_end + i];
+      Crease_edge<FT>& crease = edges[e.crease];
+      if (crease.has_before(e.side)) crease.before[e.side] = star.slot(wedge);
+      if (crease.has_before(e.side) && crease.has_after(e.side))
+        wedge = !star.is_border && i == 0 ? 0 : wedge + 1;
+      if (crease.has_after(e.side)) crease.after[e.side] = star.slot(wedge);
+    }
+    star.number_of_wedges = wedge + 1;
+    number_of_slots += wedge;
+    stars.push_back(star);
+  }
+};
+
+// The creases of the refined level, without their tangents, and where those of the old level have
+// gone.
+template <class FT>
+struct Refined_creases
+{
+  using Index = Level_connectivity::Index;
+  static constexpr Index null = Level_connectivity::null;
+
+  Creases<FT> creases;
+  std::vector<Index> rank;   // of an old crease edge among those that remain, or null
+  std::vector<Index> star;   // of an old star, or null where it is smooth now
+  Index number_of_edges = 0; // that remain
+  Index first_edge_star = 0; // the stars of new vertices on edges, by their rank
+
+  Refined_creases(const Creases<FT>& old, const Level_connectivity& level, Index refined_vertices)
+    : creases(refined_vertices)
+  {
+    const Edge_split split(level);
+    creases.has_fixed_border = old.has_fixed_border;
+    for (const Crease_edge<FT>& e : old.edges)
+      rank.push_back(refined_sharpness(e.sharpness) > 0 ? number_of_edges++ : null);
+    creases.edges.resize(2 * std::size_t(number_of_edges));
+    for (std::size_t i = 0; i < rank.size(); ++i)
+      if (rank[i] != null) set_halves(old.edges[i], rank[i], split);
+    for (const Crease_star& s : old.stars) refine_star(old, s);
+    first_edge_star = static_cast<Index>(creases.stars.size());
+    for (std::size_t i = 0; i < rank.size(); ++i)
+      if (rank[i] != null) add_edge_star(old.edges[i], rank[i], split);
+  }
+
+  // the crease edge that begins at the source of the half-edge of that side, or ends at its target
+  Index first_half(Index r, Index side) const { return side == 0 ? r : number_of_edges + r; }
+  Index second_half(Index r, Index side) const { return first_half(r, 1 - side); }
+
+private:
+  void set_halves(const Crease_edge<FT>& old, Index r, const Edge_split& split)
+  {
+    Crease_edge<FT> half = old;
+    half.sharpness = refined_sharpness(old.sharpness);
+    for (const Index h : {split.first_half(2 * old.edge), split.second_half(2 * old.edge)}) {
+      half.edge = Level_connectivity::edge(h);
+      creases.edges[half.edge == old.edge ? r : number_of_edges + r] = half;
+    }
+  }
+
+  void refine_star(const Creases<FT>& old, const Crease_star& s)
+  {
+    const auto first_end = static_cast<Index>(creases.ends.size());
+    for (Index i = 0; i < s.number_of_ends; ++i) {
+      const Crease_end& e = old.end(s, i);
+      if (rank[e.crease] != null)
+        creases.ends.push_back({second_half(rank[e.crease], e.side), e.side});
+    }
+    const double sharpness = refined_sharpness(s.sharpness);
+    if (creases.ends.size() == first_end && !(sharpness > 0)) return star.push_back(null);
+    star.push_back(static_cast<Index>(creases.stars.size()));
+    creases.add_star({s.vertex, sharpness, s.is_border}, first_end);
+  }
+
+  void add_edge_star(const Crease_edge<FT>& e, Index r, const Edge_split& split)
+  {
+    const auto first_end = static_cast<Index>(creases.ends.size());
+    const bool is_border = e.is_border();
+    // the end that has no face before it comes first
+    const Index first_side = is_border ? 1 - e.border_side : 0;
+    for (const Index side : {first_side, 1 - first_side})
+      creases.ends.push_back({first_half(r, side), side});
+    const bool is_corner = is_border && creases.has_fixed_border;
+    creases.add_star({split.edge_vertex(2 * e.edge), is_corner ? infinite_sharpness : 0, is_border},
+                     first_end);
+  }
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SLOT_SHARES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SLOT_SHARES_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class Mask, class = void>
+struct Has_face_parts : std::false_type
+{};
+template <class Mask>
+struct Has_face_parts<Mask,
+                      std::void_t<decltype(std::declval<const Mask&>().face_part_of_edge(0u))>>
+  : std::true_type
+{};
+
+// The smooth rows of a mask, over slots. A row is a sum over the faces round the new vertex, and
+// every face hands its share to the slots of its own corners: to the vertex itself and to the ends of
+// an edge equal shares of every face, to a neighbor half of either face beside the edge to it, and to
+// every corner what it has as such.
+template <class FT, class Mask>
+class Slot_shares
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Row = Entry_row<FT>;
+
+  // `level` is that of the mask, `cut` the same one cut open
+  Slot_shares(const Level_connectivity& level, const Level_connectivity& cut, const Mask& mask)
+    : level_(level)
+    , cut_(cut)
+    , mask_(mask)
+  {}
+
+  // writes the row of vertex v; \pre it has edges
+  void vertex(Index v, Row& row)
+  {
+    corners_.clear();
+    const Index n = level_.valence(v);
+    const Index first = level_.halfedge_of_vertex(v);
+    const bool is_border = level_.is_border(first);
+    Index h = first;
+    do {
+      if (!level_.is_border(h)) {
+        FT part(0);
+        if constexpr (Has_face_parts<Mask>::value)
+          if (!is_border) part = mask_.face_part_of_vertex(h, n);
+        add_face(h, part,
+                 [&](Index g) { return g == h || g == level_.next(h) || level_.next(g) == h; });
+      }
+      h = level_.next_around_target(h);
+    } while (h != first);
+    mask_row_.clear();
+    mask_.vertex(v, mask_row_);
+    share_out(row);
+  }
+
+  // writes the row of the inner edge e
+  void edge(Index e, Row& row)
+  {
+    corners_.clear();
+    for (const Index h : {2 * e, 2 * e + 1}) {
+      FT part(0);
+      if constexpr (Has_face_parts<Mask>::value) part = mask_.face_part_of_edge(h);
+      add_face(h, part, [&](Index g) { return g == h || level_.next(g) == h; });
+    }
+    mask_row_.clear();
+    mask_.edge(e, mask_row_);
+    share_out(row);
+  }
+
+private:
+  using Entry = typename Row::Entry;
+
+  struct Corner
+  {
+    Index vertex, slot;
+    FT part;
+    bool takes_rest; // of what no face has as such
+  };
+
+  // The half-edges of a face correspond in both levels, beginning with the one that the face stores.
+  template <class Takes_rest>
+  void add_face(Index h, const FT& part, const Takes_rest& takes_rest)
+  {
+    const Index f = level_.face(h);
+    const Index first = level_.halfedge_of_face(f);
+    Index g = first, cut = cut_.halfedge_of_face(f);
+    do {
+      corners_.push_back({level_.target(g), cut_.target(cut), part, takes_rest(g)});
+      g = level_.next(g);
+      cut = cut_.next(cut);
+    } while (g != first);
+  }
+
+  void share_out(Row& row)
+  {
+    std::stable_sort(corners_.begin(), corners_.end(),
+                     [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
+    entries_.assign(mask_row_.begin(), mask_row_.end());
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
+    shares_.clear();
+    auto corner = corners_.begin();
+    for (auto e = entries_.begin(); e != entries_.end();) {
+      Entry sum = *e++;
+      for (; e != entries_.end() && e->vertex == sum.vertex; ++e) sum.weight += e->weight;
+      while (corner != corners_.end() && corner->vertex < sum.vertex) ++corner;
+      auto end = corner;
+      while (end != corners_.end() && end->vertex == sum.vertex) ++end;
+      share_out(sum, corner, end);
+      corner = end;
+    }
+    // the largest entry takes what rounding has left
+    const auto largest =
+      std::max_element(shares_.begin(), shares_.end(), [](const Entry& a, const Entry& b) {
+        return approximate(a.weight) < approximate(b.weight);
+      });
+    for (auto e = shares_.begin(); e != shares_.end(); ++e)
+      if (e != largest) row.add(e->vertex, e->weight);
+    row.add_rest(largest->vertex);
+  }
+
+  static double approximate(const FT& x) { return double(CGAL::to_double(x)); }
+
+  template <class Iterator>
+  void share_out(const Entry& entry, Iterator begin, Iterator end)
+  {
+    if (begin == end) return shares_.push_back(entry);
+    const auto other =
+      std::find_if(begin, end, [&](const Corner& c) { return c.slot != begin->slot; });
+    if (other == end) return shares_.push_back({begin->slot, entry.weight});
+    FT rest = entry.weight;
+    int takers = 0;
+    for (Iterator c = begin; c != end; ++c) {
+      rest -= c->part;
+      takers += c->takes_rest;
+    }
+    const FT share = rest / FT(takers != 0 ? takers : int(end - begin));
+    for (Iterator c = begin; c != end; ++c) {
+      FT weight = c->part;
+      if (takers == 0 || c->takes_rest) weight += share;
+      shares_.push_back({c->slot, weight});
+    }
+  }
+
+  const Level_connectivity& level_;
+  const Level_connectivity& cut_;
+  const Mask& mask_;
+  Row mask_row_;
+  std::vector<Corner> corners_;
+  std::vector<Entry> entries_, shares_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SLOT_SHARES_H

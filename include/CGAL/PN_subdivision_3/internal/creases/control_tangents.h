@@ -1,0 +1,178 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// x without its part along the direction of u, as far as the squared length of u says that there is
+// one: that is 2 strength if u is the sum or difference of two unit vectors.
+template <class FT>
+void strip_direction(Coordinates<FT, 3>& x, const Coordinates<FT, 3>& original,
+                     Coordinates<FT, 3> u, const FT& strength)
+{
+  const FT f = smoothstep<FT>(FT(64) * strength);
+  const FT squared_length = dot<FT, 3>(u, u);
+  if (f == FT(0) || squared_length == FT(0)) return;
+  divide_by_length<FT, 3>(u, squared_length);
+  add_multiple<FT, 3>(x, FT(-(f * dot<FT, 3>(original, u))), u);
+}
+
+// x without its part in the span of a and b; continuous also where these become parallel
+template <class FT>
+Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a,
+                         const Coordinates<FT, 3>& b)
+{
+  const FT c = dot<FT, 3>(a, b);
+  Coordinates<FT, 3> sum = a, result = x;
+  add_multiple<FT, 3>(sum, FT(1), b);
+  strip_direction<FT>(result, x, sum, FT(1) + c);
+  strip_direction<FT>(result, x, difference<FT, 3>(a, b), FT(1) - c);
+  return result;
+}
+
+// The tangents of the creases of a control level from its points and the normals that are given.
+template <class FT, class Point_of, class Given_normal>
+class Control_tangents
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<FT, 3>;
+
+  // point(v) of a vertex; given_normal(slot), zero if none is given
+  Control_tangents(const Level_connectivity& level, Creases<FT>& creases, const Point_of& point,
+                   const Given_normal& given_normal)
+    : level_(level)
+    , creases_(creases)
+    , point_(point)
+    , given_normal_(given_normal)
+    , is_at_crease_vertex_(creases.edges.size(), {false, false})
+  {}
+
+  void operator()()
+  {
+    for (const Crease_star& star : creases_.stars)
+      if (creases_.rule(star) == Vertex_rule::crease) make_crease_tangents(star);
+    for (const Crease_star& star : creases_.stars)
+      if (creases_.rule(star) != Vertex_rule::crease)
+        for (Index i = 0; i < star.number_of_ends; ++i) make_end_tangent(creases_.end(star, i));
+    if (creases_.has_fixed_border)
+      for (Crease_edge<FT>& e : creases_.edges)
+        if (e.is_border()) e.tangent_from = {zero_vector<FT, 3>(), zero_vector<FT, 3>()};
+  }
+
+private:
+  // from the vertex of the end to the other end of the edge
+  Vector along(const Crease_end& e) const
+  {
+    const Index h = creases_.halfedge(e);
+    return difference<FT, 3>(point_(level_.source(h)), point_(level_.target(h)));
+  }
+  Vector& tangent_from(const Crease_end& e)
+  {
+    return creases_.edges[e.crease].tangent_from[1 - e.side];
+  }
+
+  void make_crease_tangents(const Crease_star& star)
+  {
+    const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
+    const Vector t0 = arc_tangent(along(to_a), along(to_b));
+    tangent_from(to_b) = made_certain(t0, to_b);
+    tangent_from(to_a) = opposite_vector<FT, 3>(tangent_from(to_b));
+    for (const Crease_end& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
+  }
+
+  // of the circle from y through 0 to x, there; (x/|x|^2 - y/|y|^2) / (1/|x| + 1/|y|)
+  static Vector arc_tangent(Vector y, Vector x)
+  {
+    const FT x_length = length_of<FT, 3>(x), y_length = length_of<FT, 3>(y);
+    Vector t = zero_vector<FT, 3>();
+    if (x_length == FT(0) && y_length == FT(0)) return t;
+    const FT sum = x_length + y_length;
+    if (x_length == FT(0)) {
+      add_multiple<FT, 3>(t, FT(FT(-1) / y_length), y);
+    } else if (y_length == FT(0)) {
+      add_multiple<FT, 3>(t, FT(FT(1) / x_length), x);
+    } else {
+      add_multiple<FT, 3>(t, FT(y_length / sum / x_length), x);
+      add_multiple<FT, 3>(t, FT(-(x_length / sum / y_length)), y);
+    }
+    return t;
+  }
+
+  // at a corner or the end of a dart: on one arc with the tangent at the other end of the edge
+  void make_end_tangent(const Crease_end& e)
+  {
+    Vector u = along(e);
+    const FT length = length_of<FT, 3>(u);
+    if (length == FT(0)) {
+      tangent_from(e) = zero_vector<FT, 3>();
+      return;
+    }
+    for (FT& x : u) x /= length;
+    const Vector s = opposite_vector<FT, 3>(creases_.edges[e.crease].tangent_from[e.side]);
+    Vector t0 = u;
+    const FT squared_length = dot<FT, 3>(s, s);
+    if (is_at_crease_vertex_[e.crease][e.side] && squared_length != FT(0)) {
+      const FT factor = FT(2) * dot<FT, 3>(s, u) + FT(1) - root_of_square<FT>(squared_length);
+      scale<FT, 3>(t0, factor);
+      t0 = difference<FT, 3>(t0, s);
+    }
+    tangent_from(e) = made_certain(t0, e);
+  }
+
+  // made orthogonal to the given normals beside the edge, of length 1 unless that leaves too little
+  Vector made_certain(const Vector& t0, const Crease_end& e) const
+  {
+    const Crease_edge<FT>& crease = creases_.edge(e);
+    Vector n1 = zero_vector<FT, 3>(), n2 = n1;
+    if (crease.has_after(e.side)) n1 = given_normal_(crease.after[e.side]);
+    if (crease.has_before(e.side)) n2 = given_normal_(crease.before[e.side]);
+    if (is_zero_not_unit<FT, 3>(n1)) std::swap(n1, n2);
+    if (is_zero_not_unit<FT, 3>(n2)) n2 = n1;
+    const bool has_normal = !is_zero_not_unit<FT, 3>(n1);
+    return of_certain_length(t0, has_normal ? strip<FT>(t0, n1, n2) : t0);
+  }
+
+  static Vector of_certain_length(const Vector& t0, Vector t)
+  {
+    const FT tau = Unit_normal_traits<FT>::vanishing_tolerance();
+    const FT t0_square = dot<FT, 3>(t0, t0), t_square = dot<FT, 3>(t, t);
+    if (t0_square <= tau * tau || t_square <= tau * tau * t0_square) return zero_vector<FT, 3>();
+    divide_by_length<FT, 3>(t, t_square);
+    if (FT(64) * t0_square < FT(1))
+      scale<FT, 3>(t, smoothstep<FT>(FT(8) * root_of_square<FT>(t0_square)));
+    if (FT(4) * t_square < t0_square)
+      scale<FT, 3>(t, smoothstep<FT>(FT(2) * root_of_square<FT>(t_square / t0_square)));
+    return t;
+  }
+
+  const Level_connectivity& level_;
+  Creases<FT>& creases_;
+  const Point_of& point_;
+  const Given_normal& given_normal_;
+  std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H

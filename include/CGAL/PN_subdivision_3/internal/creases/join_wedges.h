@@ -1,0 +1,101 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_JOIN_WEDGES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_JOIN_WEDGES_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Which ends of a star remain, and how the others join its wedges.
+struct Wedge_join
+{
+  using Index = Level_connectivity::Index;
+
+  std::vector<Index> ends;  // positions among the ends of the star
+  std::vector<Index> wedge; // for every wedge of the star the joined one
+  Index number_of_wedges = 1;
+  bool has_inner_end = false;
+};
+
+template <class FT>
+Wedge_join keep_all(const Creases<FT>& creases, const Crease_star& star)
+{
+  Wedge_join join;
+  for (Wedge_join::Index i = 0; i < star.number_of_ends; ++i) {
+    join.ends.push_back(i);
+    join.has_inner_end = join.has_inner_end || creases.is_inner(creases.end(star, i));
+  }
+  for (Wedge_join::Index w = 0; w < star.number_of_wedges; ++w) join.wedge.push_back(w);
+  join.number_of_wedges = star.number_of_wedges;
+  return join;
+}
+
+// numbers the wedges as Creases::add_star() numbers those of the ends that remain(end)
+template <class FT, class Remains>
+Wedge_join keep(const Creases<FT>& creases, const Crease_star& star, const Remains& remains)
+{
+  using Index = Level_connectivity::Index;
+  Wedge_join join;
+  Index inner = 0;
+  for (Index i = 0; i < star.number_of_ends; ++i)
+    if (remains(creases.end(star, i))) {
+      join.ends.push_back(i);
+      if (creases.is_inner(creases.end(star, i))) ++inner;
+    }
+  join.has_inner_end = inner != 0;
+  if (star.is_border)
+    join.number_of_wedges = inner + 1;
+  else if (inner != 0)
+    join.number_of_wedges = inner;
+  join.wedge.assign(star.number_of_wedges, 0);
+  // the wedges before the first end that remains end there
+  Index wedge = star.is_border ? 0 : join.number_of_wedges - 1, rank = 0;
+  for (Index i = 0; i < star.number_of_ends; ++i) {
+    const Crease_end& e = creases.end(star, i);
+    const Crease_edge<FT>& crease = creases.edge(e);
+    if (crease.is_border()) continue;
+    if (remains(e)) {
+      wedge = star.is_border ? wedge + 1 : rank;
+      ++rank;
+    }
+    join.wedge[star.wedge(crease.after[e.side])] = wedge;
+  }
+  return join;
+}
+
+// The normals of the joined wedges: the unit vectors of their sums. One alone stays as it is.
+template <class FT>
+std::vector<Coordinates<FT, 3>> join_normals(const std::vector<Coordinates<FT, 3>>& normals,
+                                             const Wedge_join& join)
+{
+  if (join.number_of_wedges == normals.size()) return normals;
+  std::vector<Coordinates<FT, 3>> result(join.number_of_wedges, zero_vector<FT, 3>());
+  std::vector<int> count(join.number_of_wedges, 0);
+  for (std::size_t w = 0; w < normals.size(); ++w) {
+    add_multiple<FT, 3>(result[join.wedge[w]], FT(1), normals[w]);
+    ++count[join.wedge[w]];
+  }
+  for (std::size_t w = 0; w < result.size(); ++w)
+    if (count[w] > 1) result[w] = unit_or_zero<FT, 3>(result[w], FT(count[w]));
+  return result;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_JOIN_WEDGES_H

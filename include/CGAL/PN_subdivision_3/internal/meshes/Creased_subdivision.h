@@ -1,0 +1,261 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CREASED_SUBDIVISION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CREASED_SUBDIVISION_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Subdivision of a mesh that may have creases, as Mesh_subdivision.
+template <class Concurrency_tag, class Scheme, class FT>
+class Creased_subdivision
+{
+  static constexpr bool is_pn = !Is_linear<Scheme>::value;
+
+  using Index = Level_connectivity::Index;
+  using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
+  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
+  using Value = typename Average::Value;
+  using Refiner = Crease_refiner<Scheme, Average>;
+  using Slot_values = std::vector<std::pair<Index, Value>>;
+
+public:
+  using Round_done = typename Plain::Round_done;
+
+  Creased_subdivision(const Scheme& scheme, unsigned rounds, Round_done round_done)
+    : scheme_(scheme)
+    , rounds_(rounds)
+    , round_done_(round_done)
+    , for_chunks_(For_chunks::with(Concurrency_tag()))
+  {}
+
+  // a linear scheme has no use for normals
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                  Vertex_map vertex_map) const
+  {
+    if constexpr (is_pn)
+      subdivide(access, points, normals, edge_map, vertex_map);
+    else
+      subdivide(access, points, No_normal_map(), edge_map, vertex_map);
+  }
+
+private:
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  void subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                 Vertex_map vertex_map) const
+  {
+    constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
+    using Vertex_normal_map = std::conditional_t<has_corner_normals, No_normal_map, Normal_map>;
+    using Corner_writer =
+      std::conditional_t<has_corner_normals, Corner_normal_writer<Access, Normal_map>, Nothing>;
+
+    Level_connectivity level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme_, level, access);
+    Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
+    Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map, level.number_of_vertices());
+    Creases<FT> creases = Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
+      [&](Index e) { return edges.sharpness(e); }, [&](Index v) { return vertices.sharpness(v); });
+    const unsigned rounds = level.size().faces == 0 ? 1 : rounds_;
+    const Level_size size =
+      checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
+
+    auto values = read_control<Value>(access, level, points, normals, creases);
+    const bool is_near_overflow = std::any_of(values.begin(), values.end(), [](const Value& v) {
+      return internal::is_near_overflow(point_of(v));
+    });
+    Vertex_normal_map vertex_normals = make_vertex_normal_map<Vertex_normal_map>(normals);
+    Mesh_writer<Value, Access, Point_map, Vertex_normal_map> writer(access, points, vertex_normals,
+                                                                    is_near_overflow);
+    Corner_writer corners(access, level, normals);
+    Refiner refiner(scheme_, std::move(level), std::move(creases), {values.begin(), values.end()},
+                    for_chunks_);
+    std::vector<Value>().swap(values);
+
+    const Caller_precision<FT> precision;
+    run_together<Concurrency_tag>([&] { access.grow(size); },
+                                  [&] {
+                                    const typename Caller_precision<FT>::In_this_thread scope(
+                                      precision);
+                                    refine_up_to_last(refiner, rounds);
+                                  });
+    auto last = refiner.next_round();
+    const Slot_values on_creases = last.crease_values(for_chunks_);
+    if constexpr (has_corner_normals)
+      put_corners(refiner, last, on_creases, writer, corners);
+    else {
+      Plain::put_values(refiner.refiner(), last.round(), writer);
+      put_crease_vertices(on_creases, last.number_of_vertices(), writer);
+    }
+    put_constraints(last.refined_creases(), size, edges, vertices, rounds);
+    round_done_(rounds, static_cast<std::size_t>(size.faces));
+    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
+    const Plain plain(scheme_, rounds_, round_done_);
+    plain.put_connectivity(refiner.refiner(), last.round(), access, [&] {
+      writer.keep();
+      corners.keep();
+      edges.keep();
+      vertices.keep();
+    });
+  }
+
+  // in the place of a Corner_normal_writer
+  struct Nothing
+  {
+    template <class Access, class Map>
+    Nothing(const Access&, const Level_connectivity&, Map)
+    {}
+    void keep() {}
+  };
+
+  template <class Vertex_normal_map, class Normal_map>
+  static Vertex_normal_map make_vertex_normal_map([[maybe_unused]] Normal_map normals)
+  {
+    if constexpr (std::is_same_v<Vertex_normal_map, Normal_map>)
+      return normals;
+    else
+      return {};
+  }
+
+  // the values of the slots, and the tangents
+  template <class Control_value, class Access, class Point_map, class Normal_map>
+  std::vector<Control_value> read_control(const Access& access, const Level_connectivity& level,
+                                          Point_map points, [[maybe_unused]] Normal_map normals,
+                                          Creases<FT>& creases) const
+  {
+    const Index n = level.number_of_vertices();
+    std::vector<Control_value> values(creases.number_of_slots);
+    for (Index v = 0; v < n; ++v) point_of(values[v]) = checked_point<FT>(access, points, v);
+    const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      point_of(values[n + i]) = point_of(values[extra[i]]);
+    if constexpr (is_pn) {
+      std::vector<bool> is_given(values.size(), false);
+      for (Control_value& value : values) value.normal = zero_vector<FT, 3>();
+      if constexpr (is_of_halfedges_v<Access, Normal_map>) {
+        is_given.assign(values.size(), true);
+        read_corner_normals<FT>(access, level, creases, normals, values);
+      } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+        std::fill_n(is_given.begin(), n, true);
+        for (const Crease_star& star : creases.stars)
+          if (star.number_of_wedges > 1) is_given[star.vertex] = false;
+        read_vertex_normals(access, normals, is_given, n, values);
+      }
+      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))(false);
+    }
+    return values;
+  }
+
+  template <class Access, class Normal_map>
+  static void read_vertex_normals(const Access& access, Normal_map normals,
+                                  const std::vector<bool>& is_given, Index n,
+                                  std::vector<Value>& values)
+  {
+    std::vector<Value> given(n);
+    read_normals<FT>(access, normals, given);
+    for (Index v = 0; v < n; ++v)
+      if (is_given[v]) values[v].normal = given[v].normal;
+  }
+
+  void refine_up_to_last(Refiner& refiner, unsigned rounds) const
+  {
+    for (unsigned k = 1; k < rounds; ++k) {
+      refiner.refine();
+      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+    }
+  }
+
+  // The values of a vertex follow one another. With several of them it has their mean normal.
+  template <class Writer>
+  static void put_crease_vertices(const Slot_values& on_creases, Index number_of_vertices,
+                                  const Writer& writer)
+  {
+    for (auto slot = on_creases.begin(); slot != on_creases.end();) {
+      const Index v = slot->first;
+      Value value = slot->second;
+      int wedges = 1;
+      for (++slot; slot != on_creases.end() && slot->first >= number_of_vertices; ++slot, ++wedges)
+        if constexpr (is_pn) add_multiple<FT, 3>(value.normal, FT(1), slot->second.normal);
+      if constexpr (is_pn)
+        if (wedges > 1) value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges));
+      writer.put_values(v, &value, 1);
+    }
+  }
+
+  template <class Last, class Writer, class Corner_writer>
+  void put_corners(Refiner& refiner, Last& last, const Slot_values& on_creases, Writer& writer,
+                   Corner_writer& corners) const
+  {
+    const Index n = last.number_of_vertices();
+    const Creases<FT>& creases = last.refined_creases();
+    boost::container::vector<Value> values(creases.number_of_slots, boost::container::default_init);
+    refiner.refiner().evaluate(last.round(), 0, n,
+                               [&](Index first, const Value* new_values, Index number) {
+                                 std::copy(new_values, new_values + number, values.begin() + first);
+                               });
+    for (const auto& slot : on_creases) values[slot.first] = slot.second;
+    writer.begin_old_vertices();
+    writer.put_values(0, values.data(), n);
+    Level_connectivity child(last.round().refined_size());
+    refiner.refiner().connect(last.round(), child);
+    corners.put_all(child, creases, values);
+  }
+
+  // what the user has tagged; the border that is a crease by the scheme's rule is not
+  template <class Edges, class Vertices>
+  static void put_constraints(const Creases<FT>& creases, const Level_size& size, Edges& edges,
+                              Vertices& vertices, unsigned rounds)
+  {
+    std::vector<std::pair<Index, std::pair<Index, double>>> tagged;
+    for (const Crease_edge<FT>& e : creases.edges)
+      if (edges.sharpness(e.control_edge) > 0)
+        tagged.push_back({e.edge, {e.control_edge, e.sharpness}});
+    edges.put_refined(static_cast<Index>(size.edges), tagged);
+    tagged.clear();
+    for (Index v = 0; v < vertices.number_of_old(); ++v) {
+      double s = vertices.sharpness(v);
+      for (unsigned k = 0; k < rounds && s > 0; ++k) s = refined_sharpness(s);
+      if (s > 0) tagged.push_back({v, {v, s}});
+    }
+    vertices.put_refined(static_cast<Index>(size.vertices), tagged);
+  }
+
+  const Scheme& scheme_;
+  unsigned rounds_;
+  Round_done round_done_;
+  For_chunks for_chunks_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CREASED_SUBDIVISION_H

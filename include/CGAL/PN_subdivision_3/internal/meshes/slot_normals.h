@@ -1,0 +1,128 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SLOT_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SLOT_NORMALS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/Uncertain.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class Map>
+struct Key_of_map
+{
+  using type = typename boost::property_traits<Map>::key_type;
+};
+template <>
+struct Key_of_map<No_normal_map>
+{
+  using type = void;
+};
+
+// whether the map has a normal for every corner: at the target of a half-edge in its face
+template <class Access, class Map>
+constexpr bool is_of_halfedges_v =
+  std::is_same_v<std::decay_t<typename Key_of_map<Map>::type>,
+                 std::decay_t<decltype(std::declval<const Access&>().halfedge_at(0))>>;
+
+// The control normals of a map of corners: of every slot the one that its corners have or, where they
+// differ, the unit vector of their sum.
+template <class FT, class Access, class Map>
+void read_corner_normals(const Access& access, const Level_connectivity& level,
+                         const Creases<FT>& creases, Map map,
+                         std::vector<Point_normal<FT, 3>>& values)
+{
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<FT, 3>;
+  const Cut_level<FT> cut(level, creases);
+  std::vector<Vector> sum(values.size(), zero_vector<FT, 3>());
+  std::vector<int> count(values.size(), 0);
+  std::vector<bool> differ(values.size(), false);
+  for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
+    Vector n = coordinates_3<FT>(get(map, access.halfedge_at(h)));
+    const auto name = [&] { return access.halfedge_name(h); };
+    check_finite<FT, 3>(n, "normal", name);
+    normalize_control_normal<FT, 3>(n, name);
+    if (count[slot]++ == 0)
+      values[slot].normal = n;
+    else if (!CGAL::certainly(n == values[slot].normal))
+      differ[slot] = true;
+    add_multiple<FT, 3>(sum[slot], FT(1), n);
+  });
+  for (std::size_t slot = 0; slot < values.size(); ++slot)
+    if (differ[slot]) values[slot].normal = unit_or_zero<FT, 3>(sum[slot], FT(count[slot]));
+}
+
+// Puts the normals of all corners of a level, and back what was there unless that is kept.
+template <class Access, class Map>
+class Corner_normal_writer
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Normal = typename boost::property_traits<Map>::value_type;
+
+  Corner_normal_writer(const Access& access, const Level_connectivity& level, Map map)
+    : access_(access)
+    , map_(map)
+  {
+    for (Index h = 0; h < level.number_of_halfedges(); ++h)
+      if (!level.is_border(h)) old_.emplace_back(h, get(map_, access.halfedge_at(h)));
+  }
+  ~Corner_normal_writer()
+  {
+    if (!is_changed_) return;
+    for (const auto& [h, n] : old_) try {
+        put(map_, access_.halfedge_at(h), n);
+      } catch (...) {
+      }
+  }
+  Corner_normal_writer(const Corner_normal_writer&) = delete;
+  Corner_normal_writer& operator=(const Corner_normal_writer&) = delete;
+
+  // values has those of the slots
+  template <class FT, class Values>
+  void put_all(const Level_connectivity& level, const Creases<FT>& creases, const Values& values)
+  {
+    is_changed_ = true;
+    const Cut_level<FT> cut(level, creases);
+    for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
+      const Coordinates<FT, 3>& n = values[slot].normal;
+      put(map_, access_.halfedge_at(h), Normal(n[0], n[1], n[2]));
+    });
+  }
+  void keep() { is_changed_ = false; }
+
+private:
+  const Access& access_;
+  Map map_;
+  std::vector<std::pair<Index, Normal>> old_;
+  bool is_changed_ = false;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SLOT_NORMALS_H

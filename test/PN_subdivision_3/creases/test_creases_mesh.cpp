@@ -1,0 +1,509 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Creases of meshes: what is read, written and refused.
+
+#include "Crease_shapes.h"
+#include "Mesh_cases.h"
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace crease_shapes;
+using crease_levels::Crease_run;
+using crease_levels::Index;
+using crease_levels::triangulated;
+using crease_levels::Triple;
+using crease_levels::undirected;
+namespace PN = CGAL::PN_subdivision_3;
+namespace np = CGAL::parameters;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
+using Surface_mesh = CGAL::Surface_mesh<Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+
+template <class Tag, class Mesh>
+using Dynamic_map = typename boost::property_map<Mesh, Tag>::type;
+
+// a mesh with its tags and normals
+template <class Mesh>
+struct Tagged
+{
+  using Traits = boost::graph_traits<Mesh>;
+
+  explicit Tagged(const Control& control)
+  {
+    mesh_cases::Soup soup;
+    soup.points = control.points;
+    for (const Face& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
+    mesh_cases::build(soup, mesh);
+    sharp = get(CGAL::dynamic_edge_property_t<double>(), mesh);
+    corners = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    normals = get(CGAL::dynamic_halfedge_property_t<Vector_3>(), mesh);
+    std::map<typename Traits::vertex_descriptor, int> index;
+    for (auto v : vertices(mesh)) {
+      const int i = int(index.size());
+      index[v] = i;
+      const auto it = control.sharp_vertices.find(i);
+      put(corners, v, it == control.sharp_vertices.end() ? 0. : it->second);
+    }
+    for (auto e : edges(mesh)) {
+      const auto it =
+        control.sharp_edges.find(undirected(index[source(e, mesh)], index[target(e, mesh)]));
+      put(sharp, e, it == control.sharp_edges.end() ? 0. : it->second);
+    }
+    int f = 0;
+    for (auto face : faces(mesh)) {
+      for (auto h : CGAL::halfedges_around_face(halfedge(face, mesh), mesh)) {
+        const auto it = control.normals.find({f, index[target(h, mesh)]});
+        const Triple n = it == control.normals.end() ? Triple{0, 0, 0} : it->second;
+        put(normals, h, Vector_3(n[0], n[1], n[2]));
+      }
+      ++f;
+    }
+  }
+
+  template <class Scheme, class Concurrency_tag = CGAL::Sequential_tag>
+  void subdivide(const Scheme& scheme, unsigned rounds)
+  {
+    PN::subdivide<Concurrency_tag>(mesh, scheme,
+                                   np::number_of_iterations(rounds)
+                                     .edge_is_constrained_map(sharp)
+                                     .vertex_is_constrained_map(corners)
+                                     .vertex_normal_map(normals));
+  }
+
+  Mesh mesh;
+  Dynamic_map<CGAL::dynamic_edge_property_t<double>, Mesh> sharp;
+  Dynamic_map<CGAL::dynamic_vertex_property_t<double>, Mesh> corners;
+  Dynamic_map<CGAL::dynamic_halfedge_property_t<Vector_3>, Mesh> normals;
+};
+
+Triple triple(const Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+Triple triple(const Vector_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+// all that a tagged mesh has: points, normals of (face as the set of its vertices, vertex), sharp edges
+struct State
+{
+  std::vector<Triple> points;
+  std::map<std::pair<std::set<int>, int>, Triple> normals;
+  std::map<Edge, double> sharp;
+  std::vector<double> corners;
+
+  bool operator==(const State& s) const
+  {
+    return points == s.points && normals == s.normals && corners == s.corners &&
+           std::equal(sharp.begin(), sharp.end(), s.sharp.begin(), s.sharp.end(),
+                      [](const auto& a, const auto& b) {
+                        const bool are_nan = std::isnan(a.second) && std::isnan(b.second);
+                        return a.first == b.first && (a.second == b.second || are_nan);
+                      });
+  }
+};
+
+template <class Mesh>
+State state(const Tagged<Mesh>& t)
+{
+  State s;
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, int> index;
+  const auto point = get(CGAL::vertex_point, t.mesh);
+  for (auto v : vertices(t.mesh)) {
+    index.emplace(v, int(index.size()));
+    s.points.push_back(triple(get(point, v)));
+    s.corners.push_back(get(t.corners, v));
+  }
+  for (auto e : edges(t.mesh))
+    s.sharp[undirected(index[source(e, t.mesh)], index[target(e, t.mesh)])] = get(t.sharp, e);
+  for (auto f : faces(t.mesh)) {
+    std::set<int> around;
+    for (auto v : CGAL::vertices_around_face(halfedge(f, t.mesh), t.mesh)) around.insert(index[v]);
+    for (auto h : CGAL::halfedges_around_face(halfedge(f, t.mesh), t.mesh))
+      s.normals[{around, index[target(h, t.mesh)]}] = triple(get(t.normals, h));
+  }
+  return s;
+}
+
+// the same by rounds on levels
+template <class Scheme>
+State state(const Control& control, const Scheme& scheme, int rounds)
+{
+  Crease_run<double, Scheme> run(control, scheme);
+  run.refine(rounds);
+  State s;
+  const auto& level = run.level();
+  for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    s.points.push_back(run.point(v));
+    s.corners.push_back(0);
+  }
+  for (const auto& star : run.creases().stars) s.corners[star.vertex] = star.sharpness;
+  for (Index e = 0; e < level.number_of_edges(); ++e)
+    s.sharp[undirected(int(level.source(2 * e)), int(level.target(2 * e)))] = 0;
+  for (const auto& e : run.creases().edges)
+    s.sharp[undirected(int(level.source(2 * e.edge)), int(level.target(2 * e.edge)))] = e.sharpness;
+  std::vector<std::set<int>> around(level.number_of_faces());
+  run.for_each_corner([&](Index f, Index v, Index) { around[f].insert(int(v)); });
+  run.for_each_corner([&](Index f, Index v, Index slot) {
+    s.normals[{around[f], int(v)}] = run.normal(slot);
+  });
+  return s;
+}
+
+// a washer with sharp and semi-sharp edges and a corner
+Control tagged_washer()
+{
+  Part part = washer();
+  part.place();
+  Control c = part.control();
+  int k = 0;
+  for (auto& edge : c.sharp_edges)
+    if (++k % 5 == 0) edge.second = 0.4 * (k % 7);
+  c.sharp_vertices[3] = 1.5;
+  c.sharp_vertices[5] = infinity;
+  return c;
+}
+
+TEST(Creases_of_meshes, Are_those_of_levels_for_all_kinds_of_meshes)
+{
+  const Control polygons = tagged_washer(), triangles = triangulated(polygons);
+  const State expected = state(polygons, PN::CatmullClark_scheme(), 3);
+  Tagged<Surface_mesh> a(polygons);
+  a.subdivide(PN::CatmullClark_scheme(), 3);
+  EXPECT_TRUE(state(a) == expected);
+  Tagged<Polyhedron> b(polygons);
+  b.subdivide(PN::CatmullClark_scheme(), 3);
+  EXPECT_TRUE(state(b) == expected);
+  EXPECT_TRUE(mesh_cases::is_linked(b.mesh));
+  Tagged<Surface_mesh> c(triangles);
+  c.subdivide(PN::Loop_scheme(), 2);
+  EXPECT_TRUE(state(c) == state(triangles, PN::Loop_scheme(), 2));
+}
+
+TEST(Creases_of_meshes, Keep_the_indices_of_meshes_with_garbage)
+{
+  const Control control = tagged_washer();
+  Tagged<Surface_mesh> plain(control), with_garbage(control);
+  const auto v = with_garbage.mesh.add_vertex(Point_3(9, 9, 9));
+  with_garbage.mesh.remove_vertex(v);
+  plain.subdivide(PN::CatmullClark_scheme(), 2);
+  with_garbage.subdivide(PN::CatmullClark_scheme(), 2);
+  EXPECT_TRUE(with_garbage.mesh.has_garbage());
+  EXPECT_TRUE(state(plain) == state(with_garbage));
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+// more creases than one thread takes at a time
+TEST(Creases_of_meshes, Are_the_same_in_parallel)
+{
+  Control control;
+  const int n = 36;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      control.points.push_back({double(i), double(j), std::sin(0.7 * i) * std::cos(0.9 * j)});
+      if (i == 0 || j == 0) continue;
+      control.faces.push_back({n * (i - 1) + j - 1, n * i + j - 1, n * i + j, n * (i - 1) + j});
+    }
+  int k = 0;
+  for (const Face& f : control.faces)
+    for (std::size_t i = 0; i < 4; ++i)
+      control.sharp_edges[undirected(f[i], f[(i + 1) % 4])] = 0.3 * (++k % 11);
+  Tagged<Surface_mesh> one(control), several(control);
+  one.subdivide(PN::CatmullClark_scheme(), 2);
+  several.subdivide<PN::CatmullClark_scheme, CGAL::Parallel_tag>(PN::CatmullClark_scheme(), 2);
+  EXPECT_TRUE(state(one) == state(several));
+}
+#endif
+
+TEST(Creases_of_meshes, One_call_is_several_calls)
+{
+  // wedge normals that differ give the tangents again
+  Part part = washer();
+  part.place();
+  Control c = part.control();
+  for (auto& edge : c.sharp_edges) edge.second = 2.5;
+  Tagged<Surface_mesh> once(c), thrice(c);
+  once.subdivide(PN::CatmullClark_scheme(), 3);
+  for (int k = 0; k < 3; ++k) thrice.subdivide(PN::CatmullClark_scheme(), 1);
+  const State a = state(once), b = state(thrice);
+  EXPECT_EQ(a.sharp, b.sharp);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  const double bar = 8 * std::numeric_limits<double>::epsilon();
+  for (std::size_t v = 0; v < a.points.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(a.points[v][k], b.points[v][k], bar * double(part.scale()));
+  for (const auto& [corner, n] : a.normals)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(n[k], b.normals.at(corner)[k], 2 * bar);
+}
+
+TEST(Creases_of_meshes, Prisms_need_points_and_tags_only)
+{
+  Part part = capped_cylinder(uneven(7));
+  part.place();
+  Tagged<Surface_mesh> t(part.control(false));
+  auto sharp = t.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
+  EXPECT_EQ(PN::detect_creases(t.mesh, 75, sharp), 14u);
+  for (auto e : t.mesh.edges()) EXPECT_EQ(sharp[e], get(t.sharp, e) > 0);
+  auto estimated = t.mesh.add_property_map<Surface_mesh::Halfedge_index, Vector_3>("h:n").first;
+  PN::estimate_corner_normals(t.mesh, sharp, estimated);
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  const auto error = [&](const Surface& s, const Point_3& p, const Vector_3& n) {
+    const Vector q(p.x(), p.y(), p.z()), m(n.x(), n.y(), n.z());
+    return double((m - s.normal(q)).norm());
+  };
+  // the rims; the ring of the side between them has no creases
+  for (auto h : t.mesh.halfedges()) {
+    const auto v = t.mesh.target(h);
+    if (v.idx() >= 7 && v.idx() < 14) continue;
+    EXPECT_LE(error(part.surfaces[part.group[t.mesh.face(h)]], t.mesh.point(v), estimated[h]),
+              16 * epsilon);
+  }
+  PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
+                np::number_of_iterations(3).edge_is_constrained_map(sharp));
+  std::size_t number = 0;
+  for (auto e : t.mesh.edges()) number += sharp[e];
+  EXPECT_EQ(number, 14u * 8);
+  for (auto e : t.mesh.edges())
+    if (sharp[e])
+      for (int i = 0; i < 2; ++i) {
+        const Point_3 p = t.mesh.point(t.mesh.vertex(e, unsigned(i)));
+        EXPECT_LE(part.surfaces[0].distance(Vector(p.x(), p.y(), p.z())),
+                  8 * epsilon * part.scale());
+      }
+}
+
+TEST(Creases_of_meshes, A_map_of_vertices_gives_the_mean_of_the_wedges)
+{
+  const Control control = crease_shapes::cube().control();
+  Tagged<Surface_mesh> t(control);
+  auto normals = t.mesh.add_property_map<Surface_mesh::Vertex_index, Vector_3>("v:n").first;
+  for (auto v : t.mesh.vertices()) normals[v] = Vector_3(0, 0, 7); // not used at corners
+  PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
+                np::edge_is_constrained_map(t.sharp).vertex_normal_map(normals));
+  for (auto v : t.mesh.vertices()) {
+    const Point_3& p = t.mesh.point(v);
+    const Vector_3& n = normals[v];
+    int on_sides = 0;
+    for (int k = 0; k < 3; ++k) on_sides += p[k] == 0 || p[k] == 1;
+    for (int k = 0; k < 3; ++k) {
+      const double share = p[k] == 0 ? -1 : p[k] == 1 ? 1 : 0;
+      EXPECT_NEAR(n[k], share / std::sqrt(double(on_sides)), 1e-15);
+    }
+  }
+}
+
+// bit for bit
+TEST(Creases_of_meshes, Cubes_stay_cubes)
+{
+  Tagged<Surface_mesh> t(crease_shapes::cube().control());
+  t.subdivide(PN::CatmullClark_scheme(), 4);
+  for (auto f : t.mesh.faces()) {
+    const Vector_3 first = get(t.normals, t.mesh.halfedge(f));
+    EXPECT_EQ(std::abs(first.x()) + std::abs(first.y()) + std::abs(first.z()), 1);
+    for (auto h : t.mesh.halfedges_around_face(t.mesh.halfedge(f))) {
+      EXPECT_EQ(get(t.normals, h), first);
+      const Point_3& p = t.mesh.point(t.mesh.target(h));
+      EXPECT_EQ((p - CGAL::ORIGIN) * first, first.x() + first.y() + first.z() > 0 ? 1 : 0);
+      for (int k = 0; k < 3; ++k) EXPECT_EQ(p[k] * 16, std::round(p[k] * 16));
+    }
+  }
+}
+
+TEST(Creases_of_meshes, Without_tags_are_the_plain_surface)
+{
+  Control c = ball_cap().control();
+  Tagged<Surface_mesh> tagged(c), plain(c);
+  auto normals = [](Tagged<Surface_mesh>& t) {
+    auto map = t.mesh.add_property_map<Surface_mesh::Vertex_index, Vector_3>("v:n").first;
+    for (auto h : t.mesh.halfedges())
+      if (!t.mesh.is_border(h)) map[t.mesh.target(h)] = get(t.normals, h);
+    return map;
+  };
+  const auto tagged_normals = normals(tagged), plain_normals = normals(plain);
+  PN::subdivide(tagged.mesh, PN::with_border(PN::CatmullClark_scheme(), PN::Border::surface),
+                np::number_of_iterations(3)
+                  .vertex_normal_map(tagged_normals)
+                  .edge_is_constrained_map(tagged.sharp));
+  PN::subdivide(plain.mesh, PN::CatmullClark_scheme(),
+                np::number_of_iterations(3).vertex_normal_map(plain_normals));
+  for (auto v : plain.mesh.vertices()) {
+    EXPECT_EQ(plain.mesh.point(v), tagged.mesh.point(v));
+    EXPECT_EQ(plain_normals[v], tagged_normals[v]);
+  }
+}
+
+TEST(Creases_of_meshes, Border_rules)
+{
+  Part part = ball_cap();
+  const Real z = part.of_border[0].point[2];
+  const auto farthest = [&](PN::Border border) {
+    Tagged<Surface_mesh> t(part.control());
+    PN::subdivide(t.mesh, PN::with_border(PN::CatmullClark_scheme(), border),
+                  np::number_of_iterations(3).vertex_normal_map(t.normals));
+    double greatest = 0;
+    for (auto v : t.mesh.vertices())
+      if (t.mesh.is_border(v))
+        greatest =
+          (std::max)(greatest, std::hypot(double(t.mesh.point(v).z() - z),
+                                          std::hypot(t.mesh.point(v).x(), t.mesh.point(v).y()) -
+                                            std::cos(0.3)));
+    return greatest;
+  };
+  EXPECT_LE(farthest(PN::Border::curve), 1e-15);
+  EXPECT_GE(farthest(PN::Border::surface), 0.05);
+  EXPECT_GE(farthest(PN::Border::fixed), 0.05);
+  Tagged<Surface_mesh> t(part.control());
+  PN::subdivide(t.mesh, PN::with_border(PN::CatmullClark_scheme(), PN::Border::fixed),
+                np::number_of_iterations(1).vertex_normal_map(t.normals));
+  for (std::size_t i = 0; i < part.points.size(); ++i)
+    if (const Surface_mesh::Vertex_index v(static_cast<unsigned>(i)); t.mesh.is_border(v)) {
+      EXPECT_EQ(t.mesh.point(v), Point_3(double(part.points[i][0]), double(part.points[i][1]),
+                                         double(part.points[i][2])));
+    }
+}
+
+// \name Refusals
+template <class Function>
+std::string message_of(const Function& f)
+{
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return {};
+}
+
+template <class Scheme>
+void expect_refusal(const Control& control, const Scheme& scheme, const std::string& part)
+{
+  Tagged<Surface_mesh> t(control);
+  const State before = state(t);
+  const std::string message = message_of([&] {
+    PN::subdivide(t.mesh, scheme,
+                  np::edge_is_constrained_map(t.sharp).vertex_is_constrained_map(t.corners));
+  });
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+  EXPECT_TRUE(state(t) == before);
+}
+
+TEST(Creases_of_meshes, Refuse_sharpness_that_is_none)
+{
+  Control c = crease_shapes::cube().control();
+  c.sharp_edges[{0, 1}] = -1;
+  expect_refusal(c, PN::CatmullClark_scheme(), "the sharpness of the edge of half-edge ");
+  c.sharp_edges[{0, 1}] = std::nan("");
+  expect_refusal(c, PN::CatmullClark_scheme(), "not a number");
+  c.sharp_edges[{0, 1}] = 1;
+  c.sharp_vertices[5] = -0.5;
+  expect_refusal(c, PN::CatmullClark_scheme(), "the sharpness of vertex 5 is negative");
+  expect_refusal(c, PN::linear(PN::CatmullClark_scheme()), "vertex 5");
+}
+
+TEST(Creases_of_meshes, Are_refused_by_schemes_without_rules_for_them)
+{
+  const Control quads = crease_shapes::cube().control();
+  const Control triangles = triangulated(quads);
+  expect_refusal(quads, PN::DooSabin_scheme(), "the edge of half-edge ");
+  expect_refusal(quads, PN::Kobbelt_scheme(), "has no rules for creases");
+  expect_refusal(triangles, PN::Butterfly_scheme(), "has no rules for creases");
+  expect_refusal(triangles, PN::Sqrt3_scheme(), "has no rules for creases");
+  Control corner = quads;
+  corner.sharp_edges.clear();
+  corner.sharp_vertices[2] = 1;
+  expect_refusal(corner, PN::linear(PN::DooSabin_scheme()), "vertex 2 is sharp");
+  expect_refusal(ball_cap().control(), PN::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
+                 "is sharp");
+  // nothing is sharp
+  corner.sharp_vertices.clear();
+  Tagged<Surface_mesh> t(corner);
+  PN::subdivide(t.mesh, PN::DooSabin_scheme(), np::edge_is_constrained_map(t.sharp));
+  EXPECT_EQ(t.mesh.number_of_vertices(), 24u);
+}
+
+TEST(Creases_of_meshes, Angles_out_of_range)
+{
+  Tagged<Surface_mesh> t(crease_shapes::cube().control());
+  auto sharp = t.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
+  for (const double angle : {-1., 181., std::nan("")})
+    EXPECT_NE(message_of([&] { PN::detect_creases(t.mesh, angle, sharp); }), "");
+  EXPECT_EQ(PN::detect_creases(t.mesh, 89.9, sharp), 12u);
+  EXPECT_EQ(PN::detect_creases(t.mesh, 90.1, sharp), 0u);
+}
+
+// \name Strong guarantee
+// counts what is put and then fails
+template <class Map>
+struct Failing_map
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+  Map map;
+  int* left;
+
+  friend value_type get(const Failing_map& m, const key_type& k)
+  {
+    using boost::get;
+    return get(m.map, k);
+  }
+  friend void put(const Failing_map& m, const key_type& k, const value_type& v)
+  {
+    if ((*m.left)-- == 0) throw std::runtime_error("full");
+    using boost::put;
+    put(m.map, k, v);
+  }
+};
+
+TEST(Creases_of_meshes, What_fails_leaves_all_as_it_was)
+{
+  const Control control = tagged_washer();
+  int failures = 0;
+  for (int left = 0;; left = left < 20 ? left + 1 : left * 2) {
+    Tagged<Surface_mesh> t(control);
+    const State before = state(t);
+    int puts = left;
+    try {
+      PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
+                    np::edge_is_constrained_map(Failing_map<decltype(t.sharp)>{t.sharp, &puts})
+                      .vertex_is_constrained_map(Failing_map<decltype(t.corners)>{t.corners, &puts})
+                      .vertex_normal_map(Failing_map<decltype(t.normals)>{t.normals, &puts}));
+      break;
+    } catch (const std::runtime_error&) {
+      ++failures;
+    }
+    EXPECT_TRUE(state(t) == before) << left;
+  }
+  EXPECT_GE(failures, 22);
+}
+
+} // namespace
