@@ -31,7 +31,8 @@ auto read_limit_level(const Access& access, const Scheme& scheme, Point_map poin
   Valued_level<typename Average::Value> result;
   result.level = checked_level(access);
   check_scheme(scheme, result.level, access);
-  result.values = read_values<Average>(access, result.level, points, normals);
+  result.values =
+    read_values<Average>(access, result.level, points, normals, normal_estimate(scheme));
   return result;
 }
 
