@@ -12,8 +12,9 @@
 /*!
 \file PN_subdivision_3.h
 Schemes and the functions that subdivide meshes and curves. Not included are what needs other packages or
-libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`) and what measures results
-(`reproduction.h`, `extraordinary_curvature.h`, `extraordinary_eigenvalues.h`).
+libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`), what measures results
+(`reproduction.h`, `extraordinary_curvature.h`, `extraordinary_eigenvalues.h`), and the limit surface
+(`limit_points.h`).
 */
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>

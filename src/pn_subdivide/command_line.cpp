@@ -142,6 +142,17 @@ void add_repair_options(CLI::App& command, Surface_options& options)
                    "Split faces with more than three vertices before anything else");
 }
 
+void add_limit_options(CLI::App& command, Limit_choice& limit)
+{
+  command.add_flag("--limit", limit.points,
+                   "Put the vertices of the last level on the limit surface");
+  command.add_option("--limit-tolerance", limit.tolerance,
+                     "The largest estimated error of these points, as a part of the bounding box; "
+                     "default 1e-9");
+  command.add_flag("--surface-normals", limit.normals,
+                   "Write the normals of the limit surface instead of the control normals");
+}
+
 void add_surface_command(CLI::App& app, Surface_options& options)
 {
   CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
@@ -158,6 +169,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "Control normals: auto (the file's if it has any, else estimated), file, "
                      "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
                      "cylinder:X,Y,Z,DX,DY,DZ");
+  add_limit_options(surface, options.limit);
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");

@@ -168,6 +168,11 @@ std::optional<Normal_map> normals_of(const Surface& surface)
   return normals;
 }
 
+Normal_map add_normals(Surface& surface)
+{
+  return surface.add_property_map<Vertex, Vector_3>(normals_name, CGAL::NULL_VECTOR).first;
+}
+
 Mesh_data to_mesh_data(const Surface& surface)
 {
   Mesh_data mesh;

@@ -48,6 +48,9 @@ Surface make_surface(const Mesh_data& mesh);
 // Those of a mesh that has some.
 std::optional<Normal_map> normals_of(const Surface& surface);
 
+// zero at all vertices; the mesh must have none yet
+Normal_map add_normals(Surface& surface);
+
 // Points, normals and faces in the order of the mesh, which must not hold garbage.
 Mesh_data to_mesh_data(const Surface& surface);
 

@@ -41,6 +41,9 @@ struct Plan
 void require_consistent(const Surface_options& options)
 {
   require_surface_schemes(options.scheme);
+  require_consistent(options.limit);
+  if (!options.scheme.scheme.empty())
+    require_limit_of_vertices(options.scheme.scheme, options.limit);
   if (options.format && options.input != "-" && options.output != "-")
     throw Usage_error(
       "--format is for standard input and output ('-'): the format of a file follows "
@@ -119,6 +122,16 @@ void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, R
   report.note(set_curvature(mesh, *plan.curvature, std::move(values)).description(*plan.curvature));
 }
 
+void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
+                    const Scheme_choice& scheme, Report& report)
+{
+  const Limit_summary summary =
+    set_limits(surface, scheme, options.limit, options.levels, plan.threads);
+  report.note(summary.description(options.limit));
+  const std::string warning = summary.warning();
+  if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
+}
+
 void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
 {
   const std::size_t split = triangulate(surface);
@@ -146,12 +159,13 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
-  if (options.levels == 0 && !plan.curvature && !must_split) return;
+  if (options.levels == 0 && !options.limit.is_used() && !plan.curvature && !must_split) return;
   Surface surface = make_surface(mesh);
   mesh = Mesh_data();
   announce_long_work(surface, options, scheme, report);
   if (options.levels > 0)
     refine_surface(surface, scheme, refinement(options, plan.threads, report));
+  if (options.limit.is_used()) move_to_limits(surface, plan, options, scheme, report);
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
@@ -185,10 +199,11 @@ std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_
                          const Scheme_choice& scheme, const std::string& normals,
                          const Report& report)
 {
+  const bool is_linear = !mesh.has_normals() || plan.normals.source == Normals_option::Source::none;
   std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
                   std::to_string(options.levels) +
                   (options.levels == 1 ? " round of " : " rounds of ") +
-                  (mesh.has_normals() ? "" : "linear ") + scheme.scheme + ", " + normals;
+                  (is_linear ? "linear " : "") + scheme.scheme + ", " + normals;
   if (mesh.has_normals() && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
   char time[40];
@@ -209,7 +224,8 @@ void run_surface_command(const Surface_options& options)
   try {
     mesh = read_control_mesh(plan.input, options, report);
     scheme = chosen_scheme(mesh, options.scheme);
-    if (options.levels > 0) require_faces_for_scheme(mesh, scheme);
+    if (options.levels > 0 || options.limit.is_used()) require_faces_for_scheme(mesh, scheme);
+    require_limit_of_vertices(scheme.scheme, options.limit);
     normals = set_normals(mesh, plan, report);
     const Bounding_box control(mesh.points);
     process(mesh, plan, options, scheme, report);

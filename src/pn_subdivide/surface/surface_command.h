@@ -10,6 +10,7 @@
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
 #include "surface/Verify_options.h"
+#include "surface/limit_surface.h"
 #include "surface/surface_schemes.h"
 
 #include <optional>
@@ -26,6 +27,7 @@ struct Surface_options
   bool linear = false;
   std::optional<std::string> normals, curvature;
   unsigned threads = 1; // 0: all cores
+  Limit_choice limit;
   Verify_options verify;
   bool merge_points = false, repair = false, triangulate = false;
   bool ascii = false, quiet = false;

@@ -1,0 +1,191 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_NEIGHBORHOOD_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_NEIGHBORHOOD_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What has to be regular around a vertex for a scheme to do there, from now on, the same in every
+// round: to map the ring of the vertex to that of its successor by one matrix.
+//  * regular_rings: in how many rings the other vertices have to be regular
+//  * takes_border: whether they may lie on the border
+//  * cut_rings: how many rings of faces a vertex needs around it for a round to come out right, again
+//    and again, in the rings that the round after it needs
+//  * is_spline: whether the surface is one of piecewise polynomials where all vertices are regular
+// This is for any scheme with masks no larger than those of the built-in ones.
+template <class Scheme>
+struct Limit_neighborhood
+{
+  static constexpr unsigned regular_rings = 2;
+  static constexpr bool takes_border = false;
+  static constexpr unsigned cut_rings = 8;
+  static constexpr bool is_spline = false;
+};
+
+// The rules at a vertex depend on its valence and the degrees of its faces alone.
+template <>
+struct Limit_neighborhood<CatmullClark_scheme>
+{
+  static constexpr unsigned regular_rings = 0;
+  static constexpr bool takes_border = true;
+  static constexpr unsigned cut_rings = 4;
+  static constexpr bool is_spline = true;
+};
+template <>
+struct Limit_neighborhood<Loop_scheme> : Limit_neighborhood<CatmullClark_scheme>
+{};
+
+// Whether a vertex is separated depends on the vertices of its faces.
+template <>
+struct Limit_neighborhood<modified_CatmullClark_scheme>
+{
+  static constexpr unsigned regular_rings = 1;
+  static constexpr bool takes_border = true;
+  static constexpr unsigned cut_rings = 6;
+  static constexpr bool is_spline = true;
+};
+template <>
+struct Limit_neighborhood<modified_Loop_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+{};
+
+// Faces at the border are cut in another way, and in every other round: see is_settled(). Nothing is
+// cut out, since rounds would refine the border that this makes.
+template <>
+struct Limit_neighborhood<Sqrt3_scheme>
+{
+  static constexpr unsigned regular_rings = 0;
+  static constexpr bool takes_border = true;
+  static constexpr unsigned cut_rings = (std::numeric_limits<unsigned>::max)();
+  static constexpr bool is_spline = false;
+};
+
+template <class Scheme>
+struct Limit_neighborhood<Linear_scheme<Scheme>> : Limit_neighborhood<Scheme>
+{};
+
+template <class Scheme, class Normal_scheme>
+struct Limit_neighborhood<Scheme_with_normals<Scheme, Normal_scheme>>
+{
+  using Points = Limit_neighborhood<Scheme>;
+  using Normals = Limit_neighborhood<Normal_scheme>;
+
+  static constexpr unsigned regular_rings =
+    Points::regular_rings > Normals::regular_rings ? Points::regular_rings : Normals::regular_rings;
+  static constexpr bool takes_border = Points::takes_border && Normals::takes_border;
+  static constexpr unsigned cut_rings =
+    Points::cut_rings > Normals::cut_rings ? Points::cut_rings : Normals::cut_rings;
+  static constexpr bool is_spline = false;
+};
+
+// Tells whether the neighborhood of a vertex of a level is settled.
+template <class Scheme>
+class Settled_neighborhood
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Host = typename Scheme::Host;
+  using Neighborhood = Limit_neighborhood<Scheme>;
+
+  static constexpr Index degree = Host::refined_degree;
+  static constexpr Index regular_valence = degree == 4 ? 4 : 6;
+
+  explicit Settled_neighborhood(const Level_connectivity& level)
+    : level_(level)
+  {}
+
+  // \pre v has edges
+  bool operator()(Index v) const
+  {
+    const bool at_border = level_.is_border_vertex(v);
+    const Index first = level_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      if (!level_.is_border(h) && !is_settled_face(h, at_border)) return false;
+      h = level_.next_around_target(h);
+    } while (h != first);
+    return Neighborhood::regular_rings < 2 || are_regular_beyond(first, at_border);
+  }
+
+private:
+  // h leads to the vertex
+  bool is_settled_face(Index h, bool at_border) const
+  {
+    if (!level_.has_degree(h, degree)) return false;
+    if constexpr (std::is_same_v<Host, Sqrt3_host>)
+      // the border of the vertex itself goes by rules of its own
+      if (!at_border && level_.is_border(Level_connectivity::opposite(level_.next(level_.next(h)))))
+        return false;
+    if constexpr (Neighborhood::regular_rings > 0)
+      for (Index g = level_.next(h); g != h; g = level_.next(g))
+        if (!is_regular(level_.target(g), at_border)) return false;
+    return true;
+  }
+
+  // the vertices of the faces around the neighbors and diagonal vertices
+  bool are_regular_beyond(Index first, bool at_border) const
+  {
+    const Index v = level_.target(first);
+    Index h = first;
+    do {
+      if (!level_.is_border(h))
+        for (Index g = level_.next(h); g != h; g = level_.next(g)) {
+          Index k = g;
+          do {
+            if (!level_.is_border(k)) {
+              if (!level_.has_degree(k, degree)) return false;
+              for (Index c = level_.next(k); c != k; c = level_.next(c))
+                if (level_.target(c) != v && !is_regular(level_.target(c), at_border)) return false;
+            }
+            k = level_.next_around_target(k);
+          } while (k != g);
+        }
+      h = level_.next_around_target(h);
+    } while (h != first);
+    return true;
+  }
+
+  bool is_regular(Index v, bool at_border) const
+  {
+    if (level_.is_border_vertex(v))
+      return Neighborhood::takes_border ||
+             (at_border && level_.valence(v) == (degree == 4 ? 3 : 4));
+    return has_valence(v, regular_valence);
+  }
+
+  bool has_valence(Index v, Index n) const
+  {
+    const Index first = level_.halfedge_of_vertex(v);
+    Index h = level_.next_around_target(first);
+    for (Index i = 1; i < n; ++i, h = level_.next_around_target(h))
+      if (h == first) return false;
+    return h == first;
+  }
+
+  const Level_connectivity& level_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_NEIGHBORHOOD_H

@@ -1,0 +1,254 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_TOWER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_TOWER_H
+
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What is asked of the limit.
+struct Limit_demand
+{
+  double tolerance = 0; // absolute
+  double normal_tolerance = 0;
+  unsigned max_depth = 0;
+  bool surface_normals = false, curvatures = false;
+};
+
+// The limit at one vertex or face.
+template <class Average>
+struct Limit_result
+{
+  typename Average::Value value; // point and control normal
+  Coordinates<double, 3> surface_normal{};
+  double error = 0, normal_error = 0;
+  double gaussian = 0, mean = 0;
+  unsigned depth = 0; // rounds
+  bool has_surface_normal = false, has_curvature = false;
+};
+
+// The ring of a vertex or face is refined round by round on its own; the averages of the limit mask
+// over it converge, and their differences tell how far they have come. Rings of one class are refined
+// side by side, which changes nothing of their results.
+template <class Scheme, class FT>
+class Limit_tower
+{
+public:
+  using Class = Ring_class<Scheme, FT>;
+  using Average = typename Class::Average;
+  using Value = typename Class::Value;
+  using Stored_value = typename Class::Stored_value;
+  using Result = Limit_result<Average>;
+
+  // is_spline: whether the surface is a regular piece of a spline about the vertices
+  Limit_tower(const Class& ring_class, const Limit_demand& demand, bool is_spline)
+    : class_(ring_class)
+    , demand_(demand)
+    , is_spline_(is_spline)
+    , copies_(ring_class.copies())
+    , rings_(ring_class.size() * copies_)
+    , next_(rings_.size())
+    , limits_(copies_)
+    , states_(copies_)
+  {}
+
+  bool is_full() const { return count_ == copies_; }
+  bool is_empty() const { return count_ == 0; }
+
+  // adds a ring, given by value(place), whose result is to be stored in `result`
+  template <class Value_of>
+  void add(const Value_of& value, Result& result)
+  {
+    State& state = states_[count_];
+    state = State();
+    state.result = &result;
+    state.center = point_of(value(0));
+    for (std::size_t p = 0; p < class_.size(); ++p)
+      rings_[p * copies_ + count_] = Stored_value(relative(value(p), state.center, FT(-1)));
+    ++count_;
+  }
+
+  // the results of the rings that have been added
+  void evaluate()
+  {
+    if (count_ == 0) return;
+    // what is not used has to be finite, no more
+    for (std::size_t c = count_; c < copies_; ++c)
+      for (std::size_t p = 0; p < class_.size(); ++p) rings_[p * copies_ + c] = rings_[p * copies_];
+    std::size_t left = count_;
+    for (unsigned depth = 0; left != 0; ++depth) {
+      if (depth != 0) {
+        class_.refine(rings_.data(), next_.data());
+        std::copy(next_.begin(), next_.end(), rings_.begin());
+      }
+      class_.limit(rings_.data(), limits_.data());
+      for (std::size_t c = 0; c < count_; ++c)
+        if (!states_[c].is_done && advance(c, depth)) --left;
+    }
+    count_ = 0;
+  }
+
+private:
+  using Vector = Coordinates<double, 3>;
+
+  // the error of a curvature at an extraordinary vertex falls by lambda^2 a round, from some percent
+  static constexpr unsigned curvature_depth = 8;
+
+  struct State
+  {
+    Result* result = nullptr;
+    Coordinates<FT, 3> center;
+    Coordinates<FT, 3> last_limit;
+    Vector last_normal{};
+    double last_step = 0;
+    bool is_done = false, had_normal = false;
+  };
+
+  // Floating point keeps more digits of a ring about the origin; intervals would only grow.
+  static Value relative(Value v, [[maybe_unused]] const Coordinates<FT, 3>& center,
+                        [[maybe_unused]] const FT& sign)
+  {
+    if constexpr (std::is_floating_point_v<FT>) add_multiple<FT, 3>(point_of(v), sign, center);
+    return v;
+  }
+
+  // notes the limit of ring c at this depth; whether it is the last one
+  bool advance(std::size_t c, unsigned depth)
+  {
+    State& state = states_[c];
+    Result& result = *state.result;
+    const Coordinates<FT, 3>& point = point_of(limits_[c]);
+    const bool is_exact = class_.is_interpolating() || !is_pn_v<Scheme>;
+    if (depth != 0 && !is_exact) {
+      // a difference may be small by chance, two in a row hardly are
+      const double step = distance(point, state.last_limit);
+      result.error =
+        class_.error_factor() * (std::max)(step, class_.error_ratio() * state.last_step);
+      state.last_step = step;
+    }
+    bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
+    if (demand_.surface_normals && class_.has_tangents())
+      is_last = note_normal(c, depth) && is_last;
+    if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
+    if (!is_last && depth < demand_.max_depth) {
+      state.last_limit = point;
+      return false;
+    }
+    if (demand_.curvatures) note_curvature(c);
+    result.value = relative(limits_[c], state.center, FT(1));
+    result.depth += depth;
+    state.is_done = true;
+    return true;
+  }
+
+  static double distance(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
+  {
+    return std::hypot(close_double(FT(a[0] - b[0])), close_double(FT(a[1] - b[1])),
+                      close_double(FT(a[2] - b[2])));
+  }
+
+  static Point_normal<double, 3> to_double_value(const Value& v)
+  {
+    if constexpr (is_pn_v<Scheme>)
+      return {to_double_3(v.point), to_double_3(v.normal)};
+    else
+      return {to_double_3(v), {}};
+  }
+
+  Ring_geometry geometry(std::size_t c)
+  {
+    ring_.resize(class_.size());
+    for (std::size_t p = 0; p < class_.size(); ++p)
+      ring_[p] = to_double_value(Value(rings_[p * copies_ + c]));
+    return Ring_geometry(ring_, to_double_value(limits_[c]), class_.tangents());
+  }
+
+  // the surface normal; whether it meets the tolerance
+  bool note_normal(std::size_t c, unsigned depth)
+  {
+    State& state = states_[c];
+    Result& result = *state.result;
+    const Ring_geometry g = geometry(c);
+    const bool had_normal = state.had_normal;
+    state.had_normal = g.is_regular();
+    if (!g.is_regular()) return true; // nor will it be, but for rounding
+    result.has_surface_normal = true;
+    result.surface_normal = g.normal();
+    if (!is_pn_v<Scheme>) return true;
+    const Vector& last = state.last_normal;
+    const Vector& n = result.surface_normal;
+    if (depth != 0 && had_normal) {
+      const double lambda2 = class_.lambda() * class_.lambda();
+      result.normal_error =
+        1.5 * lambda2 / (1 - lambda2) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
+    }
+    state.last_normal = n;
+    return depth != 0 && result.normal_error <= demand_.normal_tolerance;
+  }
+
+  // whether the ring matrix has no part of second order that would last
+  bool settles() const
+  {
+    const double lambda2 = class_.lambda() * class_.lambda();
+    return is_pn_v<Scheme> && class_.has_tangents() && class_.largest_other() < 0.9 * lambda2;
+  }
+
+  // where curvature settles, or at regular vertices of splines
+  void note_curvature(std::size_t c)
+  {
+    if (!is_spline_ && !settles()) return;
+    const Ring_geometry g = geometry(c);
+    if (!g.is_regular()) return;
+    const Curvatures<double> k = is_spline_ ? spline_curvatures() : g.extraordinary_curvatures();
+    if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
+    Result& result = *states_[c].result;
+    result.gaussian = k.gaussian;
+    result.mean = k.mean;
+    result.has_curvature = true;
+  }
+
+  // of `ring_`, whose neighbors are in front of its diagonal vertices
+  Curvatures<double> spline_curvatures() const
+  {
+    using Index = Level_connectivity::Index;
+    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
+    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
+    const bool is_quads = Scheme::Host::refined_degree == 4;
+    return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles, ring_.data());
+  }
+
+  const Class& class_;
+  const Limit_demand& demand_;
+  const bool is_spline_;
+  const std::size_t copies_;
+  std::vector<Stored_value> rings_;
+  std::vector<Value> next_, limits_;
+  std::vector<State> states_;
+  std::vector<Point_normal<double, 3>> ring_;
+  std::size_t count_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_TOWER_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WRITER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WRITER_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Writes limits into the maps of a mesh, and puts the old values back if that fails.
+template <class Access, class Scheme, class Point_map, class Normal_map>
+class Limit_writer
+{
+  static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
+  using Index = Level_connectivity::Index;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+
+  template <class Map>
+  struct Value_type
+  {
+    using type = typename boost::property_traits<Map>::value_type;
+  };
+  using Normal = typename std::conditional_t<has_normal_map, Value_type<Normal_map>,
+                                             Value_type<Point_map>>::type;
+
+public:
+  Limit_writer(const Access& access, Point_map points, Normal_map normals)
+    : access_(access)
+    , points_(points)
+    , normals_(normals)
+  {}
+
+  template <class Results>
+  void write(const Results& results, bool surface_normals)
+  {
+    const bool writes_normals = has_normal_map && (is_pn_v<Scheme> || surface_normals);
+    for (std::size_t v = 0; v < results.size(); ++v) {
+      old_points_.push_back(get(points_, vertex(v)));
+      if constexpr (has_normal_map)
+        if (writes_normals) old_normals_.push_back(get(normals_, vertex(v)));
+    }
+    try {
+      for (std::size_t v = 0; v < results.size(); ++v) {
+        const auto& p = point_of(results[v].value);
+        put(points_, vertex(v), Point(p[0], p[1], p[2]));
+        if (writes_normals) put_normal(v, results[v], surface_normals);
+      }
+    } catch (...) {
+      put_back();
+      throw;
+    }
+  }
+
+private:
+  auto vertex(std::size_t v) const { return access_.vertex(static_cast<Index>(v)); }
+
+  template <class Result>
+  void put_normal([[maybe_unused]] std::size_t v, [[maybe_unused]] const Result& result,
+                  [[maybe_unused]] bool surface_normals)
+  {
+    if constexpr (has_normal_map) {
+      if (surface_normals && result.has_surface_normal) {
+        const Coordinates<double, 3>& n = result.surface_normal;
+        put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
+      } else if constexpr (is_pn_v<Scheme>) {
+        const auto& n = result.value.normal;
+        put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
+      } else
+        put(normals_, vertex(v), Normal(0, 0, 0));
+    }
+  }
+
+  // a map that throws here too keeps what it has
+  void put_back() noexcept
+  {
+    for (std::size_t v = 0; v < old_points_.size(); ++v) {
+      try {
+        put(points_, vertex(v), old_points_[v]);
+      } catch (...) {
+      }
+      if constexpr (has_normal_map)
+        if (v < old_normals_.size()) try {
+            put(normals_, vertex(v), old_normals_[v]);
+          } catch (...) {
+          }
+    }
+  }
+
+  const Access& access_;
+  Point_map points_;
+  Normal_map normals_;
+  std::vector<Point> old_points_;
+  std::vector<Normal> old_normals_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WRITER_H

@@ -1,0 +1,125 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_RING_GEOMETRY_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_RING_GEOMETRY_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
+#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// First and second order of a surface at the limit of a ring, from the values of the ring. They are
+// computed in double.
+class Ring_geometry
+{
+public:
+  using Vector = Coordinates<double, 3>;
+  using Value = Point_normal<double, 3>;
+  using Masks = std::array<std::vector<double>, 2>;
+
+  // The ring, its limit point and limit control normal N (zero without control normals), and the
+  // tangent masks T. In the frame of N the surface has the slope a that T finds in the PN heights w
+  // of the ring, T u a = T w; they are zero on spheres and cylinders with exact normals.
+  Ring_geometry(const std::vector<Value>& ring, const Value& limit, const Masks& tangents)
+    : ring_(ring)
+    , tangents_(tangents)
+    , frame_(limit.point, has_normal(limit) ? limit.normal : cross_product(ring, tangents))
+  {
+    if (!(dot<double, 3>(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
+    const auto height = [&](const Value& v) {
+      const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
+      return h.numerator / (std::max)(h.denominator, 1. / 1024);
+    };
+    for (std::size_t c = 0; c < 2; ++c) {
+      const Pair<double> u = masked([&](const Value& v) { return frame_.u(v.point)[c]; });
+      for (std::size_t r = 0; r < 2; ++r) size_[r][c] = u[r];
+    }
+    slope_ = solve(size_, masked(height));
+    is_regular_ = std::isfinite(slope_[0]) && std::isfinite(slope_[1]);
+  }
+
+  // whether the ring has a tangent plane: it has not collapsed to a line or a point
+  bool is_regular() const { return is_regular_; }
+
+  // \pre is_regular()
+  Vector normal() const
+  {
+    Vector n = frame_.normal();
+    add_multiple<double, 3>(n, -slope_[0], frame_.e1());
+    add_multiple<double, 3>(n, -slope_[1], frame_.e2());
+    normalize(n);
+    return n;
+  }
+
+  // The curvatures of the limit, where the parts of second order that the ring matrix carries on by
+  // itself die out: what remains is the derivative of the slopes of the control normals.
+  // \pre is_regular()
+  Curvatures<double> extraordinary_curvatures() const
+  {
+    std::array<Pair<double>, 2> h;
+    for (std::size_t c = 0; c < 2; ++c)
+      h[c] = solve(size_, masked([&](const Value& v) { return frame_.slope(v.normal)[c]; }));
+    const double a = slope_[0], b = slope_[1], s = 1 + a * a + b * b;
+    const double xx = h[0][0], xy = (h[0][1] + h[1][0]) / 2, yy = h[1][1];
+    const double trace = ((1 + b * b) * xx - 2 * a * b * xy + (1 + a * a) * yy) / s;
+    return {(xx * yy - xy * xy) / (s * s), -trace / (2 * std::sqrt(s))};
+  }
+
+private:
+  static bool has_normal(const Value& v) { return !PN_average<double, 3>::is_zero(v.normal); }
+
+  template <class Function>
+  Pair<double> masked(const Function& f) const
+  {
+    Pair<double> sum{};
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      if (tangents_[0][i] == 0 && tangents_[1][i] == 0) continue;
+      const double x = f(ring_[i]);
+      sum[0] += tangents_[0][i] * x;
+      sum[1] += tangents_[1][i] * x;
+    }
+    return sum;
+  }
+
+  static Vector cross_product(const std::vector<Value>& ring, const Masks& tangents)
+  {
+    Vector t[2] = {};
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      for (std::size_t r = 0; r < 2; ++r)
+        add_multiple<double, 3>(t[r], tangents[r][i], ring[i].point);
+    for (Vector& x : t) normalize(x); // their product might underflow
+    Vector n = cross<double>(t[0], t[1]);
+    if (!(dot<double, 3>(n, n) > 1e-24)) return Vector{};
+    normalize(n);
+    return n;
+  }
+
+  const std::vector<Value>& ring_;
+  const Masks& tangents_;
+  Local_frame<double> frame_;
+  std::array<Pair<double>, 2> size_{}; // T u
+  Pair<double> slope_{};
+  bool is_regular_ = false;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_RING_GEOMETRY_H

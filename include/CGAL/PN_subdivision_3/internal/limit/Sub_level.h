@@ -1,0 +1,183 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SUB_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SUB_LEVEL_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+
+#include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The faces within some rings about the center vertices of a level, as a level of its own. Rounds of
+// a scheme on it are those of the whole level but near the border that cutting it out has made. A
+// vertex at which the faces that are left form several fans occurs once for each.
+class Sub_level
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // `centers` has no vertex twice, and none without edges
+  Sub_level(const Level_connectivity& level, const std::vector<Index>& centers, unsigned rings)
+    : whole_(level)
+  {
+    collect_faces(centers, rings);
+    number_edges();
+    link_faces();
+    link_border();
+    number_vertices();
+    build();
+    for (const Index v : centers)
+      centers_.push_back(vertex_[halfedge(whole_.halfedge_of_vertex(v))]);
+  }
+
+  const Level_connectivity& level() const { return level_; }
+  Level_connectivity&& take_level() { return std::move(level_); }
+  // the centers' numbers in this level, in their order
+  const std::vector<Index>& centers() const { return centers_; }
+  // of each vertex its number in the whole level
+  const std::vector<Index>& origin() const { return origin_; }
+
+private:
+  static constexpr Index null = Level_connectivity::null;
+
+  static Index opposite(Index h) { return Level_connectivity::opposite(h); }
+
+  void collect_faces(const std::vector<Index>& centers, unsigned rings)
+  {
+    std::vector<Index> ring = centers, next_ring;
+    std::unordered_set<Index> vertices(centers.begin(), centers.end()), faces;
+    for (unsigned r = 0; r < rings; ++r) {
+      next_ring.clear();
+      for (const Index v : ring) {
+        const Index first = whole_.halfedge_of_vertex(v);
+        Index h = first;
+        do {
+          if (!whole_.is_border(h) && faces.insert(whole_.face(h)).second) {
+            faces_.push_back(whole_.face(h));
+            for (Index g = whole_.next(h); g != h; g = whole_.next(g))
+              if (vertices.insert(whole_.target(g)).second) next_ring.push_back(whole_.target(g));
+          }
+          h = whole_.next_around_target(h);
+        } while (h != first);
+      }
+      ring.swap(next_ring);
+    }
+  }
+
+  void number_edges()
+  {
+    for (const Index f : faces_) {
+      const Index first = whole_.halfedge_of_face(f);
+      Index h = first;
+      do {
+        if (edge_.emplace(Level_connectivity::edge(h), static_cast<Index>(edges_.size())).second)
+          edges_.push_back(Level_connectivity::edge(h));
+        h = whole_.next(h);
+      } while (h != first);
+    }
+    face_.assign(2 * edge_.size(), null);
+    next_.assign(2 * edge_.size(), null);
+    prev_.assign(2 * edge_.size(), null);
+    vertex_.assign(2 * edge_.size(), null);
+  }
+
+  // the number here of a half-edge of the whole level
+  Index halfedge(Index h) const
+  {
+    return 2 * edge_.find(Level_connectivity::edge(h))->second + (h & 1u);
+  }
+
+  void link_faces()
+  {
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Index first = whole_.halfedge_of_face(faces_[f]);
+      Index h = first;
+      do {
+        const Index g = halfedge(h);
+        h = whole_.next(h);
+        face_[g] = static_cast<Index>(f);
+        next_[g] = halfedge(h);
+        prev_[next_[g]] = g;
+        ++corners_;
+      } while (h != first);
+    }
+  }
+
+  // the border goes on where the fan of faces at its target ends
+  void link_border()
+  {
+    for (Index b = 0; b < face_.size(); ++b) {
+      if (face_[b] != null) continue;
+      Index p = prev_[opposite(b)];
+      while (face_[opposite(p)] != null) p = prev_[opposite(p)];
+      next_[b] = opposite(p);
+    }
+  }
+
+  void number_vertices()
+  {
+    for (Index first = 0; first < next_.size(); ++first) {
+      if (vertex_[first] != null) continue;
+      const auto v = static_cast<Index>(origin_.size());
+      origin_.push_back(whole_.target(2 * edges_[first / 2] + first % 2));
+      halfedge_of_vertex_.push_back(first);
+      Index h = first;
+      do {
+        vertex_[h] = v;
+        if (face_[h] == null) halfedge_of_vertex_[v] = h;
+        h = opposite(next_[h]);
+      } while (h != first);
+    }
+  }
+
+  void build()
+  {
+    Level_size size;
+    size.vertices = origin_.size();
+    size.edges = edges_.size();
+    size.faces = faces_.size();
+    size.corners = corners_;
+    level_ = Level_connectivity(size);
+    level_.set_uniform_degree(whole_.uniform_degree());
+    for (Index h = 0; h < next_.size(); ++h) {
+      level_.set_next(h, next_[h]);
+      level_.set_target(h, vertex_[h]);
+      if (face_[h] == null)
+        level_.set_border(h);
+      else
+        level_.set_face(h, face_[h]);
+    }
+    for (Index v = 0; v < origin_.size(); ++v)
+      level_.set_halfedge_of_vertex(v, halfedge_of_vertex_[v]);
+    for (Index f = 0; f < faces_.size(); ++f)
+      level_.set_halfedge_of_face(f, halfedge(whole_.halfedge_of_face(faces_[f])));
+  }
+
+  const Level_connectivity& whole_;
+  Level_connectivity level_;
+  std::vector<Index> centers_, origin_;
+  std::vector<Index> faces_, edges_; // of the whole level
+  std::unordered_map<Index, Index> edge_;
+  std::vector<Index> face_, next_, prev_, vertex_; // of half-edges
+  std::vector<Index> halfedge_of_vertex_;
+  std::size_t corners_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SUB_LEVEL_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
+
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The level of a mesh with points and, for PN schemes, control normals: the user's, or estimated ones
+// if there is no map of them.
+template <class Scheme, class FT, class Access, class Point_map, class Normal_map>
+auto read_limit_level(const Access& access, const Scheme& scheme, Point_map points,
+                      Normal_map normals)
+{
+  using Average = Average_of_scheme<Scheme, FT>;
+  Valued_level<typename Average::Value> result;
+  result.level = checked_level(access);
+  check_scheme(scheme, result.level, access);
+  result.values =
+    read_values<Average>(access, result.level, points, normals, normal_estimate(scheme));
+  return result;
+}
+
+// the largest side of the box of the points
+template <class Value>
+double box_size(const Valued_level<Value>& level)
+{
+  std::array<double, 3> least{}, greatest{};
+  bool is_first = true;
+  for (const Value& value : level.values) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto x = static_cast<double>(CGAL::to_double(point_of(value)[c]));
+      least[c] = is_first ? x : (std::min)(least[c], x);
+      greatest[c] = is_first ? x : (std::max)(greatest[c], x);
+    }
+    is_first = false;
+  }
+  double size = 0;
+  for (std::size_t c = 0; c < 3; ++c) size = (std::max)(size, greatest[c] - least[c]);
+  return size;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H

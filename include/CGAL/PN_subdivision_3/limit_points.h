@@ -1,0 +1,355 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_LIMIT_POINTS_H
+#define CGAL_PN_SUBDIVISION_3_LIMIT_POINTS_H
+
+#include <CGAL/PN_subdivision_3/internal/limit/Face_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+The point of the limit surface that belongs to a vertex of a control mesh, see `limit_points()`.
+
+\tparam GeomTraits a model of `Kernel`
+*/
+template <class GeomTraits>
+struct Limit_point
+{
+  /// the limit of the points of the vertex.
+  typename GeomTraits::Point_3 point{0, 0, 0};
+  /// an estimate of the distance of `point` from the limit; it is not a bound that is proved.
+  double error = 0;
+  /// the limit of the control normals of the vertex, a unit vector; zero if there is none, and with
+  /// linear schemes. *It is not the normal of the surface.*
+  typename GeomTraits::Vector_3 control_normal{0, 0, 0};
+  /// the unit normal of the limit surface, if it was asked for and `has_surface_normal`; otherwise
+  /// `control_normal`.
+  typename GeomTraits::Vector_3 surface_normal{0, 0, 0};
+  /// an estimate of the error of `surface_normal`, in radians.
+  double normal_error = 0;
+  /// whether the surface has a tangent plane that its ring matrix tells of.
+  bool has_surface_normal = false;
+  /// \name Curvature
+  /// if it was asked for and `has_curvature`; signs are those of `Vertex_curvature`.
+  /// @{
+  double gaussian = 0;
+  double mean = 0;
+  bool has_curvature = false;
+  /// @}
+};
+
+/// \ingroup PkgPNSubdivision3Limit
+/// What `limit_points()` shall compute, and how well.
+struct Limit_options
+{
+  /// the largest estimated error of a limit point, as a part of the largest side of the bounding box of
+  /// the points.
+  double tolerance = 1e-9;
+  /// the largest estimated error of a surface normal, in radians.
+  double normal_tolerance = 1e-3;
+  /// the most rounds of refinement about a vertex.
+  unsigned max_depth = 12;
+  /// whether surface normals are computed.
+  bool surface_normals = false;
+  /// whether curvatures are computed, where they exist.
+  bool curvatures = false;
+  /// how many rounds the call has done that made the mesh: the borders of \f$ \sqrt{3} \f$ depend on
+  /// whether that is even, others do not.
+  unsigned rounds_done = 0;
+};
+
+/// \ingroup PkgPNSubdivision3Limit
+/// What `limit_points()` has reached.
+struct Limit_report
+{
+  /// the largest estimated error of a limit point, in the unit of the coordinates.
+  double error = 0;
+  /// the largest estimated error of a surface normal, in radians.
+  double normal_error = 0;
+  /// the largest error that the options allow, in the unit of the coordinates.
+  double tolerance = 0;
+  /// how many limit points or surface normals are estimated not to meet their tolerances.
+  std::size_t number_of_misses = 0;
+  /// at how many vertices the control normal stands in for the surface normal.
+  std::size_t number_of_stand_ins = 0;
+  /// the most rounds of refinement that were done about a vertex.
+  unsigned depth = 0;
+
+  bool is_within_tolerance() const { return number_of_misses == 0; }
+};
+
+namespace internal {
+
+template <class FT>
+Limit_demand limit_demand(const Limit_options& options, double box)
+{
+  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a tolerance must be a number that is not negative");
+  Limit_demand demand;
+  demand.tolerance = options.tolerance * box;
+  demand.normal_tolerance = options.normal_tolerance;
+  // exact numbers grow too long; the estimate needs one round
+  demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
+  demand.surface_normals = options.surface_normals;
+  demand.curvatures = options.curvatures;
+  return demand;
+}
+
+template <class Limit, class Average>
+Limit to_limit_point(const Limit_result<Average>& result)
+{
+  using FT = typename Average::FT;
+  using Point = std::decay_t<decltype(std::declval<Limit>().point)>;
+  using Vector = std::decay_t<decltype(std::declval<Limit>().control_normal)>;
+  Limit l;
+  const Coordinates<FT, 3>& p = point_of(result.value);
+  l.point = Point(p[0], p[1], p[2]);
+  if constexpr (std::is_same_v<typename Average::Value, Point_normal<FT, 3>>) {
+    const Coordinates<FT, 3>& m = result.value.normal;
+    l.control_normal = Vector(m[0], m[1], m[2]);
+  }
+  const Coordinates<double, 3>& n = result.surface_normal;
+  l.surface_normal =
+    result.has_surface_normal ? Vector(FT(n[0]), FT(n[1]), FT(n[2])) : l.control_normal;
+  l.error = result.error;
+  l.normal_error = result.normal_error;
+  l.has_surface_normal = result.has_surface_normal;
+  l.gaussian = result.gaussian;
+  l.mean = result.mean;
+  l.has_curvature = result.has_curvature;
+  return l;
+}
+
+template <class Result>
+Limit_report limit_report(const std::vector<Result>& results, const Limit_demand& demand)
+{
+  Limit_report report;
+  report.tolerance = demand.tolerance;
+  for (const Result& r : results) {
+    report.error = (std::max)(report.error, r.error);
+    report.normal_error = (std::max)(report.normal_error, r.normal_error);
+    report.depth = (std::max)(report.depth, r.depth);
+    if (!(r.error <= demand.tolerance) || !(r.normal_error <= demand.normal_tolerance))
+      ++report.number_of_misses;
+    if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
+  }
+  return report;
+}
+
+template <class FT, class Results, class Name>
+void check_limits(const Results& results, const Name& name)
+{
+  for (std::size_t i = 0; i < results.size(); ++i)
+    check_in_range<FT, 3>(point_of(results[i].value),
+                          [&] { return "the limit point of " + name(i); });
+}
+
+// Calls sink(access, results, demand) with the limits of a mesh at its vertices.
+template <class FT, class Mesh, class Scheme, class Point_map, class Normal_map, class Sink>
+Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points, Normal_map normals,
+                           const Limit_options& options, const For_chunks& for_chunks,
+                           const Sink& sink)
+{
+  static_assert(Scheme::Host::keeps_vertices,
+                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+  Limit_report report;
+  with_mesh_access(mesh, [&](auto& access) {
+    const auto level = read_limit_level<Scheme, FT>(access, scheme, points, normals);
+    const Limit_demand demand = limit_demand<FT>(options, box_size(level));
+    Limit_evaluation<Scheme, FT> evaluation(scheme, demand, for_chunks);
+    const auto results = evaluation(level, options.rounds_done + 1);
+    const auto name = [&](std::size_t v) {
+      return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+    };
+    check_limits<FT>(results, name);
+    sink(access, results);
+    report = limit_report(results, demand);
+  });
+  return report;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+computes the points of the limit surface of a scheme that belong to the vertices of a control mesh:
+where they would come to lie after infinitely many rounds. The mesh may be of any level; as far as the
+tolerance goes, the result is the same for the vertices of all.
+
+<b>Points.</b> The limit mask of the linear scheme is a left eigenvector of the matrix that maps the
+neighborhood of a vertex to that of the next round. Its point-normal average L over the neighborhood
+is exact on spheres and circular cylinders, for equal normals and for linear schemes, but not in
+general. So the neighborhood of the vertex is refined by itself, round by round, and L taken anew; the
+differences |L<sub>k+1</sub> - L<sub>k</sub>| fall by 1/16 a round at regular vertices, and are what the
+error is estimated from. The refinement ends where the tolerance is met.
+
+<b>Control normals.</b> Their limit is the normalized average of the limit mask. *It is not the normal of
+the surface*, and the angle between the two does not vanish under refinement.
+
+<b>Surface normals.</b> The left eigenvectors T of the subdominant eigenvalue &lambda; give the slope a of
+the surface over the plane perpendicular to the limit control normal N, by T u a = T w with the
+coordinates u of the neighbors in that plane and their point-normal heights w over it. The error falls as
+&lambda;<sup>2</sup> a round. They exist at interior vertices of valence 3 and more, and on the borders of
+Catmull-Clark subdivision at valences 3 and 4 and of Loop subdivision at valences 3 to 6; not at corners
+and other valences, nor on the borders of other schemes, nor where the neighborhood collapses to a line.
+There the control normal stands in.
+
+<b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
+modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
+estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
+
+Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
+valence once. Surface normals, curvatures and errors are computed in `double`; in exact number types
+the limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most,
+so that the tolerance may be missed.
+
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
+  `Parallel_if_available_tag`. The result is the same, bit for bit; maps are read and written by one
+  thread.
+\tparam PolygonMesh a model of `FaceListGraph`
+\tparam Scheme a model of `PNSubdivisionScheme_3` that keeps its vertices, or its `linear()` twin
+\tparam LimitMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `Limit_point` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param scheme the scheme
+\param limits the map to write
+\param options what is computed, and how well
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
+  `vertex_normal_map` with the control normals (without it they are estimated), and `geom_traits`, as in
+  `subdivide()`, whose maps are read only
+
+\returns what was reached. A tolerance that cannot be met is no error.
+
+\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, and if
+  the scheme has no limit masks; nothing has been written then
+\throws std::overflow_error if a limit point is out of the range of a floating point type
+\throws std::domain_error if an interval number type leaves a comparison undecided
+\cost linear in the size of the mesh, for each round about its vertices
+
+\sa `move_to_limit()`
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                          const Limit_options& options = Limit_options(),
+                          const NamedParameters& np = parameters::default_values())
+{
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  using Limit = typename boost::property_traits<LimitMap>::value_type;
+  return internal::vertex_limits<typename Parameters::FT>(
+    mesh, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np), options,
+    internal::For_chunks::with(Concurrency_tag()), [&](const auto& access, const auto& results) {
+      for (std::size_t v = 0; v < results.size(); ++v)
+        put(limits, access.vertex(static_cast<Level_connectivity::Index>(v)),
+            internal::to_limit_point<Limit>(results[v]));
+    });
+}
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+computes the points of the limit surface of a dual scheme, such as `DooSabin_scheme`, that belong to the
+faces of a control mesh: to where a face shrinks. The weights of the limit mask of Doo-Sabin subdivision
+are equal. All else is as in `limit_points()`; surface normals exist at all faces that do not collapse,
+and curvatures are not computed.
+
+\tparam LimitMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<PolygonMesh>::%face_descriptor` as key type and `Limit_point` as value type
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                               const Limit_options& options = Limit_options(),
+                               const NamedParameters& np = parameters::default_values())
+{
+  static_assert(!Scheme::Host::keeps_vertices,
+                "the limit points of a primal scheme belong to the vertices: see limit_points()");
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Limit = typename boost::property_traits<LimitMap>::value_type;
+  Limit_report report;
+  internal::with_mesh_access(mesh, [&](const auto& access) {
+    const auto level = internal::read_limit_level<Scheme, FT>(
+      access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+    internal::Limit_demand demand = internal::limit_demand<FT>(options, internal::box_size(level));
+    demand.curvatures = false;
+    internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
+                                                 internal::For_chunks::with(Concurrency_tag()));
+    const auto results = evaluation(level);
+    internal::check_limits<FT>(results,
+                               [](std::size_t f) { return "face number " + std::to_string(f); });
+    std::size_t i = 0;
+    for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
+    report = internal::limit_report(results, demand);
+  });
+  return report;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+moves the vertices of a mesh to the limit surface. Called after `subdivide()` with the same scheme it
+makes the result lie on the surface that further rounds would tend to.
+
+Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
+`options.surface_normals` is set, and otherwise the limit control normals. With a linear scheme normals
+are written only as surface normals. *The mesh is no control mesh any more:* its points and normals are
+not meant to be subdivided further.
+
+<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
+the user's whose `put()` throws also while old values are put back.
+
+\param np as in `limit_points()`; the maps are read and written
+
+For all else see `limit_points()`.
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
+                           const Limit_options& options = Limit_options(),
+                           const NamedParameters& np = parameters::default_values())
+{
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  const auto points = Parameters::point_map(mesh, np);
+  const auto normals = Parameters::normal_map(np);
+  return internal::vertex_limits<typename Parameters::FT>(
+    mesh, scheme, points, normals, options, internal::For_chunks::with(Concurrency_tag()),
+    [&](const auto& access, const auto& results) {
+      internal::Limit_writer<std::decay_t<decltype(access)>, Scheme, std::decay_t<decltype(points)>,
+                             std::decay_t<decltype(normals)>>(access, points, normals)
+        .write(results, options.surface_normals);
+    });
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_LIMIT_POINTS_H

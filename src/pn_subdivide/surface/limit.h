@@ -1,0 +1,40 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_LIMIT_H
+#define PN_SUBDIVIDE_LIMIT_H
+
+#include "surface/Scheme.h"
+#include "surface/Surface.h"
+#include "surface/limit_surface.h"
+
+#include <CGAL/PN_subdivision_3/limit_points.h>
+
+// Each has a source file of its own, because a call for every scheme takes long to compile.
+
+namespace pn_subdivide {
+
+using Limit_report = CGAL::PN_subdivision_3::Limit_report;
+using Limit_options = CGAL::PN_subdivision_3::Limit_options;
+using Limit_point = CGAL::PN_subdivision_3::Limit_point<Kernel>;
+using Limit_map = Surface::Property_map<Surface::Vertex_index, Limit_point>;
+
+Limit_report linear_limits(const Surface& surface, const Scheme& scheme, Limit_map limits,
+                           const Limit_options& options);
+
+Limit_report limits_with_normals(const Surface& surface, Normal_map normals, const Scheme& scheme,
+                                 Limit_map limits, const Limit_options& options);
+
+// The schemes must be different and have the same host.
+Limit_report limits_with_normal_scheme(const Surface& surface, Normal_map normals,
+                                       const Scheme& scheme, const Scheme& normal_scheme,
+                                       Limit_map limits, const Limit_options& options);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_LIMIT_H

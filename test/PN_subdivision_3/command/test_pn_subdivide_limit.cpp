@@ -1,0 +1,159 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// `pn_subdivide surface --limit --limit-tolerance --surface-normals`.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace {
+
+using Row = std::array<double, 6>; // a point and a normal
+
+class Pn_subdivide_limit : public Command_test
+{
+protected:
+  static std::string data(const char* file) { return std::string(PN_DATA_DIR) + "/" + file; }
+
+  Outcome surface(const std::string& input, const std::string& output,
+                  const std::string& options) const
+  {
+    return run("surface '" + input + "' '" + folder.file(output) + "' " + options);
+  }
+
+  // the vertices of a text PLY with normals
+  std::vector<Row> vertices(const std::string& file) const
+  {
+    std::istringstream in(Temporary_folder::content(folder.file(file)));
+    std::size_t count = 0;
+    int columns = 0;
+    for (std::string line; std::getline(in, line) && line != "end_header";) {
+      std::istringstream words(line);
+      std::string word, type, name;
+      words >> word >> type >> name;
+      if (word == "element" && type == "vertex") count = std::stoul(name);
+      if (word == "property" && type != "list") ++columns;
+    }
+    EXPECT_EQ(columns, 6) << file;
+    std::vector<Row> rows(count);
+    for (Row& row : rows)
+      for (double& x : row) EXPECT_TRUE(in >> x);
+    return rows;
+  }
+
+  static double distance(const Row& a, const Row& b, std::size_t first)
+  {
+    return std::hypot(a[first] - b[first], a[first + 1] - b[first + 1],
+                      a[first + 2] - b[first + 2]);
+  }
+};
+
+TEST_F(Pn_subdivide_limit, IsTheSameAtEveryLevel)
+{
+  for (const char* scheme : {"catmull-clark", "modified-catmull-clark", "kobbelt"}) {
+    const std::string options =
+      std::string(" --ascii --limit --surface-normals --scheme ") + scheme;
+    ASSERT_EQ(surface(data("torus_quads.ply"), "0.ply", "--levels 0" + options).code, 0);
+    const Outcome outcome = surface(data("torus_quads.ply"), "3.ply", "--levels 3" + options);
+    ASSERT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("limit points: estimated error"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("surface normals: estimated error"), std::string::npos);
+    const auto coarse = vertices("0.ply"), fine = vertices("3.ply");
+    for (std::size_t v = 0; v < coarse.size(); ++v) {
+      EXPECT_LE(distance(coarse[v], fine[v], 0), 1e-7) << scheme; // the torus has a size of 5
+      EXPECT_LE(distance(coarse[v], fine[v], 3), 3e-3) << scheme;
+    }
+  }
+}
+
+// Of the three, points move, normals change, or both.
+TEST_F(Pn_subdivide_limit, EachOptionDoesItsOwn)
+{
+  const std::string control = data("saddle_5.ply");
+  const std::string options = " --ascii --scheme loop --triangulate --levels 2 ";
+  ASSERT_EQ(surface(control, "plain.ply", options).code, 0);
+  ASSERT_EQ(surface(control, "limit.ply", options + "--limit").code, 0);
+  ASSERT_EQ(surface(control, "normals.ply", options + "--surface-normals").code, 0);
+  ASSERT_EQ(surface(control, "both.ply", options + "--limit --surface-normals").code, 0);
+  const auto plain = vertices("plain.ply"), limit = vertices("limit.ply"),
+             normals = vertices("normals.ply"), both = vertices("both.ply");
+  double moved = 0, turned = 0;
+  for (std::size_t v = 0; v < plain.size(); ++v) {
+    EXPECT_EQ(distance(plain[v], normals[v], 0), 0);
+    EXPECT_EQ(distance(limit[v], both[v], 0), 0);
+    EXPECT_EQ(distance(normals[v], both[v], 3), 0);
+    moved = std::max(moved, distance(plain[v], limit[v], 0));
+    turned = std::max(turned, distance(limit[v], both[v], 3));
+  }
+  EXPECT_GT(moved, 1e-4);
+  EXPECT_GT(turned, 1e-4);
+}
+
+TEST_F(Pn_subdivide_limit, LinearSurfacesHaveNormals)
+{
+  ASSERT_EQ(surface(data("cube.off"), "cube.ply",
+                    "--ascii --linear --limit --surface-normals --scheme catmull-clark --levels 1")
+              .code,
+            0);
+  // outward, by symmetry along the point at the corners
+  for (const Row& r : vertices("cube.ply")) {
+    const double p = std::hypot(r[0], r[1], r[2]);
+    EXPECT_GT((r[0] * r[3] + r[1] * r[4] + r[2] * r[5]) / p, 0.9);
+  }
+}
+
+TEST_F(Pn_subdivide_limit, StaysOnTheSphere)
+{
+  const Outcome outcome =
+    surface(data("sphere_mixed.ply"), "sphere.ply",
+            "--levels 2 --limit --scheme catmull-clark --verify sphere:0,0,0,1 --tolerance 1e-14");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(Pn_subdivide_limit, ThreadsChangeNothing)
+{
+  const std::string options = "--ascii --limit --surface-normals --levels 3 --scheme "
+                              "modified-catmull-clark --normal-scheme kobbelt";
+  ASSERT_EQ(surface(data("torus_quads.ply"), "one.ply", options).code, 0);
+  ASSERT_EQ(surface(data("torus_quads.ply"), "two.ply", options + " --threads 2").code, 0);
+  EXPECT_EQ(Temporary_folder::content(folder.file("one.ply")),
+            Temporary_folder::content(folder.file("two.ply")));
+}
+
+TEST_F(Pn_subdivide_limit, SaysWhereTheToleranceIsMissed)
+{
+  const Outcome outcome = surface(data("saddle_5.ply"), "out.ply",
+                                  "--levels 1 --scheme catmull-clark --limit --limit-tolerance "
+                                  "1e-300 --quiet");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err.rfind("warning: ", 0), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find("tolerance"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Pn_subdivide_limit, RefusesWhatDoesNotGoTogether)
+{
+  const std::string in = data("cube.off");
+  expect_one_line(surface(in, "x.ply", "--scheme doo-sabin --limit"), 2,
+                  "the limit points of doo-sabin belong to the faces");
+  expect_one_line(surface(in, "x.ply", "--scheme doo-sabin --surface-normals"), 2, "doo-sabin");
+  expect_one_line(surface(in, "x.ply", "--limit-tolerance 1e-6"), 2, "--limit");
+  expect_one_line(surface(in, "x.ply", "--limit --limit-tolerance 0"), 2, "--limit-tolerance");
+  expect_one_line(surface(in, "x.ply", "--limit --limit-tolerance nan"), 2, "--limit-tolerance");
+  expect_one_line(surface(in, "x.ply", "--levels 0 --scheme loop --limit"), 1, "loop");
+  EXPECT_FALSE(std::ifstream(folder.file("x.ply")).good());
+}
+
+} // namespace

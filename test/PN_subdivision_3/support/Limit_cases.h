@@ -1,0 +1,71 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Limits of control meshes as plain data.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_LIMIT_CASES_H
+#define CGAL_PN_SUBDIVISION_3_TEST_LIMIT_CASES_H
+
+#include "Scheme_runs.h"
+
+#include <CGAL/PN_subdivision_3/limit_points.h>
+
+namespace limit_cases {
+
+namespace PN = CGAL::PN_subdivision_3;
+using Limit = PN::Limit_point<Kernel>;
+
+struct Limits
+{
+  std::vector<Limit> at;
+  PN::Limit_report report;
+};
+
+inline PN::Limit_options close(double tolerance, double normal_tolerance = HUGE_VAL)
+{
+  PN::Limit_options options;
+  options.tolerance = tolerance;
+  options.normal_tolerance = normal_tolerance;
+  options.surface_normals = true;
+  options.max_depth = 40;
+  return options;
+}
+
+// at the vertices, with the control normals of normal_map()
+template <class Tag = CGAL::Sequential_tag, class Scheme>
+Limits limits(Surface_mesh& mesh, const Scheme& scheme, const PN::Limit_options& options)
+{
+  Limits result;
+  const auto map = mesh.add_property_map<Surface_mesh::Vertex_index, Limit>("v:limit").first;
+  result.report = PN::limit_points<Tag>(mesh, scheme, map, options,
+                                        CGAL::parameters::vertex_normal_map(normal_map(mesh)));
+  for (auto v : mesh.vertices()) result.at.push_back(map[v]);
+  return result;
+}
+
+inline reference::Vector to_vector(const Kernel::Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+inline reference::Vector to_vector(const Kernel::Vector_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+inline bool is_finite(const Limit& l)
+{
+  for (double x : {l.point.x(), l.point.y(), l.point.z(), l.control_normal.x(),
+                   l.control_normal.y(), l.control_normal.z(), l.surface_normal.x(),
+                   l.surface_normal.y(), l.surface_normal.z(), l.error, l.normal_error})
+    if (!std::isfinite(x)) return false;
+  return true;
+}
+
+} // namespace limit_cases
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_LIMIT_CASES_H
