@@ -140,14 +140,6 @@ std::vector<bool> edges_of_angle(Surface& surface, double degrees)
   return result;
 }
 
-void warn_of_several_normals(const Mesh_data& mesh, const std::string& beginning,
-                             const std::string& end, Report& report)
-{
-  report.warn(beginning +
-              plural(mesh.vertices_with_several_normals, "vertex has", "vertices have") +
-              " several normals; their normalized sum is taken" + end);
-}
-
 // Edges have the sharpness of the options, vertices are corners for ever.
 void set_sharpness(Creases& creases, const std::vector<bool>& edges,
                    const std::vector<bool>& vertices, double of_edges)
@@ -224,18 +216,15 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   } else if (can_be_sharp) {
     edges = edges_where_normals_differ(surface);
     if (plan.source == Source::automatic && are_more_than_half(edges, surface)) {
-      warn_of_several_normals(mesh, name + ": ",
-                              ", because the file looks as if made for flat shading, with "
-                              "differences at more than half of the edges; --sharp file takes "
-                              "these edges as creases",
-                              report);
+      report.warn(name +
+                  ": the normals differ at more than half of the inner edges, as in files for flat "
+                  "shading; none of these edges is sharp, --sharp file makes all of them creases");
       edges.assign(edges.size(), false);
-      creases.has_warned = true;
     }
   }
   set_sharpness(creases, edges, vertices, plan.sharpness);
   const bool wants_some = plan.source != Source::automatic && plan.source != Source::none;
-  if (!creases.any() && (wants_some || plan.has_sharpness) && !creases.has_warned)
+  if (!creases.any() && (wants_some || plan.has_sharpness))
     report.warn(name + ": no edge is sharp");
   if (plan.border != Border::surface && !has_border(surface)) {
     report.warn(name + ": there is no border for --border");

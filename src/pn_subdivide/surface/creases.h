@@ -25,7 +25,6 @@ struct Creases
   std::vector<double> edges, vertices; // sharpness, by the numbers of make_surface()
   std::size_t number_of_edges = 0, number_of_vertices = 0; // that are sharp
   Border border = Border::surface;
-  bool has_warned = false; // of several normals at a vertex
 
   bool any() const { return number_of_edges + number_of_vertices > 0; }
   bool is_sharp(Surface::Edge_index e) const { return !edges.empty() && edges[e] > 0; }

@@ -93,7 +93,7 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
   const bool from_file =
     source == Source::file || (source == Source::automatic && mesh.has_normals());
   const std::string input = plan.input.title("standard input");
-  if (from_file && mesh.vertices_with_several_normals > 0 && !creases.any() && !creases.has_warned)
+  if (from_file && mesh.vertices_with_several_normals > 0 && !creases.any())
     report.warn(input + ": " + std::to_string(mesh.vertices_with_several_normals) +
                 (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
                 " several normals; their normalized sum is taken");
