@@ -219,8 +219,9 @@ protected:
   }
 };
 
-// The greatest deviations of points and of normals from the shapes of the faces, in units of 2^-52 of
-// the size.
+// The greatest deviations of points and of normals from the shapes of the faces, in units of 2^-52:
+// points relative to the greatest coordinate or the radius. Normals are compared with those at the
+// points as they are, which turn them by the error of the points over the radius.
 struct Errors
 {
   Real points = 0, normals = 0;
@@ -236,7 +237,9 @@ Errors errors(const Obj& control, const Obj& refined, const std::vector<std::siz
       const Vec& p = refined.points[v];
       e.points = (std::max)(e.points, shape.distance(p) / epsilon / (std::max)(size, shape.r));
       if (!refined.normals.empty())
-        e.normals = (std::max)(e.normals, shape.error(p, refined.normals[n]) / epsilon);
+        e.normals = (std::max)(e.normals,
+                               shape.error(p, refined.normals[n]) / epsilon /
+                                 (shape.kind == "plane" ? 1 : (std::max)(size / shape.r, Real(1))));
     }
   return e;
 }
@@ -363,10 +366,21 @@ TEST_F(Pn_subdivide_creases, SharpnessIsTheNumberOfSharpRounds)
   const std::string one = refine(cube, sharp + "--levels 1", "one.off");
   EXPECT_EQ(content(refine(cube, sharp + "--levels 1 --sharpness 1", "a.off")), content(one));
   EXPECT_EQ(content(refine(cube, sharp + "--levels 1 --sharpness inf", "a.off")), content(one));
-  EXPECT_EQ(content(refine(cube, sharp + "--levels 2 --sharpness 1", "a.off")),
-            content(refine(one, "--linear --levels 1", "b.off")));
-  EXPECT_NE(content(refine(cube, sharp + "--levels 2 --sharpness 1.5", "a.off")),
-            content(folder.file("b.off")));
+  // edges have other numbers in the file between the rounds, and so have vertices after the second
+  const auto points = [](const std::string& obj) {
+    std::vector<std::array<double, 3>> result;
+    for (const Vec& p : Obj(obj).points) {
+      result.emplace_back();
+      for (int i = 0; i < 3; ++i)
+        result.back()[std::size_t(i)] = std::round(double(p[std::size_t(i)]) * 1e12);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto expected = points(refine(one, "--linear --levels 1"));
+  EXPECT_EQ(points(refine(cube, sharp + "--levels 2 --sharpness 1")), expected);
+  EXPECT_NE(points(refine(cube, sharp + "--levels 2 --sharpness 1.5")), expected);
+  EXPECT_NE(points(refine(cube, sharp + "--levels 2")), expected);
   expect_part(surface(cube, folder.file("a.off"), sharp + "--sharpness 2.5").err,
               "12 sharp edges of sharpness 2.5");
   EXPECT_EQ(warnings(cube, sharp + "--sharpness 0", "a.off"),
