@@ -38,8 +38,9 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--up", choices="xyz", default="z", help="the upward axis (default: z)")
     parser.add_argument("--same-view", action="store_true",
                         help="one view and scale, which fits all")
-    parser.add_argument("--shading", choices=("auto", "smooth", "averaged", "flat"),
-                        default="auto", help="averaged: by the faces alone, whatever the normals")
+    parser.add_argument("--shading", choices=("auto", "smooth", "averaged", "split", "flat"),
+                        default="auto", help="averaged: by the faces alone, whatever the normals; "
+                                             "split: the same, but not across sharp edges")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the faces")
     parser.add_argument("--normals", action="store_true", help="draw the vertex normals")
     parser.add_argument("--control", type=Path, action="append", default=[], metavar="MESH",

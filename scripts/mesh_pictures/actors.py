@@ -16,10 +16,12 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
                                          vtkProperty)
 
-from .files import averaged_normals, normals_of, points_of, set_normals, vertices_without_face
+from .files import (averaged_normals, normals_of, points_of, set_normals, vertices_without_face,
+                    with_split_normals)
 
 OUTSIDE, INSIDE = (0.62, 0.71, 0.82), (0.93, 0.62, 0.32)
 EDGE, CONTROL, NEEDLE = (0.15, 0.2, 0.3), (0.75, 0.1, 0.1), (0.1, 0.5, 0.2)
+SPLIT_ANGLE = 35.0  # degrees, for refined meshes
 # of scalars, interpolated in CIELAB; those of pn_subdivide's --curvature
 BLUE, WHITE, RED = ((r / 255, g / 255, b / 255)
                     for r, g, b in ((59, 76, 192), (242, 242, 242), (180, 4, 38)))
@@ -60,6 +62,8 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
 
 def _with_normals(mesh: vtkPolyData, shading: str) -> vtkPolyData:
     """With the normals that the shading asks for; averages of the faces' where they are missing."""
+    if shading == "split":
+        return with_split_normals(mesh, SPLIT_ANGLE)
     given = None if shading == "averaged" else normals_of(mesh)
     result = vtkPolyData()
     result.ShallowCopy(mesh)

@@ -71,6 +71,11 @@ def _read_off(path: Path) -> vtkPolyData:
 def _without_seams(mesh: vtkPolyData) -> vtkPolyData:
     """VTK's OBJ reader doubles points where texture coordinates differ; this joins them again."""
     mesh.GetPointData().Initialize()
+    return _joined(mesh)
+
+
+def _joined(mesh: vtkPolyData) -> vtkPolyData:
+    """With equal points joined."""
     join = vtkCleanPolyData()
     join.SetInputData(mesh)
     join.SetTolerance(0.0)
@@ -104,6 +109,20 @@ def averaged_normals(mesh: vtkPolyData) -> np.ndarray:
     normals.ConsistencyOff()
     normals.Update()
     return normals_of(normals.GetOutput())
+
+
+def with_split_normals(mesh: vtkPolyData, degrees: float) -> vtkPolyData:
+    """The mesh with vertex normals from the faces; vertices are doubled where faces meet at more
+    than the angle."""
+    joined = _joined(mesh)
+    joined.GetPointData().SetNormals(None)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(joined)
+    normals.SplittingOn()
+    normals.SetFeatureAngle(degrees)
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
 
 
 def vertices_without_face(mesh: vtkPolyData) -> np.ndarray:

@@ -130,6 +130,22 @@ void add_scheme_options(CLI::App& command, Scheme_choice& choice)
   }
 }
 
+void add_crease_options(CLI::App& command, Crease_options& options)
+{
+  command.add_option("--sharp", options.sharp,
+                     "Edges that are creases: auto (default; those of file, unless they are more "
+                     "than half of the inner edges), none, file (where the file's normals of two "
+                     "faces differ by more than 0.1 degrees), angle:DEG (where the faces meet at a "
+                     "greater angle) or a selection file of CGAL (.selection.txt)");
+  command.add_option("--sharpness", options.sharpness,
+                     "Of these edges: the number of rounds for which they are sharp; default inf");
+  command.add_option(
+    "--border", options.border,
+    "Border: surface (default; part of the surface), curve (a crease, circles stay "
+    "circles), corners (the same, and vertices with one face are corners) or fixed "
+    "(stays where it is)");
+}
+
 void add_repair_options(CLI::App& command, Surface_options& options)
 {
   command.add_flag("--merge-points", options.merge_points,
@@ -169,6 +185,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "Control normals: auto (the file's if it has any, else estimated), file, "
                      "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
                      "cylinder:X,Y,Z,DX,DY,DZ");
+  add_crease_options(surface, options.creases);
   add_limit_options(surface, options.limit);
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "

@@ -26,6 +26,8 @@ using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
 // A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
 // `normals` is empty or has one vector per point, zero where a point has no control normal.
+// `corner_normals` is empty but where corners of one vertex have different normals; then it has one
+// vector per corner, face by face, and `normals` has the normalized sum of the different ones.
 // `scalars` and `colors` are for writing only, and empty or one per point.
 class Mesh_data
 {
@@ -35,7 +37,7 @@ public:
   static constexpr std::size_t max_number_of_points = std::numeric_limits<Index>::max();
 
   std::vector<Triple> points;
-  std::vector<Triple> normals;
+  std::vector<Triple> normals, corner_normals;
   std::string scalar_name;
   std::vector<double> scalars;
   std::vector<Color> colors;
@@ -46,7 +48,12 @@ public:
   // sum.
   std::size_t vertices_with_several_normals = 0;
 
+  // What the numbers of vertices in the file have become: those of the vertices that they were merged
+  // into (empty: their own), and for the last vertices those of which these are copies.
+  std::vector<Index> merged_into, copied_from;
+
   bool has_normals() const { return !normals.empty(); }
+  bool has_corner_normals() const { return !corner_normals.empty(); }
   void drop(const std::string& what)
   {
     if (std::find(dropped.begin(), dropped.end(), what) == dropped.end()) dropped.push_back(what);

@@ -11,15 +11,15 @@
 
 #include "io/Error.h"
 #include "io/Mesh_data.h"
+#include "io/corner_normals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
 
-// OBJ gives normals to the corners of faces; a vertex takes the normalized sum of the different
+// OBJ gives normals to the corners of faces. A vertex takes the normalized sum of the different
 // normals at its corners, and a single one as it is.
 class Obj_normals
 {
@@ -27,20 +27,36 @@ public:
   std::size_t number_of_normals() const { return normals_.size(); }
   void add_normal(const Triple& n) { normals_.push_back(n); }
 
-  void add_corner(Mesh_data::Index vertex, std::size_t normal, std::size_t line)
+  // `corner` counts through all faces.
+  void add_corner(std::size_t corner, Mesh_data::Index vertex, std::size_t normal, std::size_t line)
   {
-    corners_.push_back({vertex, normal, line});
+    corners_.push_back({vertex, corner, normal, line});
   }
 
-  // Empty if the file has no normals; zero for vertices that are given none.
-  std::vector<Triple> per_vertex(std::size_t number_of_vertices)
+  // To be called when all is read.
+  void check() const
   {
-    if (corners_.empty()) return in_order(number_of_vertices);
     for (const Corner& c : corners_)
       if (c.normal >= normals_.size())
         throw Error("line " + std::to_string(c.line) + ": the face's normal index " +
                     std::to_string(c.normal + 1) + " is out of range, there are " +
                     std::to_string(normals_.size()) + " normals");
+  }
+
+  // Empty if those of each vertex are the same; zero for corners that are given none.
+  std::vector<Triple> per_corner(std::size_t number_of_vertices,
+                                 std::size_t number_of_corners) const
+  {
+    if (!differ_at_a_vertex(number_of_vertices)) return {};
+    std::vector<Triple> result(number_of_corners, Triple{0, 0, 0});
+    for (const Corner& c : corners_) result[c.corner] = normals_[c.normal];
+    return result;
+  }
+
+  // Empty if the file has no normals; zero for vertices that are given none. To be called last.
+  std::vector<Triple> per_vertex(std::size_t number_of_vertices)
+  {
+    if (corners_.empty()) return in_order(number_of_vertices);
     sort_and_unite();
 
     std::vector<Triple> result(number_of_vertices, Triple{0, 0, 0});
@@ -67,8 +83,18 @@ private:
   struct Corner
   {
     Mesh_data::Index vertex;
-    std::size_t normal, line;
+    std::size_t corner, normal, line;
   };
+
+  bool differ_at_a_vertex(std::size_t number_of_vertices) const
+  {
+    const auto none = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> first(number_of_vertices, none);
+    return std::any_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
+      if (first[c.vertex] == none) first[c.vertex] = c.normal;
+      return normals_[first[c.vertex]] != normals_[c.normal];
+    });
+  }
 
   // Some programs (CGAL's writer among them) list one normal per vertex and leave it at that.
   std::vector<Triple> in_order(std::size_t number_of_vertices) const
@@ -101,20 +127,6 @@ private:
     std::sort(corners_.begin(), corners_.end(), by_value);
     corners_.erase(std::unique(corners_.begin(), corners_.end(), same), corners_.end());
     std::sort(corners_.begin(), corners_.end(), by_number);
-  }
-
-  static Triple normalized(const Triple& n)
-  {
-    const double length = std::hypot(n[0], n[1], n[2]);
-    if (!(length > 0)) return {0, 0, 0};
-    return {n[0] / length, n[1] / length, n[2] / length};
-  }
-
-  // by more than 0.1 degrees
-  static bool directions_differ(const Triple& m, const Triple& n)
-  {
-    const Triple a = normalized(m), b = normalized(n);
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > 0.0017;
   }
 
   std::vector<Triple> normals_;

@@ -6,11 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
+#include "io/corner_normals.h"
 #include "io/soup_repair.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -31,13 +32,6 @@ std::vector<Index> first_equal(const std::vector<Triple>& points)
   return first;
 }
 
-Triple unit(const Triple& n)
-{
-  const double length = std::hypot(n[0], n[1], n[2]);
-  if (!(length > 0)) return {0, 0, 0};
-  return {n[0] / length, n[1] / length, n[2] / length};
-}
-
 // The sum of unit normals, where there is more than one; a single one stays as it is.
 std::vector<Triple> merged_normals(const Mesh_data& mesh, const std::vector<Index>& first)
 {
@@ -46,13 +40,13 @@ std::vector<Triple> merged_normals(const Mesh_data& mesh, const std::vector<Inde
   for (std::size_t v = 0; v < first.size(); ++v) {
     const Index to = first[v];
     if (to == v || mesh.normals[v] == mesh.normals[to]) continue;
-    if (!is_sum[to]) sums[to] = unit(sums[to]);
-    const Triple n = unit(mesh.normals[v]);
+    if (!is_sum[to]) sums[to] = normalized(sums[to]);
+    const Triple n = normalized(mesh.normals[v]);
     for (std::size_t i = 0; i < 3; ++i) sums[to][i] += n[i];
     is_sum[to] = true;
   }
   for (std::size_t v = 0; v < sums.size(); ++v)
-    if (is_sum[v]) sums[v] = unit(sums[v]);
+    if (is_sum[v]) sums[v] = normalized(sums[v]);
   return sums;
 }
 
@@ -88,6 +82,7 @@ std::size_t merge_equal_points(Mesh_data& mesh)
     for (const Index v : old.face(f)) face.push_back(number[v]);
     mesh.add_face(face);
   }
+  mesh.merged_into = std::move(number);
   return first.size() - kept;
 }
 

@@ -30,14 +30,14 @@ struct Format
   const char* name;
   Reader read; // nullptr: not read
   Writer write;
-  bool scalars, normals, polygons; // whether it holds them
+  bool scalars, normals, corner_normals, polygons; // whether it holds them
 };
 
-const Format formats[] = {{"ply", read_ply, write_ply, true, true, true},
-                          {"off", read_off, write_off, false, true, true},
-                          {"obj", read_obj, write_obj, false, true, true},
-                          {"stl", read_stl, write_stl, false, false, false},
-                          {"vtp", nullptr, write_vtp, true, true, true}};
+const Format formats[] = {{"ply", read_ply, write_ply, true, true, false, true},
+                          {"off", read_off, write_off, false, true, false, true},
+                          {"obj", read_obj, write_obj, false, true, true, true},
+                          {"stl", read_stl, write_stl, false, false, false, false},
+                          {"vtp", nullptr, write_vtp, true, true, false, true}};
 
 bool is_readable(const Format& format)
 {
@@ -111,6 +111,10 @@ bool holds_scalars(const Mesh_file& file)
 bool holds_normals(const Mesh_file& file)
 {
   return format_of(file).normals;
+}
+bool holds_corner_normals(const Mesh_file& file)
+{
+  return format_of(file).corner_normals;
 }
 bool holds_polygons(const Mesh_file& file)
 {

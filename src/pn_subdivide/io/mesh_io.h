@@ -40,9 +40,10 @@ Mesh_file input_mesh_file(const std::string& name, const std::optional<std::stri
 Mesh_file output_mesh_file(const std::string& name, const std::optional<std::string>& format);
 
 // Whether the format has a place for scalars and colors of the vertices, for their normals, for
-// faces with more than three vertices.
+// normals of corners, for faces with more than three vertices.
 bool holds_scalars(const Mesh_file& file);
 bool holds_normals(const Mesh_file& file);
+bool holds_corner_normals(const Mesh_file& file);
 bool holds_polygons(const Mesh_file& file);
 
 // Throws Error if it can be seen beforehand that the file cannot be written.

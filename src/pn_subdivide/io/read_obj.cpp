@@ -42,6 +42,8 @@ public:
     if (mesh_.points.empty())
       throw Error("not an OBJ mesh: there is no vertex (no line 'v x y z')");
     check_indices();
+    normals_.check();
+    mesh_.corner_normals = normals_.per_corner(mesh_.points.size(), mesh_.number_of_corners());
     mesh_.normals = normals_.per_vertex(mesh_.points.size());
     mesh_.vertices_with_several_normals = normals_.vertices_with_several_normals();
     return std::move(mesh_);
@@ -116,7 +118,8 @@ private:
     if (second_slash == std::string_view::npos) return;
     const std::int64_t n =
       index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
-    normals_.add_corner(face_.back(), static_cast<std::size_t>(n), in_.line());
+    normals_.add_corner(mesh_.number_of_corners() + face_.size() - 1, face_.back(),
+                        static_cast<std::size_t>(n), in_.line());
   }
 
   // Not earlier, because a face may come before its vertices.

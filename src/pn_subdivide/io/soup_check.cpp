@@ -116,6 +116,19 @@ void require_finite(const std::vector<Triple>& triples, const char* what)
   }
 }
 
+void require_finite_corner_normals(const Mesh_data& mesh)
+{
+  if (!mesh.has_corner_normals()) return;
+  std::size_t corner = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Index v : mesh.face(f)) {
+      const Triple& n = mesh.corner_normals[corner++];
+      if (!std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
+        throw Error("face " + std::to_string(f) + " has a normal at vertex " + std::to_string(v) +
+                    " that is not finite");
+    }
+}
+
 } // namespace
 
 Soup_defects find_defects(const Mesh_data& mesh)
@@ -161,6 +174,7 @@ void require_finite_elements(const Mesh_data& mesh)
                 plural(mesh.points.size(), "vertex", "vertices"));
   require_finite(mesh.points, "a coordinate");
   require_finite(mesh.normals, "a normal");
+  require_finite_corner_normals(mesh);
 }
 
 void require_sound_elements(const Mesh_data& mesh)

@@ -14,12 +14,57 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
 
 using Index = Mesh_data::Index;
 using Polygon = std::vector<Index>;
+
+// Which face of the soup as it was each face comes from, and the normals of its corners.
+class Old_corners
+{
+public:
+  explicit Old_corners(const Mesh_data& mesh)
+    : old_(mesh.has_corner_normals() ? mesh : Mesh_data())
+    , face_(old_.number_of_faces())
+  {
+    std::iota(face_.begin(), face_.end(), std::size_t(0));
+  }
+
+  // The i-th face is now what the faces[i]-th was.
+  void renumber(const std::vector<std::size_t>& faces)
+  {
+    if (!old_.has_corner_normals()) return;
+    std::vector<std::size_t> renumbered;
+    for (const std::size_t f : faces) renumbered.push_back(face_[f]);
+    face_ = std::move(renumbered);
+  }
+
+  // A vertex that a face visited twice has the normal of the first visit.
+  void put_normals(Mesh_data& mesh) const
+  {
+    if (!old_.has_corner_normals()) return;
+    std::vector<std::size_t> begin(1, 0);
+    for (std::size_t f = 0; f < old_.number_of_faces(); ++f)
+      begin.push_back(begin.back() + std::size_t(old_.face(f).size()));
+    mesh.corner_normals.clear();
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (const Index v : mesh.face(f)) {
+        Index original = v;
+        while (original >= old_.points.size())
+          original = mesh.copied_from[original - old_.points.size()];
+        const Mesh_data::Face face = old_.face(face_[f]);
+        const auto place = std::find(face.begin(), face.end(), original) - face.begin();
+        mesh.corner_normals.push_back(old_.corner_normals[begin[face_[f]] + std::size_t(place)]);
+      }
+  }
+
+private:
+  Mesh_data old_;
+  std::vector<std::size_t> face_;
+};
 
 // Cuts the loops off faces that visit a vertex twice.
 class Face_splitter
@@ -60,21 +105,24 @@ private:
   std::vector<std::size_t> place_; // of a vertex in the path so far
 };
 
-void split_faces(Mesh_data& mesh, Soup_repair& repair)
+void split_faces(Mesh_data& mesh, Soup_repair& repair, Old_corners& corners)
 {
   Face_splitter splitter(mesh.points.size());
   std::vector<Polygon> faces;
+  std::vector<std::size_t> origins;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     std::vector<Polygon> parts = splitter.parts(mesh.face(f));
     if (parts.empty())
       ++repair.removed_degenerate_faces;
     else if (parts.size() > 1 || parts[0].size() != std::size_t(mesh.face(f).size()))
       ++repair.split_faces;
+    origins.insert(origins.end(), parts.size(), f);
     for (Polygon& part : parts) faces.push_back(std::move(part));
   }
   if (repair.removed_degenerate_faces + repair.split_faces == 0) return;
   mesh.clear_faces();
   for (const Polygon& face : faces) mesh.add_face(face);
+  corners.renumber(origins);
 }
 
 // The same for all faces with these vertices in this order or its reverse.
@@ -86,7 +134,7 @@ Polygon key_of(const Mesh_data::Face& face)
   return key;
 }
 
-void remove_duplicates(Mesh_data& mesh, Soup_repair& repair)
+void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_corners& corners)
 {
   const std::size_t n = mesh.number_of_faces();
   std::vector<Polygon> keys(n);
@@ -101,8 +149,13 @@ void remove_duplicates(Mesh_data& mesh, Soup_repair& repair)
 
   const Mesh_data old = mesh;
   mesh.clear_faces();
+  std::vector<std::size_t> origins;
   for (std::size_t f = 0; f < n; ++f)
-    if (!is_duplicate[f]) mesh.add_face(old.face(f));
+    if (!is_duplicate[f]) {
+      mesh.add_face(old.face(f));
+      origins.push_back(f);
+    }
+  corners.renumber(origins);
   repair.removed_duplicate_faces = n - mesh.number_of_faces();
 }
 
@@ -113,6 +166,7 @@ struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
   void duplicated_vertex(std::size_t old_vertex, std::size_t)
   {
     ++repair->added_vertices;
+    mesh->copied_from.push_back(static_cast<Index>(old_vertex));
     if (mesh->has_normals()) mesh->normals.push_back(mesh->normals[old_vertex]);
   }
 
@@ -142,10 +196,13 @@ std::string plural(std::size_t n, const char* one, const char* many)
 Soup_repair repair_soup(Mesh_data& mesh)
 {
   Soup_repair repair;
-  split_faces(mesh, repair);
-  if (find_defects(mesh).none()) return repair;
-  remove_duplicates(mesh, repair);
-  if (!find_defects(mesh).none()) orient(mesh, repair);
+  Old_corners corners(mesh);
+  split_faces(mesh, repair, corners);
+  if (!find_defects(mesh).none()) {
+    remove_duplicates(mesh, repair, corners);
+    if (!find_defects(mesh).none()) orient(mesh, repair);
+  }
+  corners.put_normals(mesh);
   return repair;
 }
 

@@ -29,6 +29,17 @@ Scheme make_scheme(const std::string& option, const std::string& name, const Sch
 template <class S, class T>
 constexpr bool have_same_host = std::is_same_v<typename S::Host, typename T::Host>;
 
+template <class S, class = void>
+struct Can_crease : std::false_type
+{};
+template <class S>
+struct Can_crease<S, std::void_t<decltype(S::has_crease_rules)>>
+  : std::bool_constant<S::has_crease_rules>
+{};
+// Has it rules for creases?
+template <class S>
+constexpr bool can_crease = Can_crease<S>::value;
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_SCHEME_H

@@ -9,6 +9,7 @@
 #include "surface/Surface.h"
 
 #include "io/Error.h"
+#include "io/corner_normals.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -26,6 +27,7 @@ using Halfedge = Surface::Halfedge_index;
 
 constexpr Index none = std::numeric_limits<Index>::max();
 constexpr const char* normals_name = "v:normal";
+constexpr const char* corner_normals_name = "h:normal";
 
 // The sides of all faces, numbered through; side i of a face goes from its vertex i to the next.
 struct Side_list
@@ -142,6 +144,20 @@ void add_border(Surface& surface)
   }
 }
 
+// A side's half-edge ends at the next corner of the face.
+void put_corner_normals(Surface& surface, const Mesh_data& mesh,
+                        const std::vector<Halfedge>& halfedge_of)
+{
+  const auto normals = surface.add_property_map<Halfedge, Vector_3>(corner_normals_name).first;
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto size = static_cast<std::size_t>(mesh.face(f).size());
+    for (std::size_t i = 0; i < size; ++i)
+      normals[halfedge_of[first + i]] = to_vector(mesh.corner_normals[first + (i + 1) % size]);
+    first += size;
+  }
+}
+
 } // namespace
 
 Surface make_surface(const Mesh_data& mesh)
@@ -152,12 +168,14 @@ Surface make_surface(const Mesh_data& mesh)
                   static_cast<Surface::size_type>(mesh.number_of_corners()),
                   static_cast<Surface::size_type>(mesh.number_of_faces()));
   for (const Triple& p : mesh.points) surface.add_vertex(to_point(p));
-  add_faces(surface, mesh, add_edges(surface, Side_list(mesh)));
+  const std::vector<Halfedge> halfedge_of = add_edges(surface, Side_list(mesh));
+  add_faces(surface, mesh, halfedge_of);
   add_border(surface);
   if (mesh.has_normals()) {
     const Normal_map normals = surface.add_property_map<Vertex, Vector_3>(normals_name).first;
     for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
   }
+  if (mesh.has_corner_normals()) put_corner_normals(surface, mesh, halfedge_of);
   return surface;
 }
 
@@ -173,6 +191,21 @@ Normal_map add_normals(Surface& surface)
   return surface.add_property_map<Vertex, Vector_3>(normals_name, CGAL::NULL_VECTOR).first;
 }
 
+std::optional<Corner_normal_map> corner_normals_of(const Surface& surface)
+{
+  const auto [normals, found] = surface.property_map<Halfedge, Vector_3>(corner_normals_name);
+  if (!found) return std::nullopt;
+  return normals;
+}
+
+Corner_normal_map add_corner_normals(Surface& surface)
+{
+  const Normal_map of_vertices = *normals_of(surface);
+  const auto normals = surface.add_property_map<Halfedge, Vector_3>(corner_normals_name).first;
+  for (const Halfedge h : surface.halfedges()) normals[h] = of_vertices[surface.target(h)];
+  return normals;
+}
+
 Mesh_data to_mesh_data(const Surface& surface)
 {
   Mesh_data mesh;
@@ -184,13 +217,17 @@ Mesh_data to_mesh_data(const Surface& surface)
   }
 
   mesh.reserve_faces(surface.number_of_faces(), surface.number_of_halfedges());
+  const std::optional<Corner_normal_map> corner_normals = corner_normals_of(surface);
   std::vector<Index> face;
   for (const Surface::Face_index f : surface.faces()) {
     face.clear();
-    for (const Vertex v : vertices_around_face(surface.halfedge(f), surface))
-      face.push_back(static_cast<Index>(v));
+    for (const Halfedge h : halfedges_around_face(surface.halfedge(f), surface)) {
+      face.push_back(static_cast<Index>(surface.target(h)));
+      if (corner_normals) mesh.corner_normals.push_back(to_triple((*corner_normals)[h]));
+    }
     mesh.add_face(face);
   }
+  if (corner_normals) set_vertex_normals(mesh);
   return mesh;
 }
 

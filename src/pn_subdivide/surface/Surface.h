@@ -23,6 +23,8 @@ using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 using Surface = CGAL::Surface_mesh<Point_3>;
 using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
+// the normal of a half-edge's face at its target
+using Corner_normal_map = Surface::Property_map<Surface::Halfedge_index, Vector_3>;
 
 inline Point_3 to_point(const Triple& t)
 {
@@ -47,6 +49,10 @@ Surface make_surface(const Mesh_data& mesh);
 
 // Those of a mesh that has some.
 std::optional<Normal_map> normals_of(const Surface& surface);
+std::optional<Corner_normal_map> corner_normals_of(const Surface& surface);
+
+// Gives each corner the normal of its vertex, which there must be.
+Corner_normal_map add_corner_normals(Surface& surface);
 
 // zero at all vertices; the mesh must have none yet
 Normal_map add_normals(Surface& surface);
@@ -55,7 +61,7 @@ Normal_map add_normals(Surface& surface);
 Mesh_data to_mesh_data(const Surface& surface);
 
 // Splits the faces with more than three vertices into triangles, with CGAL's triangulate_faces();
-// the number of those faces. Throws Error if one cannot be split.
+// the number of those faces. Corners keep their normals. Throws Error if one cannot be split.
 std::size_t triangulate(Surface& surface);
 
 } // namespace pn_subdivide

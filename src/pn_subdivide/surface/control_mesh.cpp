@@ -65,7 +65,10 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
   Surface surface = make_surface(mesh);
   const std::size_t split = triangulate(surface);
   if (split == 0) return;
-  mesh = to_mesh_data(surface);
+  Mesh_data split_mesh = to_mesh_data(surface);
+  split_mesh.merged_into = std::move(mesh.merged_into);
+  split_mesh.copied_from = std::move(mesh.copied_from);
+  mesh = std::move(split_mesh);
   report.note(name + ": " + plural(split, "face", "faces") + " split into triangles");
 }
 

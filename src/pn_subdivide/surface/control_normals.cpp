@@ -9,8 +9,10 @@
 #include "surface/control_normals.h"
 
 #include "io/Error.h"
+#include "io/corner_normals.h"
 #include "io/parse_numbers.h"
 #include "surface/Surface.h"
+#include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3.h>
 
@@ -66,7 +68,7 @@ void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
 }
 
 // As the library does it on entry, so that no round and several rounds start from the same normals.
-Vector_3 normalized(const Vector_3& n)
+Vector_3 unit_normal(const Vector_3& n)
 {
   using Traits = PN::Unit_normal_traits<double>;
   if (std::abs(n.squared_length() - 1) <= Traits::unit_tolerance()) return n;
@@ -74,6 +76,58 @@ Vector_3 normalized(const Vector_3& n)
   if (largest == 0) return n;
   const Vector_3 scaled = n / largest;
   return scaled * Traits::inverse_length(scaled.squared_length());
+}
+
+// Vertices in one of whose wedges the corners have different normals.
+std::size_t mixed_vertices(const Surface& surface, const Wedges& wedges, Corner_normal_map normals)
+{
+  std::vector<Triple> first(wedges.vertex.size());
+  std::vector<bool> is_known(first.size(), false), is_mixed(surface.number_of_vertices(), false);
+  for (const Surface::Halfedge_index h : surface.halfedges()) {
+    if (surface.is_border(h)) continue;
+    const std::size_t wedge = wedges.of_corner[h];
+    const Triple n = to_triple(normals[h]);
+    if (!is_known[wedge]) first[wedge] = n;
+    is_known[wedge] = true;
+    if (directions_differ(first[wedge], n)) is_mixed[surface.target(h)] = true;
+  }
+  return std::size_t(std::count(is_mixed.begin(), is_mixed.end(), true));
+}
+
+void normalize_corners(Mesh_data& mesh, const Creases& creases, const std::string& name,
+                       Report& report)
+{
+  for (Triple& n : mesh.corner_normals) n = to_triple(unit_normal(to_vector(n)));
+  const Surface surface = make_surface(mesh);
+  const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
+  const std::size_t mixed = mixed_vertices(surface, wedges, *corner_normals_of(surface));
+  if (mixed > 0)
+    report.warn(name + ": " + std::to_string(mixed) +
+                (mixed == 1 ? " vertex has" : " vertices have") +
+                " several normals that no crease separates; their normalized sum is taken");
+}
+
+// Of vertices with one normal.
+void estimate_between_creases(Mesh_data& mesh, bool estimate_all, bool from_file,
+                              const Creases& creases, const std::string& name, Report& report)
+{
+  Surface surface = make_surface(mesh);
+  const Crease_maps maps = add_creases(surface, creases);
+  const Corner_normal_map normals = add_corner_normals(surface);
+  CGAL::PN_subdivision_3::estimate_corner_normals(
+    surface, maps.edges, normals, CGAL::parameters::vertex_is_constrained_map(maps.vertices));
+  const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
+  const Normal_map of_vertices = *normals_of(surface);
+  for (const Surface::Halfedge_index h : surface.halfedges())
+    if (!estimate_all && wedges.number[surface.target(h)] == 1)
+      normals[h] = of_vertices[surface.target(h)];
+  mesh = to_mesh_data(surface);
+  const auto several =
+    std::count_if(wedges.number.begin(), wedges.number.end(), [](std::size_t n) { return n > 1; });
+  if (from_file && several > 0)
+    report.warn(name + ": " + std::to_string(several) +
+                (several == 1 ? " vertex on creases has" : " vertices on creases have") +
+                " one normal in the file and need several, which are estimated");
 }
 
 } // namespace
@@ -135,7 +189,26 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
     point_away(mesh, option);
     break;
   }
-  for (Triple& n : mesh.normals) n = to_triple(normalized(to_vector(n)));
+  mesh.corner_normals.clear();
+  for (Triple& n : mesh.normals) n = to_triple(unit_normal(to_vector(n)));
+}
+
+void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+                         const std::string& name, Report& report)
+{
+  if (!creases.any()) return set_control_normals(mesh, option);
+  std::vector<Triple> corner_normals;
+  corner_normals.swap(mesh.corner_normals);
+  const bool from_file =
+    option.source == Source::file || (option.source == Source::automatic && mesh.has_normals());
+  const bool estimate_all = option.source == Source::estimate || !mesh.has_normals();
+  set_control_normals(mesh, option);
+  if (!mesh.has_normals()) return;
+  if (from_file && !corner_normals.empty()) {
+    mesh.corner_normals.swap(corner_normals);
+    normalize_corners(mesh, creases, name, report);
+  } else
+    estimate_between_creases(mesh, estimate_all, from_file, creases, name, report);
 }
 
 } // namespace pn_subdivide

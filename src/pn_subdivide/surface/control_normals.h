@@ -10,6 +10,8 @@
 #define PN_SUBDIVIDE_CONTROL_NORMALS_H
 
 #include "io/Mesh_data.h"
+#include "io/Report.h"
+#include "surface/creases.h"
 
 #include <string>
 
@@ -29,8 +31,15 @@ struct Normals_option
 Normals_option parse_normals_option(const std::string& text);
 
 // Sets, keeps or drops `mesh.normals`; all are unit vectors or zero afterwards. Throws Error if the
-// file was to give normals and has none. The mesh must be an oriented 2-manifold.
+// file was to give normals and has none. The mesh must be an oriented 2-manifold. Drops normals of
+// corners.
 void set_control_normals(Mesh_data& mesh, const Normals_option& option);
+
+// The same for a mesh with creases. Corners keep the normals that the file gives them, if it is asked
+// for normals. Otherwise corners have the normal of their vertex where it has one wedge, and elsewhere
+// an estimate; that estimates stand in the place of normals which the file gives to vertices is said.
+void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+                         const std::string& name, Report& report);
 
 } // namespace pn_subdivide
 

@@ -25,6 +25,15 @@ void refine_with_normals(Surface& surface, Normal_map normals, const Scheme& sch
 void refine_with_normal_scheme(Surface& surface, Normal_map normals, const Scheme& scheme,
                                const Scheme& normal_scheme, const Refinement& refinement);
 
+// The same with creases; the schemes must have rules for them. Normals are those of corners.
+void refine_linearly(Surface& surface, const Scheme& scheme, const Crease_maps& creases,
+                     const Refinement& refinement);
+void refine_with_normals(Surface& surface, Corner_normal_map normals, const Scheme& scheme,
+                         const Crease_maps& creases, const Refinement& refinement);
+void refine_with_normal_scheme(Surface& surface, Corner_normal_map normals, const Scheme& scheme,
+                               const Scheme& normal_scheme, const Crease_maps& creases,
+                               const Refinement& refinement);
+
 struct Round_visitor
 {
   template <class Round, class Number>

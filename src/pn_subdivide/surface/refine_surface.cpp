@@ -27,11 +27,31 @@ void require_threads(unsigned threads)
 #endif
 }
 
+namespace {
+
+void refine_with_creases(Surface& surface, const Scheme_choice& choice,
+                         const Refinement& refinement)
+{
+  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const Crease_maps& creases = *refinement.creases;
+  if (!normals_of(surface)) return refine_linearly(surface, scheme, creases, refinement);
+  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  if (!normals) normals = add_corner_normals(surface);
+  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
+    return refine_with_normal_scheme(surface, *normals, scheme,
+                                     make_scheme("--normal-scheme", *choice.normal_scheme, choice),
+                                     creases, refinement);
+  refine_with_normals(surface, *normals, scheme, creases, refinement);
+}
+
+} // namespace
+
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, refinement.threads);
 #endif
+  if (refinement.creases) return refine_with_creases(surface, choice, refinement);
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals) return refine_linearly(surface, scheme, refinement);

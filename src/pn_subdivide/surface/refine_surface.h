@@ -10,10 +10,12 @@
 #define PN_SUBDIVIDE_REFINE_SURFACE_H
 
 #include "surface/Surface.h"
+#include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace pn_subdivide {
 
@@ -21,6 +23,7 @@ struct Refinement
 {
   unsigned levels = 1;
   unsigned threads = 1;
+  std::optional<Crease_maps> creases;
   std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
 };
 
@@ -28,7 +31,8 @@ struct Refinement
 void require_threads(unsigned threads);
 
 // Refines with the scheme, point-normal if the mesh has normals, linear if not. Old vertices come
-// first in the result, in their order, but for Doo-Sabin. Passes on the library's exceptions.
+// first in the result, in their order, but for Doo-Sabin. With creases, which the schemes must have
+// rules for, the mesh has a normal per corner afterwards. Passes on the library's exceptions.
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement);
 
 } // namespace pn_subdivide

@@ -33,6 +33,7 @@ struct Plan
 {
   Mesh_file input, output;
   Normals_option normals;
+  Crease_plan creases;
   std::optional<Curvature_kind> curvature;
   std::optional<Verification> verification;
   unsigned threads;
@@ -69,10 +70,13 @@ Plan make_plan(const Surface_options& options)
   Plan plan{input_mesh_file(options.input, options.format),
             output_mesh_file(options.output, options.format),
             {},
+            {},
             std::nullopt,
             std::nullopt,
             1};
   require_consistent(options);
+  plan.creases = Crease_plan::make(options.creases);
+  plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
   if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);
   plan.threads = number_of_threads(options);
@@ -85,18 +89,18 @@ Plan make_plan(const Surface_options& options)
 }
 
 // How it came to its normals, for the closing line.
-std::string set_normals(Mesh_data& mesh, const Plan& plan, Report& report)
+std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& creases, Report& report)
 {
   using Source = Normals_option::Source;
   const Source source = plan.normals.source;
   const bool from_file =
     source == Source::file || (source == Source::automatic && mesh.has_normals());
-  if (from_file && mesh.vertices_with_several_normals > 0)
-    report.warn(plan.input.title("standard input") + ": " +
-                std::to_string(mesh.vertices_with_several_normals) +
+  const std::string input = plan.input.title("standard input");
+  if (from_file && mesh.vertices_with_several_normals > 0 && !creases.any())
+    report.warn(input + ": " + std::to_string(mesh.vertices_with_several_normals) +
                 (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
                 " several normals; their normalized sum is taken");
-  set_control_normals(mesh, plan.normals);
+  set_control_normals(mesh, plan.normals, creases, input, report);
   if (from_file) return "normals of the file";
   if (source == Source::none) return "no normals";
   const bool is_shape = source == Source::sphere || source == Source::cylinder;
@@ -156,22 +160,24 @@ void announce_long_work(Surface& surface, const Surface_options& options,
 
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
-             const Scheme_choice& scheme, Report& report)
+             const Scheme_choice& scheme, const Creases& creases, Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
   if (options.levels == 0 && !options.limit.is_used() && !plan.curvature && !must_split) return;
   Surface surface = make_surface(mesh);
   mesh = Mesh_data();
   announce_long_work(surface, options, scheme, report);
-  if (options.levels > 0)
-    refine_surface(surface, scheme, refinement(options, plan.threads, report));
+  Refinement rounds = refinement(options, plan.threads, report);
+  if (creases.any() || creases.border != Border::surface)
+    rounds.creases = add_creases(surface, creases);
+  if (options.levels > 0) refine_surface(surface, scheme, rounds);
   if (options.limit.is_used()) move_to_limits(surface, plan, options, scheme, report);
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
       report.progress("measuring the curvature at " + std::to_string(surface.number_of_vertices()) +
                       " vertices");
-    curvature = measure_curvature(surface, *plan.curvature, plan.threads);
+    curvature = measure_curvature(surface, rounds.creases, *plan.curvature, plan.threads);
   }
   if (must_split) split_for_output(surface, plan.output, report);
   mesh = to_mesh_data(surface);
@@ -195,15 +201,36 @@ void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Pl
   report.warn(plan.output.title("standard output") + text);
 }
 
+// Limits take the mesh as a smooth surface.
+void require_limit_without_creases(const Creases& creases, const Limit_choice& limit)
+{
+  if (!limit.is_used() || (!creases.any() && creases.border == Border::surface)) return;
+  const std::string option = limit.points ? "--limit" : "--surface-normals";
+  if (creases.any())
+    throw Error(option + ": limits of meshes with sharp edges are not known; leave it out, or take "
+                         "--sharp none");
+  throw Usage_error(option + ": limits are known with --border surface only");
+}
+
+void warn_of_lost_normals(const Mesh_data& mesh, const Plan& plan, Report& report)
+{
+  if (!mesh.has_corner_normals() || !holds_normals(plan.output) ||
+      holds_corner_normals(plan.output))
+    return;
+  report.warn(plan.output.title("standard output") +
+              ": vertices on creases have several normals, " + plan.output.format +
+              " files hold one, which is their normalized sum; .obj holds all");
+}
+
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                          const Scheme_choice& scheme, const std::string& normals,
-                         const Report& report)
+                         const Creases& creases, const Report& report)
 {
   const bool is_linear = !mesh.has_normals() || plan.normals.source == Normals_option::Source::none;
-  std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
-                  std::to_string(options.levels) +
-                  (options.levels == 1 ? " round of " : " rounds of ") +
-                  (is_linear ? "linear " : "") + scheme.scheme + ", " + normals;
+  std::string s =
+    plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
+    std::to_string(options.levels) + (options.levels == 1 ? " round of " : " rounds of ") +
+    (is_linear ? "linear " : "") + scheme.scheme + ", " + normals + creases.description();
   if (mesh.has_normals() && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
   char time[40];
@@ -221,14 +248,17 @@ void run_surface_command(const Surface_options& options)
   Mesh_data mesh;
   Scheme_choice scheme;
   std::string normals;
+  Creases creases;
   try {
     mesh = read_control_mesh(plan.input, options, report);
     scheme = chosen_scheme(mesh, options.scheme);
     if (options.levels > 0 || options.limit.is_used()) require_faces_for_scheme(mesh, scheme);
     require_limit_of_vertices(scheme.scheme, options.limit);
-    normals = set_normals(mesh, plan, report);
+    creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
+    require_limit_without_creases(creases, options.limit);
+    normals = set_normals(mesh, plan, creases, report);
     const Bounding_box control(mesh.points);
-    process(mesh, plan, options, scheme, report);
+    process(mesh, plan, options, scheme, creases, report);
     if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
     if (plan.verification) plan.verification->measure(mesh.points);
   } catch (const Usage_error&) {
@@ -242,8 +272,9 @@ void run_surface_command(const Surface_options& options)
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
+  warn_of_lost_normals(mesh, plan, report);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
-  report.note(closing_line(mesh, plan, options, scheme, normals, report));
+  report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
   report.print_warnings();
   if (plan.verification) plan.verification->require_tolerance();
   report.print_notes();

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "surface/Crease_options.h"
 #include "surface/Verify_options.h"
 #include "surface/limit_surface.h"
 #include "surface/surface_schemes.h"
@@ -27,6 +28,7 @@ struct Surface_options
   bool linear = false;
   std::optional<std::string> normals, curvature;
   unsigned threads = 1; // 0: all cores
+  Crease_options creases;
   Limit_choice limit;
   Verify_options verify;
   bool merge_points = false, repair = false, triangulate = false;

@@ -139,4 +139,22 @@ bool needs_triangles(const std::string& scheme)
     make_scheme("--scheme", scheme, {}));
 }
 
+std::string creasing_scheme_names()
+{
+  std::vector<std::string> names;
+  PN::for_each_shipped_scheme([&names](const auto& scheme) {
+    if (can_crease<std::decay_t<decltype(scheme)>>) names.push_back(scheme.name());
+  });
+  return enumeration(names, "and");
+}
+
+std::string scheme_without_creases(const Scheme_choice& choice)
+{
+  for (const std::string& name : {choice.scheme, choice.normal_scheme.value_or("")}) {
+    const auto can = [](const auto& s) { return can_crease<std::decay_t<decltype(s)>>; };
+    if (!name.empty() && !std::visit(can, make_scheme("--scheme", name, {}))) return name;
+  }
+  return {};
+}
+
 } // namespace pn_subdivide

@@ -15,6 +15,25 @@
 
 namespace pn_subdivide {
 
+namespace {
+
+// New half-edges are behind the old ones. Those that end at a corner of an old face lie between the
+// two old ones there.
+void give_normals_to_diagonals(const Surface& surface, Surface::size_type old_halfedges)
+{
+  const std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  if (!normals) return;
+  for (Surface::size_type i = 0; i < old_halfedges; ++i) {
+    const Surface::Halfedge_index h(i);
+    if (surface.is_border(h)) continue;
+    for (auto g = surface.opposite(surface.next(h)); g >= Surface::Halfedge_index(old_halfedges);
+         g = surface.opposite(surface.next(g)))
+      (*normals)[g] = (*normals)[h];
+  }
+}
+
+} // namespace
+
 std::size_t triangulate(Surface& surface)
 {
   std::size_t polygons = 0;
@@ -22,7 +41,9 @@ std::size_t triangulate(Surface& surface)
     if (surface.degree(f) > 3) ++polygons;
   if (polygons == 0) return 0;
 
+  const Surface::size_type old_halfedges = surface.number_of_halfedges();
   CGAL::Polygon_mesh_processing::triangulate_faces(surface);
+  give_normals_to_diagonals(surface, old_halfedges);
   for (const Surface::Face_index f : surface.faces())
     if (surface.degree(f) > 3)
       throw Error("face " + std::to_string(std::size_t(f)) + " with " +

@@ -9,6 +9,7 @@
 #include "surface/vertex_curvature.h"
 
 #include "io/Error.h"
+#include "surface/Wedges.h"
 #include "surface/diverging_colors.h"
 
 #if __has_include(<Eigen/Core>)
@@ -53,6 +54,63 @@ double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
   return least > 0 && std::isfinite(least) ? least : 1;
 }
 
+Curvature_values measure(Surface& surface, Curvature_kind kind, unsigned threads)
+{
+  Curvature_values result;
+#if __has_include(<Eigen/Core>)
+#  ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#  else
+  (void)threads;
+#  endif
+  using Curvature = PN::Vertex_curvature<Kernel>;
+  const auto curvatures =
+    surface.add_property_map<Surface::Vertex_index, Curvature>("v:curvature").first;
+  PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, curvatures);
+  result.values.reserve(surface.number_of_vertices());
+  for (const Surface::Vertex_index v : surface.vertices()) {
+    const Curvature& c = curvatures[v];
+    result.values.push_back(kind == Curvature_kind::gaussian ? c.gaussian : c.mean);
+    if (!c.is_estimated) ++result.without_estimate;
+  }
+#else
+  (void)surface;
+  (void)kind;
+  (void)threads;
+#endif
+  return result;
+}
+
+// Each wedge has a vertex of its own.
+Surface cut_between(const Surface& surface, const Wedges& wedges)
+{
+  Mesh_data mesh;
+  for (const Surface::Vertex_index v : wedges.vertex)
+    mesh.points.push_back(to_triple(surface.point(v)));
+  std::vector<std::size_t> face;
+  for (const Surface::Face_index f : surface.faces()) {
+    face.clear();
+    for (const auto h : halfedges_around_face(surface.halfedge(f), surface))
+      face.push_back(wedges.of_corner[h]);
+    mesh.add_face(face);
+  }
+  return make_surface(mesh);
+}
+
+Curvature_values means_of_wedges(const Curvature_values& of_wedges, const Wedges& wedges)
+{
+  Curvature_values result;
+  result.values.assign(wedges.number.size(), 0.);
+  result.without_estimate = of_wedges.without_estimate;
+  for (std::size_t w = 0; w < wedges.vertex.size(); ++w) {
+    const std::size_t v = wedges.vertex[w];
+    result.values[v] += of_wedges.values[w] / double(wedges.number[v]);
+  }
+  result.without_estimate +=
+    std::size_t(std::count(wedges.number.begin(), wedges.number.end(), std::size_t(0)));
+  return result;
+}
+
 } // namespace
 
 Curvature_kind parse_curvature_option(const std::string& text, const Mesh_file& output)
@@ -78,31 +136,13 @@ std::string Curvature_range::description(Curvature_kind kind) const
          " vertices allow no estimate (too few neighbors, no area or out of range) and get 0";
 }
 
-Curvature_values measure_curvature(Surface& surface, Curvature_kind kind, unsigned threads)
+Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_maps>& creases,
+                                   Curvature_kind kind, unsigned threads)
 {
-  Curvature_values result;
-#if __has_include(<Eigen/Core>)
-#  ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-#  else
-  (void)threads;
-#  endif
-  using Curvature = PN::Vertex_curvature<Kernel>;
-  const auto curvatures =
-    surface.add_property_map<Surface::Vertex_index, Curvature>("v:curvature").first;
-  PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, curvatures);
-  result.values.reserve(surface.number_of_vertices());
-  for (const Surface::Vertex_index v : surface.vertices()) {
-    const Curvature& c = curvatures[v];
-    result.values.push_back(kind == Curvature_kind::gaussian ? c.gaussian : c.mean);
-    if (!c.is_estimated) ++result.without_estimate;
-  }
-#else
-  (void)surface;
-  (void)kind;
-  (void)threads;
-#endif
-  return result;
+  if (!creases) return measure(surface, kind, threads);
+  const Wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
+  Surface cut = cut_between(surface, wedges);
+  return means_of_wedges(measure(cut, kind, threads), wedges);
 }
 
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature)

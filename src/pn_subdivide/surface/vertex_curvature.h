@@ -11,8 +11,10 @@
 
 #include "io/mesh_io.h"
 #include "surface/Surface.h"
+#include "surface/creases.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace pn_subdivide {
@@ -39,7 +41,9 @@ struct Curvature_values
   std::vector<double> values;
   std::size_t without_estimate = 0;
 };
-Curvature_values measure_curvature(Surface& surface, Curvature_kind kind, unsigned threads);
+// Across creases nothing is measured: vertices with several wedges have the mean of their curvatures.
+Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_maps>& creases,
+                                   Curvature_kind kind, unsigned threads);
 
 // Gives the vertices the values and colors for them.
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature);

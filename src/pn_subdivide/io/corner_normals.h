@@ -1,0 +1,51 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_CORNER_NORMALS_H
+#define PN_SUBDIVIDE_CORNER_NORMALS_H
+
+#include "io/Mesh_data.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace pn_subdivide {
+
+inline Triple normalized(const Triple& n)
+{
+  const double length = std::hypot(n[0], n[1], n[2]);
+  if (!(length > 0)) return {0, 0, 0};
+  return {n[0] / length, n[1] / length, n[2] / length};
+}
+
+// By more than 0.1 degrees, which is more than files are rounded?
+inline bool directions_differ(const Triple& m, const Triple& n)
+{
+  const Triple a = normalized(m), b = normalized(n);
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > 0.0017;
+}
+
+// The normals of a mesh with a normal per corner, where equal ones at the same vertex count once.
+struct Different_normals
+{
+  explicit Different_normals(const Mesh_data& mesh);
+
+  std::vector<Triple> normals;          // in the order of the first corners that have them
+  std::vector<Mesh_data::Index> vertex; // of each
+  std::vector<std::size_t> of_corner;   // which of them each corner has
+};
+
+// From the normals of its corners. At vertices where they are the same it is this normal, elsewhere
+// the normalized sum of the different ones; vertices without faces keep theirs. Drops the normals of
+// the corners if they are the same at every vertex.
+void set_vertex_normals(Mesh_data& mesh);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_CORNER_NORMALS_H

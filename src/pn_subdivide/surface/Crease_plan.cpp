@@ -1,0 +1,100 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/Crease_plan.h"
+
+#include "io/Error.h"
+#include "io/parse_numbers.h"
+
+#include <cstdlib>
+
+namespace pn_subdivide {
+namespace {
+
+using Source = Crease_plan::Source;
+
+double parse_angle(const std::string& text)
+{
+  const double degrees = parse_numbers(text, 1, "--sharp angle:DEG")[0];
+  if (!(degrees >= 0 && degrees <= 180))
+    throw Usage_error("--sharp angle:" + text + ": the angle must be between 0 and 180 degrees");
+  return degrees;
+}
+
+double parse_sharpness(const std::string& text)
+{
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  const double s = parse_numbers(text, 1, "--sharpness")[0];
+  if (s < 0) throw Usage_error("--sharpness " + text + ": it must not be negative");
+  return s;
+}
+
+Border parse_border(const std::string& text)
+{
+  if (text == "surface") return Border::surface;
+  if (text == "curve") return Border::curve;
+  if (text == "corners") return Border::corners;
+  if (text == "fixed") return Border::fixed;
+  throw Usage_error("--border '" + text + "': expected surface, curve, corners or fixed");
+}
+
+void parse_sharp(const std::string& text, Crease_plan& plan)
+{
+  if (text == "auto")
+    plan.source = Source::automatic;
+  else if (text == "none")
+    plan.source = Source::none;
+  else if (text == "file")
+    plan.source = Source::normals;
+  else if (split_at_colon(text).first == "angle") {
+    plan.source = Source::angle;
+    plan.degrees = parse_angle(split_at_colon(text).second);
+  } else {
+    if (text.empty() || text == "-")
+      throw Usage_error("--sharp '" + text +
+                        "': expected auto, none, file, angle:DEG or the name of a selection file");
+    plan.source = Source::selection;
+    plan.file = text;
+    try {
+      plan.selection = read_selection(text);
+    } catch (const Error& e) {
+      throw Error(std::string("--sharp ") + e.what());
+    }
+  }
+}
+
+} // namespace
+
+Crease_plan Crease_plan::make(const Crease_options& options)
+{
+  Crease_plan plan;
+  if (options.border) plan.border = parse_border(*options.border);
+  if (options.sharpness) plan.sharpness = parse_sharpness(*options.sharpness);
+  plan.has_sharpness = options.sharpness.has_value();
+  if (options.sharp) parse_sharp(*options.sharp, plan);
+  if (plan.has_sharpness && plan.source == Source::none)
+    throw Usage_error("--sharpness and --sharp none exclude each other: no edge is sharp");
+  return plan;
+}
+
+void Crease_plan::require_schemes(const Crease_options& options, const Scheme_choice& choice) const
+{
+  std::string option;
+  if (source != Source::automatic && source != Source::none)
+    option = "--sharp " + *options.sharp;
+  else if (has_sharpness)
+    option = "--sharpness " + *options.sharpness;
+  else if (border != Border::surface)
+    option = "--border " + *options.border;
+  const std::string without = scheme_without_creases(choice);
+  if (!option.empty() && !without.empty())
+    throw Usage_error(option + ": " + without + " has no rules for creases; " +
+                      creasing_scheme_names() + " have");
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,586 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Creases of the command: --sharp, --sharpness, --border, selections, and normals of corners.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Real = long double;
+using Vec = std::array<Real, 3>;
+
+Real dot(const Vec& a, const Vec& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Vec sum(const Vec& a, const Vec& b, Real t = 1)
+{
+  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
+}
+Real length(const Vec& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+// plane, cylinder or sphere as the files of parts describe it
+struct Shape
+{
+  std::string name, kind;
+  Vec c{}, d{};
+  Real r = 0;
+
+  // from the surface, in the direction in which its normals are
+  Vec away(const Vec& p) const
+  {
+    const Vec v = sum(p, c, -1);
+    if (kind == "sphere") return v;
+    if (kind == "plane") return d;
+    return sum(v, d, -dot(v, d) / dot(d, d));
+  }
+  Real distance(const Vec& p) const
+  {
+    if (kind == "plane") return std::abs(dot(sum(p, c, -1), d)) / length(d);
+    return std::abs(length(away(p)) - r);
+  }
+  // of normals, which may point inwards
+  Real error(const Vec& p, const Vec& n) const
+  {
+    Vec m = away(p);
+    const Real size = length(m) * (dot(m, n) < 0 ? -1 : 1);
+    for (Real& x : m) x /= size;
+    return length(sum(n, m, -1));
+  }
+};
+
+// read with nothing of the package
+struct Obj
+{
+  std::vector<Vec> points, normals;
+  std::vector<std::vector<std::array<std::size_t, 2>>> faces; // (vertex, normal)
+  std::vector<std::size_t> groups;                            // of faces
+  std::vector<Shape> shapes;
+
+  explicit Obj(const std::string& file)
+  {
+    std::ifstream in(file);
+    std::size_t group = 0;
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      words >> keyword;
+      Vec p{};
+      if (keyword == "#") read_shape(words);
+      if (keyword == "v" || keyword == "vn") {
+        words >> p[0] >> p[1] >> p[2];
+        (keyword == "v" ? points : normals).push_back(p);
+      }
+      if (keyword == "g") {
+        std::string name;
+        words >> name;
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+          if (shapes[i].name == name) group = i;
+      }
+      if (keyword != "f") continue;
+      faces.emplace_back();
+      groups.push_back(group);
+      for (std::string word; words >> word;) {
+        const std::size_t slashes = word.find("//");
+        faces.back().push_back(
+          {std::stoul(word) - 1,
+           slashes == std::string::npos ? 0 : std::stoul(word.substr(slashes + 2)) - 1});
+      }
+    }
+  }
+
+  void read_shape(std::istringstream& words)
+  {
+    Shape s;
+    std::string group, is, text;
+    words >> group >> s.name >> is >> text;
+    if (group != "group") return;
+    s.kind = text.substr(0, text.find(':'));
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::istringstream numbers(text.substr(s.kind.size() + 1));
+    numbers >> s.c[0] >> s.c[1] >> s.c[2];
+    if (s.kind != "sphere") numbers >> s.d[0] >> s.d[1] >> s.d[2];
+    if (s.kind != "plane") numbers >> s.r;
+    shapes.push_back(s);
+  }
+
+  Real greatest_coordinate() const
+  {
+    Real greatest = 0;
+    for (const Vec& p : points)
+      for (const Real x : p) greatest = (std::max)(greatest, std::abs(x));
+    return greatest;
+  }
+};
+
+// The first child of a face keeps its number, the others are behind all old faces, face by face.
+std::vector<std::size_t> refined_groups(const Obj& control, int rounds)
+{
+  std::vector<std::size_t> groups = control.groups;
+  for (int k = 0; k < rounds; ++k)
+    for (std::size_t f = 0, n = groups.size(); f < n; ++f)
+      groups.insert(groups.end(), (k == 0 ? control.faces[f].size() : 4) - 1, groups[f]);
+  return groups;
+}
+
+const Real epsilon = std::numeric_limits<double>::epsilon();
+
+std::string part(const std::string& name)
+{
+  return PN_DATA_DIR "/parts/" + name;
+}
+
+const char* const parts[] = {
+  "capped_cylinder", "half_ball",        "lens",           "washer", "bolt", "d_section",
+  "bracket",         "plate_with_holes", "bearing_housing"};
+
+const std::string cube_obj = // from -1 to 1, a normal per face
+  "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+  "vn -1 0 0\nvn 1 0 0\nvn 0 -1 0\nvn 0 1 0\nvn 0 0 -1\nvn 0 0 1\n"
+  "f 1//1 5//1 7//1 3//1\nf 2//2 4//2 8//2 6//2\nf 1//3 2//3 6//3 5//3\n"
+  "f 3//4 7//4 8//4 4//4\nf 1//5 3//5 4//5 2//5\nf 5//6 6//6 8//6 7//6\n";
+
+// a prism without normals; its sides are those of the unit cylinder
+std::string prism_off()
+{
+  const double angles[] = {0, 11, 29, 40, 55, 72, 84};
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n14 9 0\n";
+  for (const int z : {0, 2})
+    for (const double a : angles)
+      off << std::cos(a * std::acos(-1.) / 50) << ' ' << std::sin(a * std::acos(-1.) / 50) << ' '
+          << z << '\n';
+  off << "7 6 5 4 3 2 1 0\n7 7 8 9 10 11 12 13\n";
+  for (int i = 0; i < 7; ++i)
+    off << "4 " << i << ' ' << (i + 1) % 7 << ' ' << 7 + (i + 1) % 7 << ' ' << 7 + i << '\n';
+  return off.str();
+}
+
+class Pn_subdivide_creases : public Command_test
+{
+protected:
+  Outcome surface(const std::string& input, const std::string& output,
+                  const std::string& options) const
+  {
+    return run("surface '" + input + "' '" + output + "' " + options);
+  }
+
+  // Runs the command, which must succeed; the result's path.
+  std::string refine(const std::string& input, const std::string& options,
+                     const std::string& name = "result.obj") const
+  {
+    const std::string output = folder.file(name);
+    const Outcome outcome = surface(input, output, options + " --quiet");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return output;
+  }
+  std::string warnings(const std::string& input, const std::string& options,
+                       const std::string& name = "result.obj") const
+  {
+    const Outcome outcome = surface(input, folder.file(name), options + " --quiet");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err;
+  }
+  std::string content(const std::string& file) const { return Temporary_folder::content(file); }
+
+  void expect_refusal(const std::string& input, const std::string& options, int code,
+                      const std::string& what) const
+  {
+    expect_one_line(surface(input, folder.file("no.obj"), options), code, what);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("no.obj")));
+  }
+  void expect_part(const std::string& line, const std::string& what) const
+  {
+    EXPECT_NE(line.find(what), std::string::npos) << line << "lacks: " << what;
+  }
+};
+
+// The greatest deviations of points and of normals from the shapes of the faces, in units of 2^-52:
+// points relative to the greatest coordinate or the radius. Normals are compared with those at the
+// points as they are, which turn them by the error of the points over the radius.
+struct Errors
+{
+  Real points = 0, normals = 0;
+};
+Errors errors(const Obj& control, const Obj& refined, const std::vector<std::size_t>& groups)
+{
+  Errors e;
+  const Real size = control.greatest_coordinate();
+  EXPECT_EQ(refined.faces.size(), groups.size());
+  for (std::size_t f = 0; f < groups.size(); ++f)
+    for (const auto& [v, n] : refined.faces[f]) {
+      const Shape& shape = control.shapes[groups[f]];
+      const Vec& p = refined.points[v];
+      e.points = (std::max)(e.points, shape.distance(p) / epsilon / (std::max)(size, shape.r));
+      if (!refined.normals.empty())
+        e.normals = (std::max)(e.normals,
+                               shape.error(p, refined.normals[n]) / epsilon /
+                                 (shape.kind == "plane" ? 1 : (std::max)(size / shape.r, Real(1))));
+    }
+  return e;
+}
+
+TEST_F(Pn_subdivide_creases, PartsKeepTheirPlanesCylindersAndSpheres)
+{
+  for (const std::string name : parts) {
+    const std::string input = part(name + ".obj");
+    const Obj control(input);
+    const std::vector<std::size_t> groups = refined_groups(control, 4);
+    const std::string options =
+      "--scheme catmull-clark --levels 4 --sharp '" + part(name + ".selection.txt") + "'";
+    const Errors pn = errors(control, Obj(refine(input, options)), groups);
+    EXPECT_LE(pn.points, 8) << name;
+    EXPECT_LE(pn.normals, 8) << name;
+    const Errors linear = errors(control, Obj(refine(input, options + " --linear")), groups);
+    EXPECT_GE(linear.points * epsilon, 1e-3) << name;
+  }
+}
+
+TEST_F(Pn_subdivide_creases, TrianglesOfPartsKeepTheNormalsOfTheirCorners)
+{
+  for (const std::string name : {"capped_cylinder", "lens", "plate_with_holes"}) {
+    const Obj control(part(name + ".obj"));
+    const Obj refined(refine(part(name + ".obj"), "--triangulate --levels 3"));
+    const Real size = control.greatest_coordinate();
+    for (const auto& face : refined.faces) {
+      EXPECT_EQ(face.size(), 3u);
+      const auto fits = [&](const Shape& s) {
+        return std::all_of(face.begin(), face.end(), [&](const auto& corner) {
+          const Vec& p = refined.points[corner[0]];
+          return s.distance(p) <= 8 * epsilon * (std::max)(size, s.r) &&
+                 s.error(p, refined.normals[corner[1]]) <= 8 * epsilon;
+        });
+      };
+      EXPECT_TRUE(std::any_of(control.shapes.begin(), control.shapes.end(), fits)) << name;
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_creases, NormalsOfTheFileAnglesAndSelectionsFindTheSameCreases)
+{
+  const std::string input = part("capped_cylinder.obj");
+  const std::string expected = content(refine(input, "--levels 2"));
+  for (const std::string& sharp : {std::string("auto"), std::string("file"),
+                                   std::string("angle:75"), part("capped_cylinder.selection.txt")})
+    EXPECT_EQ(content(refine(input, "--levels 2 --sharp '" + sharp + "'")), expected) << sharp;
+  expect_part(surface(input, folder.file("result.obj"), "").err, "14 sharp edges");
+  // tangent surfaces have the same normals along their edge
+  const std::string bracket = part("bracket.obj");
+  EXPECT_NE(content(refine(bracket, "--sharp file")),
+            content(refine(bracket, "--sharp '" + part("bracket.selection.txt") + "'")));
+}
+
+TEST_F(Pn_subdivide_creases, PrismsNeedPointsAndAnAngleOnly)
+{
+  const std::string input = folder.write("prism.off", prism_off());
+  const Obj refined(refine(input, "--levels 4 --sharp angle:75"));
+  Shape side;
+  side.kind = "cylinder";
+  side.d = {0, 0, 1};
+  side.r = 1;
+  for (const auto& face : refined.faces)
+    for (const auto& [v, n] : face) {
+      const Vec &p = refined.points[v], &normal = refined.normals[n];
+      if (std::abs(normal[2]) > 0.5) {
+        EXPECT_TRUE(p[2] == 0 || p[2] == 2);
+        EXPECT_LE(length(sum(normal, {0, 0, p[2] - 1}, -1)), 8 * epsilon);
+      } else {
+        EXPECT_LE(side.distance(p), 16 * epsilon); // 8 of the size, which is 2
+        EXPECT_LE(side.error(p, normal), 8 * epsilon);
+      }
+    }
+}
+
+TEST_F(Pn_subdivide_creases, NoneSumsTheNormals)
+{
+  const std::string input = part("washer.obj");
+  expect_part(warnings(input, "--sharp none --levels 0", "sums.ply"),
+              "32 vertices have several normals; their normalized sum is taken");
+  const std::string sums = folder.file("sums.ply");
+  EXPECT_EQ(content(refine(input, "--sharp none --levels 2", "a.ply")),
+            content(refine(sums, "--levels 2", "b.ply")));
+  EXPECT_EQ(content(refine(input, "--sharp none --levels 2 --linear", "a.ply")),
+            content(refine(sums, "--levels 2 --linear", "b.ply")));
+}
+
+TEST_F(Pn_subdivide_creases, FlatShadedFilesHaveCreasesOnlyIfAskedFor)
+{
+  const std::string input = folder.write("cube.obj", cube_obj);
+  const std::string said = warnings(input, "--levels 2");
+  expect_part(said, "flat shading");
+  expect_part(said, "--sharp file");
+  expect_part(said, "8 vertices have several normals");
+  EXPECT_EQ(content(folder.file("result.obj")), content(refine(input, "--levels 2 --sharp none")));
+
+  EXPECT_EQ(warnings(input, "--levels 3 --sharp file"), "");
+  const Obj cube(folder.file("result.obj"));
+  for (const auto& face : cube.faces)
+    for (const auto& [v, n] : face) EXPECT_EQ(dot(cube.points[v], cube.normals[n]), 1);
+  EXPECT_EQ(cube.normals.size(), 6u * 81);
+  expect_part(surface(input, folder.file("result.obj"), "--sharp file").err,
+              "normals of the file, 12 sharp edges,");
+}
+
+TEST_F(Pn_subdivide_creases, NoRoundsCopyTheNormalsOfCorners)
+{
+  for (const std::string name : {"capped_cylinder", "bolt"}) {
+    const Obj before(part(name + ".obj")), after(refine(part(name + ".obj"), "--levels 0"));
+    EXPECT_EQ(before.points, after.points);
+    ASSERT_EQ(before.faces.size(), after.faces.size());
+    for (std::size_t f = 0; f < before.faces.size(); ++f)
+      for (std::size_t i = 0; i < before.faces[f].size(); ++i) {
+        EXPECT_EQ(before.faces[f][i][0], after.faces[f][i][0]);
+        EXPECT_EQ(before.normals[before.faces[f][i][1]], after.normals[after.faces[f][i][1]]);
+      }
+  }
+}
+
+TEST_F(Pn_subdivide_creases, SharpnessIsTheNumberOfSharpRounds)
+{
+  const std::string cube = PN_DATA_DIR "/cube.off";
+  const std::string sharp = "--linear --sharp angle:45 ";
+  const std::string one = refine(cube, sharp + "--levels 1", "one.off");
+  EXPECT_EQ(content(refine(cube, sharp + "--levels 1 --sharpness 1", "a.off")), content(one));
+  EXPECT_EQ(content(refine(cube, sharp + "--levels 1 --sharpness inf", "a.off")), content(one));
+  // edges have other numbers in the file between the rounds, and so have vertices after the second
+  const auto points = [](const std::string& obj) {
+    std::vector<std::array<double, 3>> result;
+    for (const Vec& p : Obj(obj).points) {
+      result.emplace_back();
+      for (int i = 0; i < 3; ++i)
+        result.back()[std::size_t(i)] = std::round(double(p[std::size_t(i)]) * 1e12);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto expected = points(refine(one, "--linear --levels 1"));
+  EXPECT_EQ(points(refine(cube, sharp + "--levels 2 --sharpness 1")), expected);
+  EXPECT_NE(points(refine(cube, sharp + "--levels 2 --sharpness 1.5")), expected);
+  EXPECT_NE(points(refine(cube, sharp + "--levels 2")), expected);
+  expect_part(surface(cube, folder.file("a.off"), sharp + "--sharpness 2.5").err,
+              "12 sharp edges of sharpness 2.5");
+  EXPECT_EQ(warnings(cube, sharp + "--sharpness 0", "a.off"),
+            "warning: " + cube + ": no edge is sharp\n");
+}
+
+// a hexagon in the plane
+TEST_F(Pn_subdivide_creases, Borders)
+{
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n6 1 0\n";
+  for (int i = 0; i < 6; ++i)
+    off << std::cos(i * std::acos(-1.) / 3) << ' ' << std::sin(i * std::acos(-1.) / 3) << " 0\n";
+  const std::string input = folder.write("hexagon.off", off.str() + "6 0 1 2 3 4 5\n");
+  const auto border =
+    [&](const std::string& rule) { // of the result: the points with one face or two
+      const Obj refined(refine(input, "--levels 3 --border " + rule));
+      std::map<std::size_t, int> faces;
+      for (const auto& face : refined.faces)
+        for (const auto& corner : face) ++faces[corner[0]];
+      std::vector<Vec> points;
+      for (const auto& [v, number] : faces)
+        if (number <= 2) points.push_back(refined.points[v]);
+      EXPECT_EQ(points.size(), 48u);
+      return points;
+    };
+  const auto farthest = [](const std::vector<Vec>& points) {
+    Real d = 0;
+    for (const Vec& p : points) d = (std::max)(d, std::abs(length(p) - 1));
+    return d;
+  };
+  EXPECT_LE(farthest(border("curve")), 8 * epsilon);
+  EXPECT_GE(farthest(border("surface")), 0.05);
+  EXPECT_EQ(border("surface"), border("surface --sharp none"));
+  for (const char* rule : {"corners", "fixed"}) { // the hexagon stays
+    Real least = 1;
+    for (const Vec& p : border(rule)) {
+      Real support = 0;
+      for (int i = 0; i < 6; ++i)
+        support = (std::max)(support, p[0] * std::cos((i + 0.5L) * std::acos(-1.L) / 3) +
+                                        p[1] * std::sin((i + 0.5L) * std::acos(-1.L) / 3));
+      EXPECT_NEAR(double(support), std::sqrt(0.75), 1e-15) << rule;
+      least = (std::min)(least, length(p));
+    }
+    EXPECT_NEAR(double(least), std::sqrt(0.75), 1e-15) << rule;
+  }
+  expect_part(surface(input, folder.file("a.off"), "--border fixed").err, "the border fixed");
+  EXPECT_EQ(warnings(PN_DATA_DIR "/cube.off", "--border curve"),
+            "warning: " PN_DATA_DIR "/cube.off: there is no border for --border\n");
+}
+
+TEST_F(Pn_subdivide_creases, SelectionsNumberTheVerticesOfTheFile)
+{
+  // every face has vertices of its own; those of the first edge have the numbers 1 and 2
+  std::string off = "OFF\n24 6 0\n";
+  const int ends[] = {-1, 1};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int end : ends)
+      for (const auto& [a, b] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+        int p[3];
+        p[axis] = end;
+        p[(axis + 1) % 3] = end > 0 ? a : b;
+        p[(axis + 2) % 3] = end > 0 ? b : a;
+        for (const int x : p) off += std::to_string(x) + " ";
+        off += "\n";
+      }
+  for (int f = 0; f < 6; ++f) {
+    off += "4";
+    for (int i = 0; i < 4; ++i) off += " " + std::to_string(4 * f + i);
+    off += "\n";
+  }
+  const std::string input = folder.write("cube24.off", off);
+  const std::string selection = folder.write("a.selection.txt", "\n\n21 22\n");
+  const Outcome outcome =
+    surface(input, folder.file("a.off"), "--merge-points --sharp '" + selection + "'");
+  expect_part(outcome.err, ", 1 sharp edge,");
+  // its middle is the only edge point of a crease: it stays on the edge's line
+  const std::string refined =
+    refine(input, "--linear --merge-points --sharp '" + selection + "'", "a.obj");
+  int on_edges = 0;
+  for (const Vec& p : Obj(refined).points)
+    on_edges += std::count_if(p.begin(), p.end(), [](Real x) { return std::abs(x) == 1; }) >= 2;
+  EXPECT_EQ(on_edges, 1);
+
+  const std::string cube = PN_DATA_DIR "/cube.off";
+  const std::string corner = folder.write("b.selection.txt", "0 3 \n \n\n");
+  expect_part(surface(cube, folder.file("a.off"), "--sharp '" + corner + "'").err, ", 2 corners,");
+  expect_part(warnings(cube, "--sharp '" + folder.write("c.selection.txt", "\n0 1\n0 1\n") + "'"),
+              "c.selection.txt: the faces of the selection take no part");
+}
+
+TEST_F(Pn_subdivide_creases, RepairedFilesKeepTheNormalsOfCorners)
+{
+  std::string reversed = cube_obj;
+  const std::string face = "f 5//6 6//6 8//6 7//6";
+  reversed.replace(reversed.find(face), face.size(), "f 7//6 8//6 6//6 5//6");
+  reversed += "f 5//6 6//6 8//6 7//6\nf 1//3 2//3 2//3\n";
+  const std::string options = "--levels 2 --repair --sharp file";
+  const Obj cube(refine(folder.write("reversed.obj", reversed), options));
+  for (const auto& f : cube.faces)
+    for (const auto& [v, n] : f) EXPECT_EQ(dot(cube.points[v], cube.normals[n]), 1);
+  EXPECT_EQ(cube.faces.size(), 6u * 16);
+}
+
+TEST_F(Pn_subdivide_creases, WhatIsLostIsSaid)
+{
+  const std::string washer = part("washer.obj");
+  for (const std::string format : {"ply", "off", "vtp"})
+    expect_part(warnings(washer, "", "result." + format), "result." + format +
+                                                            ": vertices on creases have several "
+                                                            "normals, " +
+                                                            format);
+  EXPECT_EQ(warnings(washer, "").find("several normals"), std::string::npos);
+  // normals of vertices
+  const std::string ply = refine(washer, "--levels 0 --sharp none", "washer.ply");
+  expect_part(warnings(ply, "--sharp angle:80"),
+              "32 vertices on creases have one normal in the file and need several");
+  // of corners that no crease separates: the outline is smooth at 45 degrees
+  expect_part(warnings(washer, "--sharp '" + folder.write("a.selection.txt", "\n\n0 1\n") + "'"),
+              "several normals that no crease separates");
+  EXPECT_EQ(warnings(PN_DATA_DIR "/cube.off", "--sharp angle:100"),
+            "warning: " PN_DATA_DIR "/cube.off: no edge is sharp\n");
+}
+
+TEST_F(Pn_subdivide_creases, CurvatureIsNotMeasuredAcrossCreases)
+{
+  const std::string input = folder.write("cube.obj", cube_obj);
+  const std::string output =
+    refine(input, "--levels 2 --sharp file --curvature gaussian --ascii", "k.ply");
+  std::istringstream in(content(output));
+  std::string line;
+  while (std::getline(in, line) && line != "end_header") {
+  }
+  for (int v = 0; v < 98; ++v) {
+    double x[7] = {};
+    for (double& value : x) in >> value;
+    std::getline(in, line);
+    EXPECT_NEAR(x[6], 0, 1e-12);
+  }
+}
+
+TEST_F(Pn_subdivide_creases, SchemesWithoutCreases)
+{
+  const std::string washer = part("washer.obj");
+  const std::string said = warnings(washer, "--scheme kobbelt");
+  expect_part(said, "32 vertices have several normals; their normalized sum is taken");
+  expect_refusal(washer, "--scheme kobbelt --sharp file", 2,
+                 "--sharp file: kobbelt has no rules for creases");
+  expect_refusal(washer, "--scheme doo-sabin --sharp angle:40", 2, "doo-sabin has no rules");
+  expect_refusal(washer, "--scheme sqrt3 --border curve", 2, "--border curve: sqrt3 has no rules");
+  expect_refusal(washer, "--scheme butterfly --sharpness 2", 2, "--sharpness 2: butterfly");
+  expect_refusal(washer, "--scheme catmull-clark --normal-scheme kobbelt --border fixed", 2,
+                 "kobbelt has no rules");
+  EXPECT_EQ(surface(washer, folder.file("a.obj"), "--scheme kobbelt --sharp none").code, 0);
+}
+
+TEST_F(Pn_subdivide_creases, WrongOptionsAreRefused)
+{
+  const std::string cube = PN_DATA_DIR "/cube.off";
+  const struct
+  {
+    const char *options, *what;
+  } wrong[] = {{"--sharp angle:181", "between 0 and 180"},
+               {"--sharp angle:-1", "between 0 and 180"},
+               {"--sharp angle:x", "'x' is not a number"},
+               {"--sharp angle", "is not a number"},
+               {"--sharp ''", "selection file"},
+               {"--sharp -", "selection file"},
+               {"--sharpness -1", "must not be negative"},
+               {"--sharpness nan", "is not a number"},
+               {"--sharpness x", "is not a number"},
+               {"--sharpness 2 --sharp none", "exclude each other"},
+               {"--border round", "expected surface, curve, corners or fixed"}};
+  for (const auto& w : wrong) expect_refusal(cube, w.options, 2, w.what);
+  expect_refusal(cube, "--sharp file", 1, "the file has no normals");
+}
+
+TEST_F(Pn_subdivide_creases, SelectionsThatDoNotFitAreRefused)
+{
+  const std::string cube = PN_DATA_DIR "/cube.off";
+  const struct
+  {
+    const char *selection, *what;
+  } wrong[] = {{"8\n\n\n", "a.selection.txt: vertex 8 is out of range, the mesh has 8 vertices"},
+               {"\n\n0 9\n", "vertex 9 is out of range"},
+               {"\n\n0 0\n", "no edge between the vertices 0 and 0"},
+               {"\n\n0 1 2\n", "line 3: edges are pairs of vertex numbers, and there are 3"},
+               {"0 x\n", "line 1: 'x' stands where a vertex number is expected"},
+               {"\n1.5\n", "line 2: '1.5' stands where a face number is expected"},
+               {"-1\n", "line 1: a vertex number is negative"},
+               {"99999999999999999999\n", "stands where a vertex number is expected"},
+               {"0\n\n0 1\n2 3\n", "line 4: a selection has three lines only"},
+               {"", "the file is empty"}};
+  for (const auto& w : wrong)
+    expect_refusal(cube, "--sharp '" + folder.write("a.selection.txt", w.selection) + "'", 1,
+                   w.what);
+  expect_refusal(cube, "--sharp '" + folder.file("missing.selection.txt") + "'", 1,
+                 "missing.selection.txt: cannot be opened");
+  expect_refusal(cube, "--sharp '" + folder.file("") + "'", 1, "this is a directory");
+}
+
+} // namespace
