@@ -113,9 +113,12 @@ if(TARGET test_PN_mask_3_custom)
   pn_unpack_cgal_examples(test_PN_mask_3_custom)
 endif()
 
-find_package(OpenSubdiv CONFIG QUIET)
-if(TARGET OpenSubdiv::osdCPU AND TARGET test_creases_opensubdiv)
-  target_link_libraries(test_creases_opensubdiv PRIVATE OpenSubdiv::osdCPU)
+# not by find_package(): Debian's OpenSubdivConfig.cmake names a static library that is not in its package
+find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/far/topologyRefiner.h)
+find_library(OPENSUBDIV_CPU_LIBRARY osdCPU)
+if(OPENSUBDIV_INCLUDE_DIR AND OPENSUBDIV_CPU_LIBRARY AND TARGET test_creases_opensubdiv)
+  target_include_directories(test_creases_opensubdiv SYSTEM PRIVATE ${OPENSUBDIV_INCLUDE_DIR})
+  target_link_libraries(test_creases_opensubdiv PRIVATE ${OPENSUBDIV_CPU_LIBRARY})
   target_compile_definitions(test_creases_opensubdiv PRIVATE PN_TEST_WITH_OPENSUBDIV)
 else()
   message(STATUS "PN_subdivision_3: OpenSubdiv not found, the comparison with it is skipped"
