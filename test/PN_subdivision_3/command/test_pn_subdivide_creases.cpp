@@ -478,7 +478,8 @@ TEST_F(Pn_subdivide_creases, RepairedFilesKeepTheNormalsOfCorners)
   std::string reversed = cube_obj;
   const std::string face = "f 5//6 6//6 8//6 7//6";
   reversed.replace(reversed.find(face), face.size(), "f 7//6 8//6 6//6 5//6");
-  reversed += "f 5//6 6//6 8//6 7//6\nf 1//3 2//3 2//3\n";
+  reversed += "f 5//6 6//6 8//6 7//6\n";
+  reversed.insert(reversed.find("f 1"), "f 1//3 2//3 2//3\n"); // all others move up
   const std::string options = "--levels 2 --repair --sharp file";
   const Obj cube(refine(folder.write("reversed.obj", reversed), options));
   for (const auto& f : cube.faces)
