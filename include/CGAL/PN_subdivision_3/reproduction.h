@@ -14,9 +14,9 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/PN_subdivision_3/exact/Cylinder_3.h>
 #include <CGAL/PN_subdivision_3/exact/Deviation.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/exact/Shape_measure.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Uncertain.h>
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_maps.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>

@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
 #include <CGAL/Uncertain.h>
 
 #include <boost/container/vector.hpp>

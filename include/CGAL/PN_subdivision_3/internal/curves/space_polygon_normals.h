@@ -10,10 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_SPACE_POLYGON_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/distinct_neighbors.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
-#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>

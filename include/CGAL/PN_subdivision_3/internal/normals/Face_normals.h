@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
 #include <cmath>
 #include <unordered_map>

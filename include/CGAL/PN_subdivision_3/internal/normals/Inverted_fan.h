@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
 
 #include <algorithm>
 #include <cmath>

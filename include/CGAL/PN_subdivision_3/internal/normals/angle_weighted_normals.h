@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Control_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
-#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
 
 #include <algorithm>
 #include <cmath>

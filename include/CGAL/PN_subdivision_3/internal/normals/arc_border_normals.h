@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ARC_BORDER_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
 #include <cmath>
 #include <optional>

@@ -12,9 +12,9 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/vectors_3.h>
 #include <CGAL/Uncertain.h>
 
 #include <cmath>

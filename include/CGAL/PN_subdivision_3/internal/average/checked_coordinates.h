@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_GEOMETRY_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_GEOMETRY_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_CHECKED_COORDINATES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_CHECKED_COORDINATES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
@@ -122,4 +122,4 @@ void normalize_control_normal(Coordinates<FT, dimension>& n, const Name& name)
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_GEOMETRY_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_CHECKED_COORDINATES_H
