@@ -40,8 +40,12 @@ void reject(Mesh& mesh)
   // expected: the mesh is no model of MutableFaceGraph
 
   auto creases = mesh.add_property_map<Edge, bool>("creases").first;
-  PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(creases));
+  PN::estimate_control_normals(mesh, mesh.add_property_map<Vertex, Kernel::Vector_3>("n").first,
+                               params::edge_is_constrained_map(creases));
   // expected: a named parameter is given that is not used here
+
+  PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(mesh.points()));
+  // expected: edge_is_constrained_map or vertex_is_constrained_map is no
 
   PN::Loop_subdivision(mesh, params::number_of_iterations(2).face_index_map(1));
   // expected: a named parameter is given that is not used here

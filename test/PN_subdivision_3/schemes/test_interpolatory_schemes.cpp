@@ -42,6 +42,7 @@ Result open_mesh_butterfly(const Control_mesh& control, unsigned rounds)
   OpenMesh::Subdivider::Uniform::ModifiedButterflyT<Open_mesh, double> butterfly;
   butterfly.attach(mesh);
   butterfly(rounds);
+  butterfly.detach(); // its destructor would call a pure virtual function
   Result result;
   for (auto v : mesh.vertices()) {
     const auto p = mesh.point(v);

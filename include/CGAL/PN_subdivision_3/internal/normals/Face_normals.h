@@ -38,13 +38,13 @@ public:
   Vector operator()(Index h)
   {
     if (level_.has_degree(h, 3)) return {0, 0, 0};
-    constexpr Index small = 16;
+    constexpr Index few = 16;
     Index degree = 0, g = h;
     do {
       g = level_.next(g);
       ++degree;
-    } while (g != h && degree <= small);
-    if (degree <= small) return normal(h);
+    } while (g != h && degree <= few);
+    if (degree <= few) return normal(h);
     const auto [place, is_new] = kept_.insert({level_.face(h), Vector{0, 0, 0}});
     if (is_new) place->second = normal(h);
     return place->second;
