@@ -327,6 +327,9 @@ not meant to be subdivided further.
 <b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
 the user's whose `put()` throws also while old values are put back.
 
+\param mesh an oriented 2-manifold with border
+\param scheme the scheme
+\param options what is computed, and how well
 \param np as in `limit_points()`; the maps are read and written
 
 For all else see `limit_points()`.
