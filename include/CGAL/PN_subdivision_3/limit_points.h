@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -262,6 +263,8 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
                           const Limit_options& options = Limit_options(),
                           const NamedParameters& np = parameters::default_values())
 {
+  static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
+                "PN_subdivision_3: a named parameter is given that is not used here");
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using Limit = typename boost::property_traits<LimitMap>::value_type;
   return internal::vertex_limits<typename Parameters::FT>(
@@ -292,6 +295,8 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
 {
   static_assert(!Scheme::Host::keeps_vertices,
                 "the limit points of a primal scheme belong to the vertices: see limit_points()");
+  static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
+                "PN_subdivision_3: a named parameter is given that is not used here");
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Limit = typename boost::property_traits<LimitMap>::value_type;
@@ -340,6 +345,8 @@ Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                            const Limit_options& options = Limit_options(),
                            const NamedParameters& np = parameters::default_values())
 {
+  static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
+                "PN_subdivision_3: a named parameter is given that is not used here");
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   const auto points = Parameters::point_map(mesh, np);
   const auto normals = Parameters::normal_map(np);

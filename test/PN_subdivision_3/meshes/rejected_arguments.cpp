@@ -10,6 +10,7 @@
 // rejected_arguments compiles this file and looks for the lines; nothing else may be an error.
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -79,5 +80,8 @@ void reject(Mesh& mesh)
   // expected: the values of the normal map are not Vector_3
 
   PN::estimate_control_normals(mesh, normals, params::number_of_iterations(2));
+  // expected: a named parameter is given that is not used here
+
+  PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::edge_is_constrained_map(creases));
   // expected: a named parameter is given that is not used here
 }

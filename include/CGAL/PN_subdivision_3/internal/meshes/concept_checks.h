@@ -40,6 +40,8 @@ struct Used_parameters
 
 // add here what a function learns to use
 using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
+using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                                         internal_np::vertex_normal_map_t>;
 using Subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
