@@ -26,6 +26,7 @@
 #include "Ratio_reporter.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <benchmark/benchmark.h>
@@ -274,6 +275,70 @@ void add_normal_estimates()
   }
 }
 
+// A whole job, and a refiner that has done it and gets all points and normals once more, or one normal.
+template <class Concurrency_tag, class Scheme>
+Job update_job(const Scheme& scheme, bool is_one_normal)
+{
+  return [=](const Mesh& control, unsigned rounds) -> Result {
+    Mesh mesh = control;
+    const auto normals = Control_meshes::add_normals(mesh);
+    PN::Surface_refiner<Scheme, Kernel, Concurrency_tag> refiner(
+      mesh, scheme, params::number_of_iterations(rounds).vertex_normal_map(normals));
+    const std::size_t n = mesh.number_of_vertices();
+    const auto turn = [&](std::size_t v, double x) {
+      refiner.set_normal(v, refiner.control_normal(v) + Kernel::Vector_3(x, 0, 0));
+    };
+    turn(n / 2, 0.1);
+    refiner.update(); // finds out once what reaches what
+    if (is_one_normal)
+      turn(n / 2, 0.1);
+    else
+      for (std::size_t v = 0; v < n; ++v) {
+        turn(v, 0.1);
+        refiner.set_point(v, refiner.control_point(v));
+      }
+    return {seconds_of([&] { refiner.update(); }), refiner.number_of_faces()};
+  };
+}
+
+template <class Scheme>
+void add_refiner(const std::string& group, const Control& control, unsigned rounds,
+                 const Scheme& scheme)
+{
+  add(group + "/subdivide", control, rounds, pn_job<CGAL::Sequential_tag>(scheme));
+  add(group + "/all-changed", control, rounds, update_job<CGAL::Sequential_tag>(scheme, false));
+  add(group + "/one-normal-changed", control, rounds,
+      update_job<CGAL::Sequential_tag>(scheme, true));
+#ifdef CGAL_LINKED_WITH_TBB
+  const auto on_two_threads = [](const Job& job) -> Job {
+    return [job](const Mesh& mesh, unsigned k) {
+      const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
+      return job(mesh, k);
+    };
+  };
+  using Tag = CGAL::Parallel_tag;
+  add(group + "-2-threads/subdivide", control, rounds, on_two_threads(pn_job<Tag>(scheme)));
+  add(group + "-2-threads/all-changed", control, rounds,
+      on_two_threads(update_job<Tag>(scheme, false)));
+  add(group + "-2-threads/one-normal-changed", control, rounds,
+      on_two_threads(update_job<Tag>(scheme, true)));
+#endif
+}
+
+void add_refiners()
+{
+  const PN::CatmullClark_scheme catmull_clark;
+  add_refiner("refiner/CatmullClark-100k", quads(20, 15), 4, catmull_clark);
+  add_refiner("refiner/CatmullClark-1M", quads(20, 15), 6, catmull_clark);
+  const PN::Loop_scheme loop;
+  add_refiner("refiner/Loop-100k", triangles(15, 10), 4, loop);
+  add_refiner("refiner/Loop-1M", triangles(15, 10), 6, loop);
+  add_refiner("refiner/DooSabin-100k", quads(20, 15), 4, PN::DooSabin_scheme());
+  add_refiner("refiner/Sqrt3-100k", triangles(15, 10), 5, PN::Sqrt3_scheme());
+  add_refiner("refiner/Butterfly-100k", triangles(15, 10), 4, PN::Butterfly_scheme());
+  add_refiner("refiner/Kobbelt-100k", quads(20, 15), 4, PN::Kobbelt_scheme());
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -283,6 +348,7 @@ int main(int argc, char** argv)
     add_triangle_schemes();
     add_modified_schemes();
     add_normal_estimates();
+    add_refiners();
     return names;
   });
 }

@@ -10,6 +10,7 @@
 // rejected_arguments compiles this file and looks for the lines; nothing else may be an error.
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -83,5 +84,12 @@ void reject(Mesh& mesh)
   // expected: a named parameter is given that is not used here
 
   PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::edge_is_constrained_map(creases));
+  // expected: a named parameter is given that is not used here
+
+  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::edge_is_constrained_map(creases));
+  // expected: a named parameter is given that is not used here
+
+  PN::Surface_refiner refiner(mesh, PN::Loop_scheme());
+  refiner.build_mesh(mesh, params::number_of_iterations(2));
   // expected: a named parameter is given that is not used here
 }

@@ -43,6 +43,8 @@ public:
   using Host = typename Scheme::Host;
   // takes (first new vertex, values, how many)
   using Sink = Function_ref<void(Index, const Value*, Index)>;
+  // takes (new vertices, values, how many)
+  using List_sink = Function_ref<void(const Index*, const Value*, Index)>;
 
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
     : Round(scheme, level, level, number)
@@ -67,17 +69,31 @@ public:
   // block
   void evaluate(Index begin, Index end, const Stored_value* old, Sink sink) const
   {
-    Stencil_block<FT> rows;
-    [[maybe_unused]] Normal_rows normal_rows{};
-    std::array<Value, block_size_v<FT>> values;
-    for (Index first = begin; first < end;) {
-      const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
-      emit(mask_, first, n, rows);
-      if constexpr (has_normal_mask) emit(normal_mask_, first, n, normal_rows);
-      average(rows, normal_rows, old, values.data(), first);
-      sink(first, values.data(), n);
-      first += n;
-    }
+    evaluate_blocks(
+      begin, end, old, [](Index i) { return i; },
+      [&](Index first, const Value* values, Index n) { sink(first, values, n); });
+  }
+
+  // the new vertices that are listed, to the same bits
+  void evaluate(const Index* begin, const Index* end, const Stored_value* old, List_sink sink) const
+  {
+    evaluate_blocks(
+      0, static_cast<Index>(end - begin), old, [&](Index i) { return begin[i]; },
+      [&](Index first, const Value* values, Index n) { sink(begin + first, values, n); });
+  }
+
+  // calls f(vertex) for every entry of the rows of a new vertex
+  template <class Function>
+  void for_each_entry(Index new_vertex, Stencil_block<FT>& buffer, const Function& f) const
+  {
+    const auto call = [&](const auto& mask) {
+      buffer.clear();
+      host_.stencil(mask, new_vertex, buffer.row());
+      buffer.close_row();
+      for (const auto* e = buffer.begin(0); e != buffer.end(0); ++e) f(e->vertex);
+    };
+    call(mask_);
+    if constexpr (has_normal_mask) call(normal_mask_);
   }
 
 private:
@@ -102,12 +118,31 @@ private:
   using Normal_mask = decltype(make_normal_mask(std::declval<const Scheme&>(),
                                                 std::declval<const Level_connectivity&>(), 0u));
 
-  template <class Any_mask>
-  void emit(const Any_mask& mask, Index first, Index n, Stencil_block<FT>& rows) const
+  // the i-th of the new vertices is vertex(i)
+  template <class Vertex, class Block_sink>
+  void evaluate_blocks(Index begin, Index end, const Stored_value* old, const Vertex& vertex,
+                       const Block_sink& sink) const
+  {
+    Stencil_block<FT> rows;
+    [[maybe_unused]] Normal_rows normal_rows{};
+    std::array<Value, block_size_v<FT>> values;
+    for (Index first = begin; first < end;) {
+      const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
+      emit(mask_, first, n, vertex, rows);
+      if constexpr (has_normal_mask) emit(normal_mask_, first, n, vertex, normal_rows);
+      average(rows, normal_rows, old, values.data(), vertex(first));
+      sink(first, values.data(), n);
+      first += n;
+    }
+  }
+
+  template <class Any_mask, class Vertex>
+  void emit(const Any_mask& mask, Index first, Index n, const Vertex& vertex,
+            Stencil_block<FT>& rows) const
   {
     rows.clear();
     for (Index i = 0; i < n; ++i) {
-      host_.stencil(mask, first + i, rows.row());
+      host_.stencil(mask, vertex(first + i), rows.row());
       rows.close_row();
       CGAL_precondition_msg(is_affine_row(rows.begin(i), rows.end(i)),
                             "PN_subdivision_3: a row of the mask is empty, names a vertex that "

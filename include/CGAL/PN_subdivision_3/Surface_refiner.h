@@ -1,0 +1,296 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SURFACE_REFINER_H
+#define CGAL_PN_SUBDIVISION_3_SURFACE_REFINER_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Kept_rounds.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+A refined surface that follows its control points and control normals.
+
+`subdivide()` pays for connectivity in every call. A refiner pays once: it keeps the levels and the masks
+of a control mesh, a scheme and a number of rounds, and where control points or normals change it
+computes what they reach, and nothing else. This is what a modeling tool needs in which points are moved
+and normals turned. The result is that of `subdivide()`, bit for bit.
+
+\code{.cpp}
+Surface_refiner refiner(mesh, CatmullClark_scheme(),
+                        CGAL::parameters::number_of_iterations(4).vertex_normal_map(normals));
+refiner.build_mesh(refined);
+refiner.set_normal(17, Vector_3(0, 0, 1));
+for (auto v : refiner.update()) refined.point(Vertex_index(v)) = refiner.points()[v];
+\endcode
+
+Vertices are numbered: those of the control mesh as `vertices(mesh)` enumerates them, those of the
+refined mesh as in the result of `subdivide()`. The refiner keeps no reference to the mesh.
+
+Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
+`update()` after a point was set; a normal that is set stays as it is.
+
+Sharp edges and vertices and `with_border()` are not supported.
+
+<b>Memory.</b> About 12 bytes for each half-edge and 56 for each vertex of every level but the last in
+`double`, besides the results (`points()` and `normals()`, 48 bytes a vertex). The first `update()` that
+does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for each
+entry of the rows, 6.3 a refined vertex with Catmull-Clark subdivision. `memory()` tells.
+
+<b>Exceptions.</b> If `update()` throws, `points()` and `normals()` may hold old values and new ones; the
+next call evaluates everything. All other members have the strong guarantee.
+
+Different refiners may be used by different threads at the same time, one of them by one thread only.
+
+\tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
+\tparam GeomTraits a model of `Kernel`; its `FT` is the number type of all computations
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
+  `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads.
+*/
+template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
+class Surface_refiner
+{
+  using FT = typename GeomTraits::FT;
+  static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
+  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
+  using Value = typename Average::Value;
+  using Control = internal::Control_values<Average>;
+  using Rounds = internal::Kept_rounds<Scheme, Average>;
+
+public:
+  using Point_3 = typename GeomTraits::Point_3;
+  using Vector_3 = typename GeomTraits::Vector_3;
+  /// the number of a vertex.
+  using Index = Level_connectivity::Index;
+
+  /*!
+  reads a mesh, and computes its refinement.
+
+  \tparam PolygonMesh a model of `FaceListGraph`
+  \param mesh an oriented 2-manifold with border; it is not needed afterwards
+  \param scheme the scheme
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+    `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
+    they are estimated), and `geom_traits`, as in `subdivide()`; the maps are read only
+
+  \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as
+    `subdivide()` does
+  */
+  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+  Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
+                  const NamedParameters& np = parameters::default_values())
+  {
+    if constexpr (internal::check_refiner_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      const unsigned rounds = Parameters::number_of_iterations(np);
+      internal::with_mesh_access(mesh, [&](const auto& access) {
+        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
+             rounds);
+      });
+      update();
+    }
+  }
+
+  /// \name Size
+  /// @{
+  std::size_t number_of_control_vertices() const { return control_->size(); }
+  std::size_t number_of_vertices() const { return points_.size(); }
+  std::size_t number_of_faces() const
+  {
+    return static_cast<std::size_t>(rounds_->refined_size().faces);
+  }
+  /// the bytes that the refiner keeps, without what the masks of a scheme may keep.
+  std::size_t memory() const
+  {
+    return rounds_->memory() + control_->memory() + points_.capacity() * sizeof(Point_3) +
+           normals_.capacity() * sizeof(Vector_3) + changed_.capacity() * sizeof(Index);
+  }
+  /// @}
+
+  /// \name Control points and normals
+  /// What is set counts from the next `update()` on.
+  /// @{
+
+  /// \throws std::out_of_range if there is no such vertex
+  /// \throws std::invalid_argument if the point is not finite
+  void set_point(std::size_t v, const Point_3& p)
+  {
+    control_->set_point(v, internal::coordinates_3<FT>(p));
+  }
+
+  /// the zero vector means that the vertex has no control normal, vectors of other lengths are
+  /// normalized.
+  /// \throws std::out_of_range if there is no such vertex
+  /// \throws std::invalid_argument if the vector is not finite
+  void set_normal(std::size_t v, const Vector_3& n)
+  {
+    static_assert(is_pn, "PN_subdivision_3: a linear scheme has no control normals");
+    control_->set_normal(v, internal::coordinates_3<FT>(n));
+  }
+
+  /// \throws std::out_of_range if there is no such vertex
+  Point_3 control_point(std::size_t v) const
+  {
+    const Coordinates& p = internal::point_of((*control_)[v]);
+    return Point_3(p[0], p[1], p[2]);
+  }
+  /// the normal that was set or read, normalized; an estimated one as of the last `update()`.
+  /// \throws std::out_of_range if there is no such vertex
+  Vector_3 control_normal(std::size_t v) const
+  {
+    static_assert(is_pn, "PN_subdivision_3: a linear scheme has no control normals");
+    const Coordinates& n = (*control_)[v].normal;
+    return Vector_3(n[0], n[1], n[2]);
+  }
+  /// @}
+
+  /// \name The refined surface
+  /// @{
+
+  /*!
+  computes what the control points and normals that were set since the last call reach.
+  \returns the refined vertices that were computed, in increasing order, valid until the next call
+  \throws std::overflow_error if a new point is out of the range of a floating point type
+  \throws std::domain_error if an interval number type leaves a comparison undecided
+  \cost linear in the number of vertices that are reached; the first call that does not reach all of
+  them is linear in the number of vertices
+  */
+  const std::vector<Index>& update()
+  {
+    control_->update_estimate(rounds_->control());
+    std::vector<Index> changed = control_->changes();
+    control_->forget_changes();
+    try {
+      for (Index v : changed) rounds_->set_value(v, (*control_)[v]);
+      // where many vertices are changed nearly all are reached
+      if (4 * changed.size() > control_->size())
+        evaluate_all();
+      else
+        evaluate_from(std::move(changed));
+    } catch (...) {
+      control_->change_all();
+      throw;
+    }
+    return changed_;
+  }
+
+  /// the points of the refined vertices, as of the last `update()`.
+  const std::vector<Point_3>& points() const { return points_; }
+  /// the control normals of the refined vertices, as of the last `update()`; none with a linear scheme.
+  const std::vector<Vector_3>& normals() const { return normals_; }
+
+  /// the connectivity of the refined surface, as flat arrays.
+  /// \cost linear in the size of the refined surface, in each call
+  Level_connectivity connectivity() const { return rounds_->refined_level(); }
+
+  /*!
+  makes a mesh of the refined surface.
+  \tparam PolygonMesh a model of `MutableFaceGraph`
+  \param mesh an empty mesh
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
+    `vertex_normal_map`, which are written
+  \throws std::invalid_argument if the mesh is not empty
+  \throws std::length_error if the index type of the mesh cannot number the elements
+  */
+  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+  void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
+  {
+    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      internal::with_mesh_access(mesh, [&](auto& access) {
+        internal::build_mesh(access, connectivity(), Parameters::point_map(mesh, np), points_,
+                             Parameters::normal_map(np), normals_);
+      });
+    }
+  }
+  /// @}
+
+private:
+  using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
+
+  template <class Access, class Point_map, class Normal_map>
+  void read(const Access& access, const Scheme& scheme, Point_map points, Normal_map normals,
+            unsigned rounds)
+  {
+    Level_connectivity level = internal::checked_level(access);
+    internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
+    if (level.size().faces == 0) rounds = (std::min)(rounds, 1u); // all rounds are alike
+    const Level_size size = internal::checked_refined_size<typename Scheme::Host>(
+      level.size(), rounds, Level_connectivity::null);
+    control_ =
+      std::make_unique<Control>(access, level, points, normals, internal::normal_estimate(scheme));
+    points_.assign(size.vertices, Point_3(0, 0, 0));
+    if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
+    rounds_ = std::make_unique<Rounds>(scheme, std::move(level), rounds,
+                                       internal::For_chunks::with(Concurrency_tag()));
+  }
+
+  void evaluate_all()
+  {
+    changed_.resize(points_.size());
+    std::iota(changed_.begin(), changed_.end(), Index(0));
+    rounds_->evaluate([&](Index first, const Value* values, Index n) {
+      for (Index i = 0; i < n; ++i) put(first + i, values[i]);
+    });
+  }
+
+  void evaluate_from(std::vector<Index> control_vertices)
+  {
+    changed_ = rounds_->evaluate_from(std::move(control_vertices),
+                                      [&](const Index* vertices, const Value* values, Index n) {
+                                        for (Index i = 0; i < n; ++i) put(vertices[i], values[i]);
+                                      });
+  }
+
+  void put(Index v, const Value& value)
+  {
+    const Coordinates& p = internal::point_of(value);
+    if (control_->is_near_overflow())
+      internal::check_in_range(p,
+                               [&] { return "the point of the new vertex " + std::to_string(v); });
+    points_[v] = Point_3(p[0], p[1], p[2]);
+    if constexpr (is_pn) normals_[v] = Vector_3(value.normal[0], value.normal[1], value.normal[2]);
+  }
+
+  std::unique_ptr<Control> control_;
+  std::unique_ptr<Rounds> rounds_;
+  std::vector<Point_3> points_;
+  std::vector<Vector_3> normals_;
+  std::vector<Index> changed_;
+};
+
+template <class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+Surface_refiner(const PolygonMesh&, const Scheme&,
+                const NamedParameters& = parameters::default_values())
+  -> Surface_refiner<
+    Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SURFACE_REFINER_H

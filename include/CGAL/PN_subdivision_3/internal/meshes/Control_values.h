@@ -1,0 +1,152 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VALUES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VALUES_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The values of the control vertices, and which of them were set since they were last taken.
+template <class Average>
+class Control_values
+{
+public:
+  using Index = Level_connectivity::Index;
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  using Vector = Coordinates<FT, 3>;
+
+  static constexpr bool has_normals = std::is_same_v<Value, Point_normal<FT, 3>>;
+
+  template <class Access, class Point_map, class Normal_map>
+  Control_values(const Access& access, const Level_connectivity& level, Point_map points,
+                 Normal_map normals, Control_normal_estimate estimate)
+    : values_(read_values<Average>(access, level, points, normals, estimate))
+    , is_changed_(values_.size(), true)
+    , estimate_(estimate)
+    , is_estimated_(has_normals && std::is_same_v<Normal_map, No_normal_map>)
+    , is_near_overflow_(std::any_of(values_.begin(), values_.end(), [](const Value& v) {
+      return internal::is_near_overflow(point_of(v));
+    }))
+  {
+    if (is_estimated_) is_given_.assign(values_.size(), false);
+  }
+
+  std::size_t size() const { return values_.size(); }
+  std::size_t memory() const
+  {
+    return values_.capacity() * sizeof(Value) + (is_changed_.capacity() + is_given_.capacity()) / 8;
+  }
+  const Value& operator[](std::size_t v) const { return values_[checked(v)]; }
+  // whether one of the points is, or was, so far out that refined ones have to be looked at
+  bool is_near_overflow() const { return is_near_overflow_; }
+
+  void set_point(std::size_t v, const Vector& p)
+  {
+    check_finite<FT, 3>(p, "point", [&] { return name(v); });
+    point_of(values_[checked(v)]) = p;
+    is_near_overflow_ = is_near_overflow_ || internal::is_near_overflow(p);
+    change(v);
+  }
+  void set_normal(std::size_t v, Vector n)
+  {
+    check_finite<FT, 3>(n, "normal", [&] { return name(v); });
+    normalize_control_normal<FT, 3>(n, [&] { return name(v); });
+    values_[checked(v)].normal = n;
+    if (is_estimated_) is_given_[v] = true;
+    change(v);
+  }
+
+  // estimates again what depends on what was set
+  void update_estimate(const Level_connectivity& level)
+  {
+    if constexpr (has_normals) {
+      if (!is_estimated_ || !is_any_changed_) return;
+      const Vertex_sectors sectors(level);
+      std::vector<Vector> normals(values_.size());
+      estimate_normals<FT>(
+        level, estimate_, sectors, Point_of_value<FT>{values_.data()},
+        [&](Index v) { return is_given_[v] ? &values_[v].normal : nullptr; },
+        [&](Index v, const Vector& n) { normals[v] = n; });
+      for (Index v = 0; v < values_.size(); ++v)
+        if (!is_given_[v] && !(values_[v].normal == normals[v])) {
+          values_[v].normal = normals[v];
+          change(v);
+        }
+    }
+  }
+
+  // in the order of the numbers
+  std::vector<Index> changes() const
+  {
+    std::vector<Index> result;
+    for (Index v = 0; v < values_.size(); ++v)
+      if (is_changed_[v]) result.push_back(v);
+    return result;
+  }
+  void forget_changes()
+  {
+    is_changed_.assign(values_.size(), false);
+    is_any_changed_ = false;
+  }
+  void change_all()
+  {
+    is_changed_.assign(values_.size(), true);
+    is_any_changed_ = true;
+  }
+
+private:
+  static std::string name(std::size_t v) { return "control vertex " + std::to_string(v); }
+
+  std::size_t checked(std::size_t v) const
+  {
+    if (v >= values_.size())
+      throw std::out_of_range("PN_subdivision_3: there is no control vertex " + std::to_string(v) +
+                              ": the control mesh has " + std::to_string(values_.size()));
+    return v;
+  }
+
+  void change(std::size_t v)
+  {
+    is_changed_[v] = true;
+    is_any_changed_ = true;
+  }
+
+  std::vector<Value> values_;
+  std::vector<bool> is_changed_;
+  std::vector<bool> is_given_; // where normals are estimated
+  Control_normal_estimate estimate_;
+  bool is_estimated_;
+  bool is_near_overflow_;
+  bool is_any_changed_ = true;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CONTROL_VALUES_H

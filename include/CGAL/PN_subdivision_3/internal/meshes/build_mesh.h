@@ -1,0 +1,109 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Removes what a mesh got, unless keep() is called.
+template <class Access>
+class Growth
+{
+public:
+  Growth(Access& access, const Level_size& size)
+    : access_(access)
+  {
+    try {
+      access.grow(size);
+    } catch (...) {
+      access.shrink();
+      throw;
+    }
+  }
+  ~Growth()
+  {
+    if (!is_kept_) access_.shrink();
+  }
+  Growth(const Growth&) = delete;
+  Growth& operator=(const Growth&) = delete;
+  void keep() { is_kept_ = true; }
+
+private:
+  Access& access_;
+  bool is_kept_ = false;
+};
+
+// gives a child of hosts the connectivity of a level
+template <class Child>
+void copy_connectivity(const Level_connectivity& level, Child& child)
+{
+  using Index = Level_connectivity::Index;
+  for (Index h = 0; h < level.number_of_halfedges(); ++h) {
+    child.set_target(h, level.target(h));
+    child.set_next(h, level.next(h));
+    if (level.is_border(h))
+      child.set_border(h);
+    else
+      child.set_face(h, level.face(h));
+  }
+  for (Index v = 0; v < level.number_of_vertices(); ++v)
+    if (level.is_isolated(v))
+      child.set_isolated(v);
+    else
+      child.set_halfedge_of_vertex(v, level.halfedge_of_vertex(v));
+  for (Index f = 0; f < level.number_of_faces(); ++f)
+    child.set_halfedge_of_face(f, level.halfedge_of_face(f));
+}
+
+// Makes an empty mesh one with the connectivity of a level and with points and normals.
+template <class Access, class Point_map, class Point, class Normal_map, class Vector>
+void build_mesh(Access& access, const Level_connectivity& level, Point_map point_map,
+                const std::vector<Point>& points, [[maybe_unused]] Normal_map normal_map,
+                [[maybe_unused]] const std::vector<Vector>& normals)
+{
+  using Index = Level_connectivity::Index;
+  const Level_size size = level.size(), old_size = access.size();
+  if (old_size.vertices != 0 || old_size.edges != 0 || old_size.faces != 0)
+    throw std::invalid_argument("PN_subdivision_3: the mesh to be built has vertices already: it "
+                                "must be empty");
+  if (size.halfedges() >= Access::index_limit() || size.vertices >= Access::index_limit())
+    throw std::length_error("PN_subdivision_3: the refined mesh has " +
+                            std::to_string(size.halfedges()) +
+                            " half-edges, more than the index type of the mesh can number");
+  Growth<Access> growth(access, size);
+  for (Index v = 0; v < points.size(); ++v) {
+    put(point_map, access.vertex(v), points[v]);
+    if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
+      if (v < normals.size()) put(normal_map, access.vertex(v), normals[v]);
+  }
+  if constexpr (Access::is_child_of_hosts)
+    copy_connectivity(level, access);
+  else
+    access.write(level, For_chunks());
+  growth.keep();
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_BUILD_MESH_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_REFINER_CHECKS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_REFINER_CHECKS_H
+
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+
+#include <boost/property_map/property_map.hpp>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+using Refiner_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t>;
+using Build_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
+
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_refiner_arguments()
+{
+  constexpr bool are_used = are_used_v<Refiner_parameters, NamedParameters>;
+  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
+                          "those that are: number_of_iterations, vertex_point_map, "
+                          "vertex_normal_map, geom_traits");
+  if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
+    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
+    return is_scheme &&
+           check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag>() &&
+           check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
+                            typename Parameters::Geom_traits, boost::readable_property_map_tag>();
+  }
+}
+
+template <class Mesh, class NamedParameters>
+constexpr bool check_build_arguments()
+{
+  constexpr bool are_used = are_used_v<Build_parameters, NamedParameters>;
+  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
+                          "those that are: vertex_point_map, vertex_normal_map");
+  if constexpr (!are_used || !check_mutable_mesh<Mesh>())
+    return false;
+  else if constexpr (!check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag>() &&
+           check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
+                            typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+  }
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_REFINER_CHECKS_H
