@@ -56,10 +56,10 @@ Without a `vertex_normal_map`, control normals are estimated from the points, an
 
 Sharp edges and vertices and `with_border()` are not supported.
 
-<b>Memory.</b> About 12 bytes for each half-edge and 56 for each vertex of every level but the last in
-`double`, besides the results (`points()` and `normals()`, 48 bytes a vertex). The first `update()` that
-does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for each
-entry of the rows, 6.3 a refined vertex with Catmull-Clark subdivision. `memory()` tells.
+<b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the
+last in `double`, besides the results (`points()` and `normals()`, 48 bytes a vertex). The first `update()`
+that does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for
+each entry of the rows, 6.3 a refined vertex with Catmull-Clark subdivision. `memory()` tells.
 
 <b>Exceptions.</b> If `update()` throws, `points()` and `normals()` may hold old values and new ones; the
 next call evaluates everything. All other members have the strong guarantee.

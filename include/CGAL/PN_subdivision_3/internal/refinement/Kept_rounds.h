@@ -134,7 +134,7 @@ private:
       , values(connectivity.number_of_vertices(), boost::container::default_init)
     {}
 
-    // the new vertices whose rows read one of the old ones
+    // the new vertices whose rows read one of the old ones, in the order of the numbers
     std::vector<Index> readers_of(const std::vector<Index>& old)
     {
       if (dependents.is_empty()) {
@@ -148,9 +148,22 @@ private:
           is_marked[r] = 1;
           readers.push_back(r);
         });
+      // unless there are few, looking at all marks costs less than sorting
+      if (readers.size() < is_marked.size() / 256)
+        std::sort(readers.begin(), readers.end());
+      else
+        collect_marks(readers);
       for (Index r : readers) is_marked[r] = 0;
-      std::sort(readers.begin(), readers.end());
       return readers;
+    }
+
+    void collect_marks(std::vector<Index>& marked) const
+    {
+      auto end = marked.begin();
+      const char* const marks = is_marked.data();
+      const char* const last = marks + is_marked.size();
+      for (const char* m = marks; (m = std::find(m, last, 1)) != last; ++m)
+        *end++ = static_cast<Index>(m - marks);
     }
 
     Level_connectivity connectivity;
