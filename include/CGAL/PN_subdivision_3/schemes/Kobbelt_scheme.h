@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
+#include <CGAL/Uncertain.h>
 
 #include <stdexcept>
 #include <string>
@@ -61,6 +62,10 @@ public:
     , alpha_(-tension)
     , beta_(FT(1) / FT(2) + tension)
     , gamma_(tension / beta_)
+    , has_plain_rows_(!CGAL::certainly(alpha_ == FT(0)) &&
+                      internal::magnitude(alpha_) <= internal::magnitude(beta_))
+    , edge_rest_(FT(1) - (beta_ + alpha_ + alpha_))
+    , face_rest_(rest_of_face_row())
   {}
 
   template <class Stencil>
@@ -72,8 +77,13 @@ public:
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
+    const Index h = Level_connectivity::halfedge_of_edge(e);
+    if (has_plain_rows_ && has_plain_ends(h)) {
+      add_plain_edge(h, beta_, alpha_, s);
+      return s.add(level_.source(h), edge_rest_);
+    }
     Row row;
-    add_edge(Level_connectivity::halfedge_of_edge(e), FT(1), row);
+    add_edge(h, FT(1), row);
     row.emit(s);
   }
 
@@ -81,6 +91,8 @@ public:
   void face(Index f, Stencil& s) const
   {
     const Index h = level_.halfedge_of_face(f), across = level_.next(h);
+    if (has_plain_rows_ && has_plain_strip(h) && has_plain_strip(across))
+      return add_plain_strip(h, s);
     const int spokes = spokes_of_strip(h), spokes_across = spokes_of_strip(across);
     Row row;
     if (spokes < spokes_across)
@@ -115,6 +127,63 @@ private:
     }
     return spokes;
   }
+
+  // \name Plain rows
+  // Away from borders and irregular vertices the rows have 4 and 4 x 4 entries, whose weights are known;
+  // both directions of a face give the same. Entries come in the order of the merged rows.
+  // @{
+  bool is_plain(Index v) const { return irregular_valence_[v] == 0 && !level_.is_border_vertex(v); }
+  bool has_plain_ends(Index h) const
+  {
+    return is_plain(level_.target(h)) && is_plain(level_.source(h));
+  }
+  bool has_plain_strip(Index h) const
+  {
+    for (Index g : {h, beyond_next(h)})
+      if (!has_plain_ends(g) || !has_plain_ends(beyond_next(opposite(g)))) return false;
+    return true;
+  }
+
+  // without the source of h
+  template <class Stencil>
+  void add_plain_edge(Index h, const FT& near, const FT& far, Stencil& s) const
+  {
+    s.add(level_.target(h), near);
+    s.add(plain_continuation(h), far);
+    s.add(plain_continuation(opposite(h)), far);
+  }
+  Index plain_continuation(Index h) const
+  {
+    return level_.target(level_.next(level_.next_around_target(h)));
+  }
+
+  template <class Stencil>
+  void add_plain_strip(Index h, Stencil& s) const
+  {
+    const FT near = beta_ * beta_, mixed = alpha_ * beta_, far = alpha_ * alpha_;
+    const Index ends[2] = {h, beyond_next(h)};
+    for (int i = 0; i < 2; ++i) {
+      const Index next = beyond_next(opposite(ends[i]));
+      if (i != 0) s.add(level_.source(ends[i]), near);
+      add_plain_edge(ends[i], near, mixed, s);
+      s.add(level_.source(next), mixed);
+      add_plain_edge(next, mixed, far, s);
+    }
+    s.add(level_.source(h), face_rest_);
+  }
+
+  // what the entries of such a row leave, added in their order
+  FT rest_of_face_row() const
+  {
+    const FT near = beta_ * beta_, mixed = alpha_ * beta_, far = alpha_ * alpha_;
+    FT sum(0);
+    for (int i = 0; i < 2; ++i) {
+      if (i != 0) sum += near;
+      for (const FT& w : {near, mixed, mixed, mixed, mixed, far, far}) sum += w;
+    }
+    return FT(1) - sum;
+  }
+  // @}
 
   void add_strip(Index h, const FT& factor, Row& row) const
   {
@@ -176,6 +245,8 @@ private:
   const Level_connectivity& level_;
   std::vector<Index> irregular_valence_; // 0: regular
   FT alpha_, beta_, gamma_;
+  bool has_plain_rows_;
+  FT edge_rest_, face_rest_;
 };
 
 /*!
