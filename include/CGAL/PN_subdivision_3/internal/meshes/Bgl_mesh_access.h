@@ -192,13 +192,19 @@ public:
   // exception, shrink() removes
   void grow(const Level_size& size)
   {
-    vertices_.reserve(size.vertices);
+    grow_vertices(size);
     edges_.reserve(size.edges);
     faces_.reserve(size.faces);
     const Recycling_pause<Graph> pause(graph_);
-    while (vertices_.size() < size.vertices) vertices_.push_back(add_vertex(graph_));
     while (edges_.size() < size.edges) edges_.push_back(halfedge(add_edge(graph_), graph_));
     while (faces_.size() < size.faces) faces_.push_back(add_face(graph_));
+  }
+  // the vertices alone
+  void grow_vertices(const Level_size& size)
+  {
+    vertices_.reserve(size.vertices);
+    const Recycling_pause<Graph> pause(graph_);
+    while (vertices_.size() < size.vertices) vertices_.push_back(add_vertex(graph_));
   }
   void shrink()
   {

@@ -156,16 +156,24 @@ private:
     Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    // the mesh grows while the levels before the last one are made
+    // With several threads the mesh grows while the levels before the last one are made; with one
+    // it gets its edges and faces when the old values are gone.
     const Caller_precision<FT> precision;
-    run_together<Concurrency_tag>([&] { access.grow(size); },
-                                  [&] {
-                                    const typename Caller_precision<FT>::In_this_thread scope(
-                                      precision);
-                                    refine_up_to_last(refiner, rounds);
-                                  });
+    run_together<Concurrency_tag>(
+      [&] {
+        if constexpr (is_parallel_v<Concurrency_tag>)
+          access.grow(size);
+        else
+          access.grow_vertices(size);
+      },
+      [&] {
+        const typename Caller_precision<FT>::In_this_thread scope(precision);
+        refine_up_to_last(refiner, rounds);
+      });
     const One_round last = refiner.next_round();
     put_values(refiner, last, writer);
+    refiner.release_values();
+    access.grow(size);
     round_done_(rounds, static_cast<std::size_t>(size.faces));
     for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
     put_connectivity(refiner, last, access, [&] { writer.keep(); });

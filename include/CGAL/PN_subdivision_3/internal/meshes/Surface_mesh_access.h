@@ -89,6 +89,13 @@ public:
     larger.faces = (std::max)(size.faces, old_size_.faces);
     resize(larger);
   }
+  // the vertices alone
+  void grow_vertices(const Level_size& size)
+  {
+    Level_size larger = old_size_;
+    larger.vertices = (std::max)(size.vertices, old_size_.vertices);
+    resize(larger);
+  }
   void shrink() { resize(old_size_); }
   // removes the elements that the result does not use
   void trim(const Level_size& size, bool /*collect*/) { resize(size); }

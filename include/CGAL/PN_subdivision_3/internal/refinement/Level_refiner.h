@@ -55,6 +55,8 @@ public:
   Level_connectivity& level() { return level_; }
   const Values& values() const { return values_; }
   Values& values() { return values_; }
+  // once nothing is evaluated any more
+  void release_values() { Values().swap(values_); }
   unsigned rounds_done() const { return rounds_done_; }
 
   // \pre the level stays while the round is used
