@@ -10,7 +10,7 @@
 # Draws doc/PN_subdivision_3/fig/teaser.png: a cube, a bolt and a head, linear subdivision
 # above and point-normal subdivision below, under their control meshes.
 #
-#   scripts/make_teaser_picture.sh [PN_SUBDIVIDE [FOLDER]]
+#   scripts/make_teaser_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
 source "$(dirname "$0")/figure_setup.sh"
 
