@@ -57,7 +57,7 @@ here"; vectors of other lengths are normalized once.
 \tparam Range a model of `ConstRange` whose items hold a point and a normal; without property maps a
   range of `std::pair<Point, Vector>`
 \tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes
-  of one
+  of one, or a `level_dependent_mask()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param polygon the control polygon; an empty one gives an empty curve

@@ -235,3 +235,77 @@ TEST(Curves, PropertyMaps)
 }
 
 } // namespace
+
+namespace {
+
+// trigonometric splines: a regular polygon whose edges span the angle stays one
+auto trigonometric_mask(double angle)
+{
+  return PN::level_dependent_mask([angle](unsigned k) {
+    const double c = std::cos(std::ldexp(angle, -static_cast<int>(k)));
+    const double side = 1 / (4 + 4 * c);
+    return PN::Univariate_mask<double>(-2, {side, 0.5, 1 - 2 * side, 0.5, side});
+  });
+}
+
+} // namespace
+
+TEST(Level_dependent_mask, KeepsRegularPolygonsWithoutNormals)
+{
+  // edge midpoints are at cos(angle / 2) of the radius, and the rule puts the vertices there, too
+  using Point = CGAL::Simple_cartesian<double>::Point_2;
+  using Vector = CGAL::Simple_cartesian<double>::Vector_2;
+  const int n = 5;
+  const double angle = 2 * std::acos(-1.) / n;
+  std::vector<std::pair<Point, Vector>> polygon;
+  for (int i = 0; i < n; ++i)
+    polygon.emplace_back(Point(std::cos(i * angle), std::sin(i * angle)), Vector(0, 0));
+  double radius = 1;
+  for (unsigned k = 1; k <= 6; ++k) {
+    radius *= std::cos(std::ldexp(angle, -static_cast<int>(k)));
+    const auto np = CGAL::parameters::number_of_iterations(k);
+    const auto curve =
+      PN::subdivide_curve(polygon, trigonometric_mask(angle), PN::Curve_end::closed, np);
+    const auto twin =
+      PN::subdivide_curve(polygon, linear(trigonometric_mask(angle)), PN::Curve_end::closed, np);
+    ASSERT_EQ(curve.size(), std::size_t(n) << k);
+    EXPECT_EQ(curve, twin);
+    for (const auto& item : curve)
+      EXPECT_NEAR(std::sqrt((item.first - CGAL::ORIGIN).squared_length()), radius, 4e-16 * k);
+  }
+}
+
+TEST(Level_dependent_mask, KeepsTheCircleWithNormals)
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_2;
+  using Vector = CGAL::Simple_cartesian<double>::Vector_2;
+  std::vector<std::pair<Point, Vector>> samples;
+  for (const double t : {0., 0.9, 1.7, 3.1, 4.4, 5.2})
+    samples.emplace_back(Point(std::cos(t), std::sin(t)), Vector(std::cos(t), std::sin(t)));
+  const auto curve = PN::subdivide_curve(samples, trigonometric_mask(1.5), PN::Curve_end::closed,
+                                         CGAL::parameters::number_of_iterations(5));
+  for (const auto& item : curve)
+    EXPECT_NEAR((item.first - CGAL::ORIGIN).squared_length(), 1, 4e-15);
+}
+
+TEST(Level_dependent_mask, IsTheMaskWhereItDoesNotDepend)
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_2;
+  using Vector = CGAL::Simple_cartesian<double>::Vector_2;
+  const std::vector<std::pair<Point, Vector>> open{{{0, 0}, {0, 1}},    {{1, 0.5}, {0.2, 1}},
+                                                   {{2, 0}, {0.5, 1}},  {{3, 1}, {0, 1}},
+                                                   {{4, 1}, {-0.3, 1}}, {{5, 3}, {-0.3, 1}}};
+  const auto mask = PN::with_normal_mask(PN::B_spline_mask(3), PN::Dubuc_Deslauriers_mask(4));
+  const auto dependent = PN::level_dependent_mask([&](unsigned) { return mask; });
+  for (const auto end : {PN::Curve_end::closed, PN::Curve_end::reflect, PN::Curve_end::none}) {
+    const auto np = CGAL::parameters::number_of_iterations(3);
+    EXPECT_EQ(PN::subdivide_curve(open, dependent, end, np),
+              PN::subdivide_curve(open, mask, end, np));
+  }
+  const auto wrong = PN::level_dependent_mask([](unsigned k) {
+    return PN::with_normal_mask(PN::B_spline_mask(3), PN::B_spline_mask(k == 2 ? 2 : 3));
+  });
+  EXPECT_THROW(PN::subdivide_curve(open, wrong, PN::Curve_end::closed,
+                                   CGAL::parameters::number_of_iterations(2)),
+               std::invalid_argument);
+}

@@ -14,6 +14,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -223,6 +224,65 @@ Mask_with_normals<Mask, Normal_mask> with_normal_mask(const Mask& mask,
   return {mask, normal_mask};
 }
 
+/*!
+\ingroup PkgPNSubdivision3Curves
+A mask that differs from round to round, made by `level_dependent_mask()`.
+*/
+template <class Function>
+struct Level_dependent_mask
+{
+  /// the mask of the k-th round, counted from 1.
+  auto in_round(unsigned k) const { return function(k); }
+
+  Function function;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+returns the mask that is `function(k)` in the k-th round, counted from 1 in each call of
+`subdivide_curve()`. Such masks make, for instance, trigonometric splines.
+\tparam Function a function object that returns a model of `PNSubdivisionCurveMask`, or what `linear()` or
+  `with_normal_mask()` makes of one, always of the same type
+*/
+template <class Function>
+Level_dependent_mask<Function> level_dependent_mask(const Function& function)
+{
+  return {function};
+}
+
+/// \ingroup PkgPNSubdivision3Curves
+/// returns the linear twin of a mask that differs from round to round.
+template <class Function>
+auto linear(const Level_dependent_mask<Function>& mask)
+{
+  return level_dependent_mask([mask](unsigned k) { return linear(mask.in_round(k)); });
+}
+
+namespace internal {
+
+// the mask of a round, if masks differ or not
+template <class Mask>
+const Mask& mask_in_round(const Mask& mask, unsigned /*k*/)
+{
+  return mask;
+}
+template <class Function>
+auto mask_in_round(const Level_dependent_mask<Function>& mask, unsigned k)
+{
+  return mask.in_round(k);
+}
+
+template <class Mask>
+using Mask_in_round = std::decay_t<decltype(mask_in_round(std::declval<const Mask&>(), 1u))>;
+
+template <class Mask>
+struct Is_level_dependent : std::false_type
+{};
+template <class Function>
+struct Is_level_dependent<Level_dependent_mask<Function>> : std::true_type
+{};
+
+} // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 

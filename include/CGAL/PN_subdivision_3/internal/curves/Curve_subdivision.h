@@ -59,7 +59,8 @@ struct Normal_rows<FT, Mask_with_normals<Mask, Normal_mask>>
 template <class FT, int dimension, class Mask>
 class Curve_subdivision
 {
-  static constexpr bool is_pn = !Is_linear_mask<Mask>::value;
+  using Round_mask = Mask_in_round<Mask>;
+  static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
   using Average =
     std::conditional_t<is_pn, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
   using Value = typename Average::Value;
@@ -71,15 +72,12 @@ class Curve_subdivision
 
 public:
   Curve_subdivision(const Mask& mask, Curve_end end)
-    : rows_(mask)
-    , normal_rows_(mask)
+    : mask_(mask)
+    , rows_(mask_in_round(mask, 1))
+    , normal_rows_(mask_in_round(mask, 1))
     , end_(end)
   {
-    if constexpr (Normal_rows<FT, Mask>::differ)
-      if (!rows_.has_same_center(normal_rows_.rows))
-        throw std::invalid_argument(
-          "PN_subdivision_3: the masks of points and normals must both be "
-          "primal or both dual, with the same center");
+    check_centers();
   }
 
   template <class Point, class Vector>
@@ -125,7 +123,11 @@ public:
       return curve;
     }
     check_sizes(iterations);
-    for (unsigned k = 1; k < iterations; ++k) refine();
+    begin_round(1);
+    for (unsigned k = 1; k < iterations; ++k) {
+      refine();
+      begin_round(k + 1);
+    }
     const auto [first, last] = range(size());
     curve.reserve(static_cast<std::size_t>(last - first));
     evaluate(first, last, append);
@@ -168,11 +170,30 @@ private:
 
   Index size() const { return static_cast<Index>(values_.size()); }
 
+  void check_centers() const
+  {
+    if constexpr (Normal_rows<FT, Round_mask>::differ)
+      if (!rows_.has_same_center(normal_rows_.rows))
+        throw std::invalid_argument(
+          "PN_subdivision_3: the masks of points and normals must both be "
+          "primal or both dual, with the same center");
+  }
+
+  void begin_round([[maybe_unused]] unsigned k)
+  {
+    if constexpr (Is_level_dependent<Mask>::value) {
+      const Round_mask mask = mask_in_round(mask_, k);
+      rows_ = Univariate_rows<FT>(mask);
+      normal_rows_ = Normal_rows<FT, Round_mask>(mask);
+      check_centers();
+    }
+  }
+
   // the new points of a polygon with n points
   std::pair<Index, Index> range(Index n) const
   {
     std::pair<Index, Index> r = rows_.range(n, end_);
-    if constexpr (Normal_rows<FT, Mask>::differ) {
+    if constexpr (Normal_rows<FT, Round_mask>::differ) {
       const std::pair<Index, Index> other = normal_rows_.rows.range(n, end_);
       r = {(std::max)(r.first, other.first), (std::min)(r.second, other.second)};
     }
@@ -180,17 +201,19 @@ private:
   }
 
   // before the first round: none may need more points than can be numbered
-  void check_sizes(unsigned iterations) const
+  void check_sizes(unsigned iterations)
   {
     Index n = size();
     for (unsigned k = 1; k <= iterations; ++k) {
+      begin_round(k);
       const auto [first, last] = range(n);
       if (last - first >= static_cast<Index>(UINT32_MAX))
         throw std::length_error("PN_subdivision_3: round " + std::to_string(k) + " of " +
                                 std::to_string(iterations) + " would make " +
                                 std::to_string(last - first) +
                                 " points, more than can be numbered: ask for fewer rounds");
-      if (last - first == n) return; // and so in all further rounds
+      if (last - first == n && !Is_level_dependent<Mask>::value)
+        return; // in all further rounds, too
       n = last - first;
     }
   }
@@ -219,7 +242,7 @@ private:
       const Index end = (std::min)(begin + 2 * half, last);
       for (const Index start : {begin, begin + 1}) {
         emit(rows_, start, end, rows);
-        if constexpr (Normal_rows<FT, Mask>::differ)
+        if constexpr (Normal_rows<FT, Round_mask>::differ)
           emit(normal_rows_.rows, start, end, normal_rows);
         average(rows, normal_rows, values.data(), start);
         for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
@@ -244,7 +267,7 @@ private:
   try {
     const Block block{};
     if (rows.number_of_rows() == 0) return;
-    if constexpr (Normal_rows<FT, Mask>::differ)
+    if constexpr (Normal_rows<FT, Round_mask>::differ)
       block(rows, normal_rows, values_.data(), result);
     else
       block(rows, values_.data(), result);
@@ -255,8 +278,9 @@ private:
       std::to_string(start) + " vanishes or is opposite to a neighbor's: use a higher precision");
   }
 
+  const Mask& mask_;
   Univariate_rows<FT> rows_;
-  Normal_rows<FT, Mask> normal_rows_;
+  Normal_rows<FT, Round_mask> normal_rows_;
   Curve_end end_;
   Values values_;
   bool is_near_overflow_ = false;
