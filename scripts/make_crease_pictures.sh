@@ -9,7 +9,8 @@
 #
 # Draws doc/PN_subdivision_3/fig/creases_PART.png for each part of data/meshes/parts: Catmull-Clark
 # subdivision with its creases, linear on the left, point-normal on the right, under the control mesh;
-# and creases_curvature.png, the Gaussian curvature of the bearing housing.
+# creases_curvature.png, the Gaussian curvature of the bearing housing, and
+# creases_mean_curvature.png, the mean curvature of all other parts.
 #
 #   scripts/make_crease_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -46,3 +47,14 @@ refine bearing_housing "$work/PN.vtp" --curvature gaussian
 scripts/render.py --output "$folder/creases_curvature.png" --columns 2 --tile 400 --same-view \
                   --shading split --scalars gaussian_curvature --range 1 --view=30,40 \
                   --caption linear --caption PN "$work"/{linear,PN}.vtp
+
+captions=() meshes=()
+for part in capped_cylinder half_ball lens washer plate_with_holes d_section bolt bracket; do
+  refine "$part" "$work/$part.linear.vtp" --linear --curvature mean
+  refine "$part" "$work/$part.PN.vtp" --curvature mean
+  captions+=(--caption "${part//_/ }, linear" --caption "${part//_/ }, PN")
+  meshes+=("$work/$part".{linear,PN}.vtp)
+done
+scripts/render.py --output "$folder/creases_mean_curvature.png" --columns 4 --tile 240 \
+                  --shading split --scalars mean_curvature --range 1.4 --view=30,30 \
+                  "${captions[@]}" "${meshes[@]}"
