@@ -1,0 +1,548 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Creases of surfaces that are none of the simple ones: how the result depends on the data, and how
+// smooth and how near to the true surface it is.
+
+#include "Crease_shapes.h"
+#include "Random_creases.h"
+#include "reference/Crease_rule.h"
+
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace crease_shapes;
+using crease_levels::Crease_run;
+using crease_levels::Index;
+using crease_levels::Level_connectivity;
+using crease_levels::triangulated;
+using crease_levels::Triple;
+using crease_levels::undirected;
+using namespace CGAL::PN_subdivision_3;
+
+Triple triple(const Vector& v)
+{
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
+Vector vector(const Triple& x)
+{
+  return {Real(x[0]), Real(x[1]), Real(x[2])};
+}
+
+// \name Scans
+
+// Two sheets that meet in a crease of unit edges.
+class Sheets
+{
+public:
+  // the sheets go from the curve along directions[side]; with normals unless these are empty
+  Sheets(const std::vector<Vector>& curve, const std::array<Vector, 2>& directions,
+         const std::vector<std::array<Vector, 2>>& normals = {})
+  {
+    const auto n = int(curve.size());
+    for (const Vector& p : curve)
+      for (int j = -2; j <= 2; ++j)
+        control.points.push_back(triple(p + Real(std::abs(j)) * directions[j > 0]));
+    for (int i = 0; i + 1 < n; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const int v = 5 * i + j;
+        control.faces.push_back({v, v + 5, v + 6, v + 1});
+        for (const int corner : control.faces.back())
+          if (!normals.empty())
+            control.normals[{int(control.faces.size()) - 1, corner}] =
+              triple(normals[std::size_t(corner / 5)][j < 2 ? 0 : 1].normalized());
+      }
+      control.sharp_edges[undirected(5 * i + 2, 5 * i + 7)] = infinity;
+    }
+  }
+
+  Control control;
+};
+
+template <class Scheme>
+std::vector<Vector> points(const Control& control, const Scheme& scheme, int rounds)
+{
+  Crease_run<double, Scheme> run(control, scheme);
+  run.refine(rounds);
+  std::vector<Vector> result;
+  for (Index v = 0; v < run.level().number_of_vertices(); ++v)
+    result.push_back(vector(run.point(v)));
+  return result;
+}
+
+// how far the points are from those of the linear scheme
+template <class Scheme>
+std::vector<Vector> offsets(const Control& control, const Scheme& scheme, int rounds)
+{
+  std::vector<Vector> result = points(control, scheme, rounds);
+  const std::vector<Vector> of_linear = points(control, linear(scheme), rounds);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= of_linear[i];
+  return result;
+}
+
+// the greatest change of such an offset while the parameter changes by 1
+template <class Control_of, class Scheme>
+Real greatest_slope(Real from, Real to, int steps, const Control_of& control_of,
+                    const Scheme& scheme)
+{
+  Real greatest = 0;
+  std::vector<Vector> before;
+  for (int k = 0; k <= steps; ++k) {
+    const std::vector<Vector> now =
+      offsets(control_of(from + (to - from) * Real(k) / Real(steps)), scheme, 2);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Real slope = (now[i] - before[i]).norm() * Real(steps) / (to - from);
+      if (!(slope <= greatest)) greatest = slope;
+    }
+    before = now;
+  }
+  return greatest;
+}
+
+// A jump of 0.02 and more would exceed the bar.
+template <class Control_of>
+void expect_slope(Real from, Real to, Real bar, const Control_of& control_of)
+{
+  const int steps = int(std::ceil((to - from) * bar / Real(0.02)));
+  const Real cc = greatest_slope(from, to, steps, control_of, CatmullClark_scheme());
+  const Real loop = greatest_slope(
+    from, to, steps, [&](Real x) { return triangulated(control_of(x)); }, Loop_scheme());
+  EXPECT_LE(cc, bar);
+  EXPECT_LE(loop, bar);
+}
+
+const int columns = 7;
+
+// sheets at the angle pi - 2 slope on a wavy curve; the normals are turned from theirs along the crease
+Control roof(Real slope, bool with_normals, Real turn = 0)
+{
+  const std::array<Vector, 2> sides{Vector(0, -std::cos(slope), -std::sin(slope)),
+                                    Vector(0, std::cos(slope), -std::sin(slope))};
+  std::vector<Vector> curve;
+  std::vector<std::array<Vector, 2>> normals;
+  for (int i = 0; i < columns; ++i) {
+    const Real x = Real(i);
+    curve.push_back({x, Real(0.3) * std::sin(x), Real(0.2) * std::cos(Real(1.3) * x)});
+    const Vector t =
+      Vector(1, Real(0.3) * std::cos(x), -Real(0.26) * std::sin(Real(1.3) * x)).normalized();
+    normals.push_back({sides[0].cross(t).normalized(), t.cross(sides[1]).normalized()});
+    for (Vector& n : normals.back()) n = std::cos(turn) * n + std::sin(turn) * t;
+  }
+  return Sheets(curve, sides, with_normals ? normals : decltype(normals)()).control;
+}
+
+// sheets on a plane curve that turns by the angle at all its vertices, or at the one in its middle
+Control bent(Real angle, bool at_all_vertices)
+{
+  std::vector<Vector> curve(columns, Vector(0, 0, 0));
+  std::vector<std::array<Vector, 2>> normals(columns);
+  const int middle = columns / 2;
+  for (int i = 0; i <= middle; ++i)
+    for (const int sign : {-1, 1}) {
+      const auto at = std::size_t(middle + sign * i);
+      const Real turns = Real(sign) * Real(at_all_vertices ? i : std::min(i, 1));
+      const Real direction = angle * (turns - Real(sign) / 2);
+      const Real tangent = angle * (at_all_vertices ? turns : i == 0 ? 0 : turns - Real(sign) / 2);
+      if (i > 0)
+        curve[at] = curve[std::size_t(middle + sign * (i - 1))] +
+                    Real(sign) * Vector(std::cos(direction), std::sin(direction), 0);
+      for (const int side : {0, 1})
+        normals[at][std::size_t(side)] = {std::sin(tangent), -std::cos(tangent),
+                                          side == 0 ? Real(-0.1) : Real(0.2)};
+    }
+  const std::array<Vector, 2> sides{Vector(0, Real(0.1), Real(-0.8)), Vector(0, Real(0.1), 1)};
+  return Sheets(curve, sides, normals).control;
+}
+
+TEST(Crease_scans, Angle_between_the_sheets)
+{
+  expect_slope(0, pi / 2, Real(0.6), [](Real slope) { return roof(slope, true); });
+  expect_slope(0, pi / 2, Real(0.1), [](Real slope) { return roof(slope, false); });
+  // of the normals alone, up to opposite ones
+  expect_slope(0, pi / 2, Real(0.6), [](Real slope) {
+    Control c = roof(Real(0.6), false);
+    c.normals = roof(slope, true).normals;
+    return c;
+  });
+}
+
+// Near 180 degrees neighboring normals are nearly opposite.
+TEST(Crease_scans, Bends)
+{
+  const auto arc = [](Real angle) { return bent(angle, true); };
+  expect_slope(0, Real(2.8), Real(1.2), arc);
+  expect_slope(Real(2.8), 3, 11, arc);
+}
+
+TEST(Crease_scans, Kinks)
+{
+  expect_slope(0, pi, 4, [](Real angle) { return bent(angle, false); });
+}
+
+// Beyond 85 degrees neighboring normals of a wedge become opposite: their mean is not continuous.
+TEST(Crease_scans, Normals_along_the_crease)
+{
+  expect_slope(0, pi * 85 / 180, 18, [](Real turn) { return roof(Real(0.6), true, turn); });
+}
+
+TEST(Crease_scans, Sharpness)
+{
+  for (const bool with_normals : {true, false})
+    expect_slope(Real(1e-6), Real(3.1), Real(0.3), [&](Real s) {
+      Control c = roof(Real(0.6), with_normals);
+      for (auto& e : c.sharp_edges) e.second = double(s);
+      return c;
+    });
+}
+
+// \name Perturbed data
+
+// every point goes by 0.05 of the edges at it, every wedge's normal turns by 0.2
+Control perturbed(const Part& part, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto direction = [&] {
+    const auto x = [&] { return Real(random_creases::random_between(random, -1, 1)); };
+    const Real a = x(), b = x(), c = x();
+    return Vector(a, b, c).normalized();
+  };
+  Control c = part.control();
+  std::vector<Real> length(c.points.size(), 0), count = length;
+  for (const Face& f : c.faces)
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const auto v = std::size_t(f[i]), w = std::size_t(f[(i + 1) % f.size()]);
+      const Real edge = (part.points[v] - part.points[w]).norm();
+      for (const std::size_t end : {v, w}) {
+        length[end] += edge;
+        count[end] += 1;
+      }
+    }
+  for (std::size_t v = 0; v < c.points.size(); ++v)
+    c.points[v] = triple(part.points[v] + Real(0.05) * length[v] / count[v] * direction());
+  std::map<std::pair<std::size_t, int>, Triple> turned; // by the group and the vertex
+  for (auto& [corner, n] : c.normals) {
+    const auto key = std::make_pair(part.group[std::size_t(corner.first)], corner.second);
+    if (turned.count(key) == 0) {
+      const Vector m = vector(n), axis = m.cross(direction()).normalized();
+      turned[key] = triple(std::cos(Real(0.2)) * m + std::sin(Real(0.2)) * axis);
+    }
+    n = turned[key];
+  }
+  return c;
+}
+
+// the greatest angle between neighboring faces of one side at vertices on creases
+template <class Run>
+Real greatest_angle_at_creases(const Run& run)
+{
+  const Level_connectivity& level = run.level();
+  std::set<Index> edges, vertices;
+  for (const auto& e : run.creases().edges) edges.insert(e.edge);
+  for (const auto& star : run.creases().stars)
+    if (star.number_of_ends == 2 && star.sharpness == 0) vertices.insert(star.vertex);
+  const auto area = [&](Index h) {
+    Vector sum = Vector::Zero();
+    const Vector origin = vector(run.point(level.target(h)));
+    for (Index g = level.next(h); level.next(g) != h; g = level.next(g))
+      sum += (vector(run.point(level.target(g))) - origin)
+               .cross(vector(run.point(level.target(level.next(g)))) - origin);
+    return sum;
+  };
+  Real greatest = 0;
+  for (Index e = 0; e < level.number_of_edges(); ++e) {
+    if (level.is_border_edge(e) || edges.count(e) != 0 ||
+        (vertices.count(level.source(2 * e)) == 0 && vertices.count(level.target(2 * e)) == 0))
+      continue;
+    const Vector m = area(2 * e), n = area(2 * e + 1);
+    const Real angle = std::atan2(m.cross(n).norm(), m.dot(n));
+    if (!(angle <= greatest)) greatest = angle;
+  }
+  return greatest;
+}
+
+// the control mesh with a vertex in the middle of all polygons but triangles and quads, all split
+Control split_about_centers(const Control& control)
+{
+  Control c = control;
+  c.faces.clear();
+  c.normals.clear();
+  for (std::size_t f = 0; f < control.faces.size(); ++f) {
+    const Face& face = control.faces[f];
+    const auto corner = [&](int v) { return control.normals.at({int(f), v}); };
+    const auto add = [&](const Face& t, const std::vector<Triple>& normals) {
+      for (std::size_t i = 0; i < t.size(); ++i)
+        c.normals[{int(c.faces.size()), t[i]}] = normals[i];
+      c.faces.push_back(t);
+    };
+    if (face.size() <= 4) {
+      for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        add({face[0], face[i], face[i + 1]},
+            {corner(face[0]), corner(face[i]), corner(face[i + 1])});
+      continue;
+    }
+    Vector middle = Vector::Zero(), normal = middle;
+    for (const int v : face) {
+      middle += vector(control.points[std::size_t(v)]) / Real(face.size());
+      normal += vector(corner(v));
+    }
+    const auto center = int(c.points.size());
+    c.points.push_back(triple(middle));
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const int v = face[i], w = face[(i + 1) % face.size()];
+      add({v, w, center}, {corner(v), corner(w), triple(normal.normalized())});
+    }
+  }
+  return c;
+}
+
+template <class Scheme>
+void expect_smooth_sides(const Control& control, const Scheme& scheme, int first_round)
+{
+  Crease_run<double, Scheme> run(control, scheme);
+  Real angle = 0;
+  for (int k = 1; k <= 5; ++k) {
+    run.refine();
+    const Real next = greatest_angle_at_creases(run);
+    EXPECT_LE(next, 1) << "round " << k; // no face is turned
+    if (k > first_round) {
+      EXPECT_LE(next, 0.6 * angle) << "round " << k;
+    }
+    angle = next;
+  }
+}
+
+// Where the sides are tangent, turned normals give tangents far from those of the points: their angles
+// halve later. For Loop, polygons are split about their centers: a single triangle between two creases has
+// the osculating plane of the crease for its tangent plane, whatever the normals.
+TEST(Perturbed_creases, Sides_are_smooth)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    for (const Part& part : {capped_cylinder(uneven(7)), half_ball(), lens(), countersink()}) {
+      const Control c = perturbed(part, seed);
+      expect_smooth_sides(c, CatmullClark_scheme(), 2);
+      expect_smooth_sides(split_about_centers(c), Loop_scheme(), 2);
+    }
+    const Control tangent = perturbed(bullet(), seed);
+    expect_smooth_sides(tangent, CatmullClark_scheme(), 3);
+    expect_smooth_sides(split_about_centers(tangent), Loop_scheme(), 3);
+  }
+}
+
+TEST(Perturbed_creases, Stay_near)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    for (const Part& part : {washer(), bolt(), d_section(), rounded_box(), plate_with_hole(),
+                             ball_cap(), octant(), crease_shapes::cube()}) {
+      const Control exact = part.control(), c = perturbed(part, seed);
+      const auto expect_near = [&](const std::vector<Vector>& a, const std::vector<Vector>& b) {
+        Real greatest = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+          if (!((a[i] - b[i]).norm() <= greatest)) greatest = (a[i] - b[i]).norm();
+        EXPECT_LE(greatest, 0.2 * part.scale());
+      };
+      expect_near(points(c, CatmullClark_scheme(), 3), points(exact, CatmullClark_scheme(), 3));
+      expect_near(points(triangulated(c), Loop_scheme(), 3),
+                  points(triangulated(exact), Loop_scheme(), 3));
+    }
+}
+
+// \name Smoothness of creases
+
+// Two faces that meet in a closed wavy curve.
+Control pillow(int n)
+{
+  Control c;
+  c.faces.resize(2);
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * M_PI * i / n + 0.1 * std::sin(3. * i);
+    c.points.push_back(
+      {(1 + 0.2 * std::cos(3 * a)) * std::cos(a), std::sin(a), 0.4 * std::sin(2 * a)});
+    c.faces[0].push_back(i);
+    c.faces[1].insert(c.faces[1].begin(), i);
+    c.sharp_edges[undirected(i, (i + 1) % n)] = infinity;
+  }
+  return c;
+}
+
+// the closed crease after `rounds` rounds of the rules, one vertex after the other
+struct Crease_curve
+{
+  std::vector<reference::Vector> points, tangents;
+
+  void refine(bool is_linear)
+  {
+    const std::size_t n = points.size();
+    Crease_curve next;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t a = (i + n - 1) % n, b = (i + 1) % n;
+      for (const bool is_edge : {false, true}) {
+        reference::Crease_entries entries;
+        if (is_edge)
+          entries = {{Real(0.5), Real(0.5)}, {points[i], points[b]}, {tangents[i], tangents[b]}};
+        else
+          entries = {{Real(0.125), Real(0.75), Real(0.125)},
+                     {points[a], points[i], points[b]},
+                     {tangents[a], tangents[i], tangents[b]}};
+        if (is_linear) entries.tangents.assign(entries.points.size(), reference::Vector::Zero());
+        const reference::Crease_rule rule(entries);
+        next.points.push_back(rule.point());
+        next.tangents.push_back(rule.tangent());
+      }
+    }
+    *this = next;
+  }
+
+  // the greatest difference of curvature vectors of neighbors
+  Real curvature_jump() const
+  {
+    const std::size_t n = points.size();
+    const auto curvature = [&](std::size_t i) {
+      const Vector x = points[(i + 1) % n] - points[i], y = points[i] - points[(i + n - 1) % n];
+      return Vector(2 / (x.norm() + y.norm()) * (x.normalized() - y.normalized()));
+    };
+    Real greatest = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      greatest = (std::max)(greatest, (curvature((i + 1) % n) - curvature(i)).norm());
+    return greatest;
+  }
+};
+
+TEST(Wavy_crease, Is_twice_continuously_differentiable)
+{
+  const int n = 7;
+  Crease_run<double, CatmullClark_scheme> run(pillow(n), CatmullClark_scheme());
+  Crease_curve curve, of_linear;
+  for (Index v = 0; v < n; ++v) curve.points.push_back(vector(run.point(v)));
+  curve.tangents.resize(n);
+  for (const auto& e : run.creases().edges)
+    for (Index side = 0; side < 2; ++side)
+      if ((run.level().source(e.halfedge(side)) + 1) % n == run.level().target(e.halfedge(side)))
+        curve.tangents[run.level().source(e.halfedge(side))] = vector(e.tangent_from[side]);
+  of_linear = curve;
+  // the crease of the surface is the curve
+  Crease_curve near = curve;
+  for (int k = 0; k < 4; ++k) near.refine(false);
+  run.refine(4);
+  EXPECT_EQ(run.creases().stars.size(), near.points.size());
+  for (const auto& star : run.creases().stars) {
+    Real least = 1;
+    for (const Vector& p : near.points)
+      least = (std::min)(least, (p - vector(run.point(star.vertex))).norm());
+    EXPECT_LE(least, 1e-14);
+  }
+  for (Crease_curve* c : {&curve, &of_linear}) {
+    for (int k = 0; k < 3; ++k) c->refine(c == &of_linear);
+    Real jump = c->curvature_jump();
+    for (int k = 4; k <= 11; ++k) {
+      c->refine(c == &of_linear);
+      const Real next = c->curvature_jump();
+      EXPECT_LE(next, 0.56 * jump) << "round " << k;
+      if (k > 9) {
+        EXPECT_NEAR(double(next / jump), 0.5, 0.01);
+      }
+      jump = next;
+    }
+  }
+}
+
+// \name A cylinder's end, cut off by another surface
+
+// z = saddle (x^2 - y^2) + slope x, between that surface and the cylinder of radius 1
+struct Cut
+{
+  Real saddle, slope;
+
+  Real height(Real x, Real y) const { return saddle * (x * x - y * y) + slope * x; }
+  Vector normal(bool is_top, const Vector& p) const
+  {
+    return (is_top ? Vector(-2 * saddle * p[0] - slope, 2 * saddle * p[1], 1)
+                   : Vector(p[0], p[1], 0))
+      .normalized();
+  }
+  Real distance(bool is_top, const Vector& p) const
+  {
+    if (!is_top) return std::abs(std::hypot(p[0], p[1]) - 1);
+    return std::abs((p[2] - height(p[0], p[1])) * normal(true, p)[2]); // to first order
+  }
+
+  // n quads on either side of the crease
+  Control control(int n) const
+  {
+    Control c;
+    const auto add_ring = [&](Real radius, Real lowered) {
+      Ring r;
+      for (int i = 0; i < n; ++i) {
+        const Real a = 2 * pi * (Real(i) + Real(0.3)) / Real(n), x = radius * std::cos(a),
+                   y = radius * std::sin(a);
+        r.push_back(int(c.points.size()));
+        c.points.push_back(triple({x, y, height(x, y) - lowered}));
+      }
+      return r;
+    };
+    const Ring rim = add_ring(1, 0), inner = add_ring(Real(0.6), 0), low = add_ring(1, 2);
+    const auto add = [&](const Face& f, bool is_top) {
+      for (const int v : f)
+        c.normals[{int(c.faces.size()), v}] =
+          triple(normal(is_top, vector(c.points[std::size_t(v)])));
+      c.faces.push_back(f);
+    };
+    for (std::size_t i = 0; i < std::size_t(n); ++i) {
+      const std::size_t j = (i + 1) % std::size_t(n);
+      add({rim[i], rim[j], inner[j], inner[i]}, true);
+      add({low[i], low[j], rim[j], rim[i]}, false);
+      c.sharp_edges[undirected(rim[i], rim[j])] = infinity;
+    }
+    add(inner, true);
+    return c;
+  }
+
+  // of the crease from both surfaces
+  template <class Scheme>
+  Real distance(int n, const Scheme& scheme) const
+  {
+    Crease_run<double, Scheme> run(control(n), scheme);
+    run.refine(3);
+    Real greatest = 0;
+    for (const auto& star : run.creases().stars)
+      for (const bool is_top : {true, false})
+        greatest = (std::max)(greatest, distance(is_top, vector(run.point(star.vertex))));
+    return greatest;
+  }
+};
+
+// no such crease is kept exactly: linear rules approach it as the square, these as the fourth power
+TEST(Wavy_crease, Follows_the_surfaces_beside_it)
+{
+  for (const Cut& cut : {Cut{Real(0.3), 0}, Cut{0, 1}}) {
+    Real coarse = cut.distance(8, CatmullClark_scheme());
+    EXPECT_LE(coarse, 0.016);
+    EXPECT_GE(cut.distance(8, linear(CatmullClark_scheme())), 0.06);
+    for (const int n : {16, 32}) {
+      const Real fine = cut.distance(n, CatmullClark_scheme());
+      EXPECT_LE(fine, coarse / 8) << n;
+      EXPECT_GE(cut.distance(n, linear(CatmullClark_scheme())), 15 * fine);
+      coarse = fine;
+    }
+  }
+}
+
+} // namespace
