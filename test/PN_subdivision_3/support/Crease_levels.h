@@ -48,6 +48,7 @@ struct Control
   std::map<Edge, double> sharp_edges;            // undirected
   std::map<int, double> sharp_vertices;
   Border border = Border::surface;
+  bool has_zero_tangents = false; // none are made
 };
 
 // the control mesh with all polygons split from their first corner
@@ -214,7 +215,7 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::Control_creases<FT>(level, creases, values, is_given)(false);
+      internal::Control_creases<FT>(level, creases, values, is_given)(control.has_zero_tangents);
     }
     typename Refiner::Values stored;
     for (const auto& v : values)

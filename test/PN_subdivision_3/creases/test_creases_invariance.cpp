@@ -1,0 +1,493 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What the result does not depend on, what it is the same as, and degenerate data.
+
+#include "Crease_shapes.h"
+
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace crease_shapes;
+using crease_levels::Crease_run;
+using crease_levels::Index;
+using crease_levels::Level_connectivity;
+using crease_levels::triangulated;
+using crease_levels::Triple;
+using crease_levels::undirected;
+using namespace CGAL::PN_subdivision_3;
+
+const Real epsilon = std::numeric_limits<double>::epsilon();
+
+struct Slots
+{
+  std::vector<Vector> points, normals;
+
+  bool operator==(const Slots& s) const { return points == s.points && normals == s.normals; }
+};
+
+template <class Scheme>
+Slots slots(const Control& control, const Scheme& scheme, int rounds)
+{
+  Crease_run<double, Scheme> run(control, scheme);
+  run.refine(rounds);
+  Slots s;
+  for (Index i = 0; i < run.number_of_slots(); ++i) {
+    const auto p = run.point(i), n = run.normal(i);
+    s.points.emplace_back(p[0], p[1], p[2]);
+    s.normals.emplace_back(n[0], n[1], n[2]);
+  }
+  return s;
+}
+
+// data on no simple surface, with semi-sharp edges
+Control wavy()
+{
+  Part part = bolt();
+  for (std::size_t i = 0; i < part.points.size(); ++i)
+    part.points[i] +=
+      Real(0.1) * Vector(std::sin(Real(3 * i)), std::cos(Real(5 * i)), std::sin(Real(7 * i)));
+  Control c = part.control();
+  int k = 0;
+  for (auto& e : c.sharp_edges)
+    if (++k % 4 == 0) e.second = 0.35 * k;
+  c.sharp_vertices[30] = 1.4;
+  return c;
+}
+
+// the largest side of a box about the points
+Real box_of(const Control& c)
+{
+  Real greatest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto less = [&](const Triple& a, const Triple& b) { return a[k] < b[k]; };
+    const auto [least, most] = std::minmax_element(c.points.begin(), c.points.end(), less);
+    greatest = (std::max)(greatest, Real((*most)[k] - (*least)[k]));
+  }
+  return greatest;
+}
+
+// \name Similarities
+Control transformed(Control c, const Eigen::Quaternion<Real>& rotation, Real factor,
+                    const Vector& by)
+{
+  const auto change = [&](auto& x, Real by_factor, const Vector& shift) {
+    const Vector y = by_factor * (rotation * Vector(x[0], x[1], x[2])) + shift;
+    x = {double(y[0]), double(y[1]), double(y[2])};
+  };
+  for (auto& p : c.points) change(p, factor, by);
+  for (auto& n : c.normals) change(n.second, 1, Vector(0, 0, 0));
+  return c;
+}
+
+template <class Scheme>
+void expect_similar(const Control& control, const Scheme& scheme)
+{
+  const Slots expected = slots(control, scheme, 3);
+  const auto rotation =
+    Eigen::Quaternion<Real>(Real(0.2), Real(0.7), Real(-0.4), Real(0.5)).normalized();
+  const Vector by(Real(0.5), Real(-1.5), Real(0.75));
+  const Slots got = slots(transformed(control, rotation, 3, by), scheme, 3);
+  ASSERT_EQ(got.points.size(), expected.points.size());
+  Real greatest = 0, of_normals = 0;
+  for (std::size_t i = 0; i < got.points.size(); ++i) {
+    greatest =
+      (std::max)(greatest, (got.points[i] - (3 * (rotation * expected.points[i]) + by)).norm());
+    of_normals = (std::max)(of_normals, (got.normals[i] - rotation * expected.normals[i]).norm());
+  }
+  EXPECT_LE(greatest, 3 * 8 * epsilon * box_of(control));
+  EXPECT_LE(of_normals, 8 * epsilon);
+  // powers of 2: bit for bit
+  Control large = control;
+  for (auto& p : large.points)
+    for (double& x : p) x *= 1024;
+  Slots scaled = slots(large, scheme, 3);
+  for (Vector& p : scaled.points) p /= 1024;
+  EXPECT_TRUE(scaled == expected);
+}
+
+TEST(Crease_invariance, Similarities)
+{
+  expect_similar(wavy(), CatmullClark_scheme());
+  expect_similar(wavy(), modified_CatmullClark_scheme());
+  expect_similar(triangulated(wavy()), Loop_scheme());
+  Control estimated = wavy();
+  estimated.normals.clear();
+  expect_similar(estimated, CatmullClark_scheme());
+}
+
+// \name Orders and orientation
+
+// the vertices of the refined level that correspond, given those of the level
+template <class Run>
+std::vector<Index> refined_map(const Run& a, const Run& b, const std::vector<Index>& map)
+{
+  const Level_connectivity &la = a.level(), &lb = b.level();
+  std::map<Edge, Index> edges;
+  std::map<std::set<Index>, Index> faces;
+  const auto around = [](const Level_connectivity& l, Index f) {
+    std::vector<Index> v;
+    const Index first = l.halfedge_of_face(f);
+    Index h = first;
+    do {
+      v.push_back(l.target(h));
+      h = l.next(h);
+    } while (h != first);
+    return v;
+  };
+  for (Index e = 0; e < lb.number_of_edges(); ++e)
+    edges[undirected(int(lb.source(2 * e)), int(lb.target(2 * e)))] = e;
+  for (Index f = 0; f < lb.number_of_faces(); ++f) {
+    const std::vector<Index> v = around(lb, f);
+    faces[std::set<Index>(v.begin(), v.end())] = f;
+  }
+  std::vector<Index> result = map;
+  const Index n = la.number_of_vertices();
+  for (Index e = 0; e < la.number_of_edges(); ++e)
+    result.push_back(n +
+                     edges.at(undirected(int(map[la.source(2 * e)]), int(map[la.target(2 * e)]))));
+  for (Index f = 0; f < la.number_of_faces(); ++f) {
+    std::set<Index> v;
+    for (const Index i : around(la, f)) v.insert(map[i]);
+    result.push_back(n + la.number_of_edges() + faces.at(v));
+  }
+  return result;
+}
+
+// normals by corners, the faces as sets of vertices
+template <class Run>
+std::map<std::pair<std::set<Index>, Index>, Vector> corner_normals(const Run& run,
+                                                                   const std::vector<Index>& map)
+{
+  std::vector<std::set<Index>> around(run.level().number_of_faces());
+  run.for_each_corner([&](Index f, Index v, Index) { around[f].insert(map[v]); });
+  std::map<std::pair<std::set<Index>, Index>, Vector> result;
+  run.for_each_corner([&](Index f, Index v, Index slot) {
+    const auto n = run.normal(slot);
+    result[{around[f], map[v]}] = Vector(n[0], n[1], n[2]);
+  });
+  return result;
+}
+
+// vertex v of the first control mesh is map[v] of the second one
+template <class Scheme>
+void expect_same(const Control& first, const Control& second, std::vector<Index> map, Real sign,
+                 const Scheme& scheme)
+{
+  Crease_run<double, Scheme> a(first, scheme), b(second, scheme);
+  for (int k = 0; k < 3; ++k) {
+    map = refined_map(a, b, map);
+    a.refine();
+    b.refine();
+    if (std::is_same_v<typename Scheme::Host, Loop_scheme::Host>)
+      map.resize(a.level().number_of_vertices());
+  }
+  Real greatest = 0, of_normals = 0;
+  for (Index v = 0; v < a.level().number_of_vertices(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      greatest = (std::max)(greatest, Real(std::abs(a.point(v)[k] - b.point(map[v])[k])));
+  std::vector<Index> identity(b.level().number_of_vertices());
+  std::iota(identity.begin(), identity.end(), Index(0));
+  const auto normals = corner_normals(a, map), others = corner_normals(b, identity);
+  ASSERT_EQ(normals.size(), others.size());
+  for (const auto& [corner, n] : normals)
+    of_normals = (std::max)(of_normals, (n - sign * others.at(corner)).norm());
+  EXPECT_LE(greatest, 8 * epsilon * box_of(first));
+  EXPECT_LE(of_normals, 8 * epsilon);
+}
+
+Control reversed(Control c)
+{
+  for (Face& f : c.faces) std::reverse(f.begin(), f.end());
+  for (auto& n : c.normals)
+    for (double& x : n.second) x = -x;
+  return c;
+}
+
+TEST(Crease_invariance, Orientation)
+{
+  const Control c = wavy();
+  std::vector<Index> identity(c.points.size());
+  std::iota(identity.begin(), identity.end(), Index(0));
+  expect_same(c, reversed(c), identity, -1, CatmullClark_scheme());
+  expect_same(triangulated(c), reversed(triangulated(c)), identity, -1, Loop_scheme());
+}
+
+// vertices and faces in another order, the faces from another corner on
+Control relabeled(const Control& c, const std::vector<Index>& map, std::mt19937& random)
+{
+  Control result;
+  result.border = c.border;
+  result.points.resize(c.points.size());
+  for (std::size_t v = 0; v < map.size(); ++v) result.points[map[v]] = c.points[v];
+  std::vector<std::size_t> order(c.faces.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), random);
+  for (const std::size_t f : order) {
+    Face face;
+    for (const int v : c.faces[f]) {
+      face.push_back(int(map[std::size_t(v)]));
+      result.normals[{int(result.faces.size()), face.back()}] = c.normals.at({int(f), v});
+    }
+    std::rotate(face.begin(), face.begin() + std::ptrdiff_t(random() % face.size()), face.end());
+    result.faces.push_back(face);
+  }
+  for (const auto& [e, s] : c.sharp_edges)
+    result
+      .sharp_edges[undirected(int(map[std::size_t(e.first)]), int(map[std::size_t(e.second)]))] = s;
+  for (const auto& [v, s] : c.sharp_vertices) result.sharp_vertices[int(map[std::size_t(v)])] = s;
+  return result;
+}
+
+TEST(Crease_invariance, Order_of_the_elements)
+{
+  std::mt19937 random(7);
+  for (const Control& c : {wavy(), triangulated(wavy()), octant().control()}) {
+    std::vector<Index> map(c.points.size());
+    std::iota(map.begin(), map.end(), Index(0));
+    std::shuffle(map.begin(), map.end(), random);
+    const Control other = relabeled(c, map, random);
+    expect_same(c, other, map, 1, CatmullClark_scheme());
+    if (c.faces[0].size() == 3) expect_same(c, other, map, 1, Loop_scheme());
+  }
+}
+
+// \name The linear schemes
+template <class Scheme>
+void expect_linear(const Control& control, const Scheme& scheme)
+{
+  const Slots pn = slots(control, scheme, 3), lin = slots(control, linear(scheme), 3);
+  ASSERT_EQ(pn.points.size(), lin.points.size());
+  Real greatest = 0;
+  for (std::size_t i = 0; i < pn.points.size(); ++i)
+    greatest = (std::max)(greatest, (pn.points[i] - lin.points[i]).norm());
+  EXPECT_LE(greatest, 8 * epsilon * box_of(control));
+}
+
+TEST(Crease_invariance, Without_tangents_and_with_equal_normals_is_the_linear_scheme)
+{
+  for (const bool are_zero : {true, false}) {
+    Control c = wavy();
+    c.has_zero_tangents = true;
+    for (auto& n : c.normals) n.second = are_zero ? Triple{0, 0, 0} : Triple{0.6, 0, -0.8};
+    expect_linear(c, CatmullClark_scheme());
+    expect_linear(c, modified_CatmullClark_scheme());
+    expect_linear(triangulated(c), Loop_scheme());
+    expect_linear(triangulated(c), modified_Loop_scheme());
+  }
+  // other normals in other wedges
+  Control c = bolt().control();
+  c.has_zero_tangents = true;
+  const Part part = bolt();
+  std::map<std::size_t, Triple> of_group;
+  for (auto& [corner, n] : c.normals)
+    n = of_group.emplace(part.group[std::size_t(corner.first)], n).first->second;
+  expect_linear(c, CatmullClark_scheme());
+  // straight creases
+  Control straight = crease_shapes::cube().control();
+  for (auto& n : straight.normals) n.second = {0, 0, 1};
+  expect_linear(straight, CatmullClark_scheme());
+}
+
+// \name Schemes of normals
+TEST(Crease_normal_schemes, The_same_scheme_changes_nothing)
+{
+  const Control c = wavy();
+  EXPECT_TRUE(slots(c, with_normal_scheme(CatmullClark_scheme(), CatmullClark_scheme()), 3) ==
+              slots(c, CatmullClark_scheme(), 3));
+  const Control t = triangulated(c);
+  EXPECT_TRUE(slots(t, with_normal_scheme(Loop_scheme(), Loop_scheme()), 3) ==
+              slots(t, Loop_scheme(), 3));
+}
+
+// an icosahedron with a vertex on every edge: twelve vertices of valence 5, all others of 6
+Control icosahedron()
+{
+  Control c;
+  const double g = (1 + std::sqrt(5.)) / 2;
+  for (const double a : {-1., 1.})
+    for (const double b : {-g, g}) {
+      c.points.push_back({0, a, b});
+      c.points.push_back({a, b, 0});
+      c.points.push_back({b, 0, a});
+    }
+  const auto squared_distance = [&](int i, int j) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += std::pow(c.points[std::size_t(i)][k] - c.points[std::size_t(j)][k], 2);
+    return sum;
+  };
+  const auto is_edge = [&](int i, int j) { return std::abs(squared_distance(i, j) - 4) < 1e-9; };
+  std::map<Edge, int> middle;
+  const auto between = [&](int i, int j) {
+    const auto [it, is_new] = middle.try_emplace(undirected(i, j), int(c.points.size()));
+    if (is_new) {
+      Triple m;
+      for (std::size_t k = 0; k < 3; ++k)
+        m[k] = (c.points[std::size_t(i)][k] + c.points[std::size_t(j)][k]) / 2;
+      c.points.push_back(m);
+    }
+    return it->second;
+  };
+  for (int i = 0; i < 12; ++i)
+    for (int j = i + 1; j < 12; ++j)
+      for (int k = j + 1; k < 12; ++k) {
+        if (!is_edge(i, j) || !is_edge(j, k) || !is_edge(k, i)) continue;
+        const auto at = [&](int v) {
+          const Triple& p = c.points[std::size_t(v)];
+          return Vector(p[0], p[1], p[2]);
+        };
+        const bool is_outward = at(i).dot(at(j).cross(at(k))) > 0;
+        const int a = i, b = is_outward ? j : k, d = is_outward ? k : j;
+        const int ab = between(a, b), bd = between(b, d), da = between(d, a);
+        for (const Face& f : {Face{a, ab, da}, Face{b, bd, ab}, Face{d, da, bd}, Face{ab, bd, da}})
+          c.faces.push_back(f);
+      }
+  for (std::size_t f = 0; f < c.faces.size(); ++f)
+    for (const int v : c.faces[f]) {
+      const Triple& p = c.points[std::size_t(v)];
+      const double length = std::hypot(p[0], p[1], p[2]);
+      c.normals[{int(f), v}] = {p[0] / length, p[1] / length, p[2] / length};
+    }
+  return c;
+}
+
+// A dart of valence 5 has the plain rules, itself and the edges at it; so has a corner.
+TEST(Crease_modified_schemes, Leave_extraordinary_darts_and_corners_alone)
+{
+  const Control c = icosahedron();
+  const auto runs = [&](const Control& control) {
+    return std::make_pair(slots(control, modified_Loop_scheme(), 1),
+                          slots(control, Loop_scheme(), 1));
+  };
+  const auto neighbors = [&](int v) {
+    std::set<std::size_t> result{std::size_t(v)};
+    const Level_connectivity level = crease_levels::level_of(c);
+    for (Index e = 0; e < level.number_of_edges(); ++e)
+      if (level.source(2 * e) == Index(v) || level.target(2 * e) == Index(v))
+        result.insert(level.number_of_vertices() + e);
+    return result;
+  };
+  const auto number_of_changes = [&](const Control& control, int v) {
+    const auto [modified, plain] = runs(control);
+    std::size_t n = 0;
+    for (const std::size_t i : neighbors(v)) n += modified.points[i] != plain.points[i];
+    return n;
+  };
+  EXPECT_EQ(number_of_changes(c, 0), 6u);
+  Control dart = c;
+  int other = -1;
+  for (const Face& f : c.faces)
+    if (f[0] == 0) other = f[1];
+  dart.sharp_edges[{0, other}] = infinity;
+  EXPECT_EQ(number_of_changes(dart, 0), 0u);
+  EXPECT_EQ(number_of_changes(dart, 5), 6u);
+  dart.sharp_edges[{0, other}] = 0.5;
+  EXPECT_EQ(number_of_changes(dart, 0), 0u);
+  Control corner = c;
+  corner.sharp_vertices[0] = infinity;
+  EXPECT_EQ(number_of_changes(corner, 0), 0u);
+  EXPECT_EQ(number_of_changes(corner, 5), 6u);
+  // the normals of the modified scheme, the creases of the plain one
+  const auto mixed = slots(dart, with_normal_scheme(Loop_scheme(), modified_Loop_scheme()), 1);
+  const auto [modified, plain] = runs(dart);
+  EXPECT_EQ(mixed.normals, modified.normals);
+  for (const std::size_t i : neighbors(0)) EXPECT_EQ(mixed.points[i], plain.points[i]);
+}
+
+// \name Degenerate data
+bool all_finite(const Slots& s)
+{
+  for (std::size_t i = 0; i < s.points.size(); ++i)
+    if (!s.points[i].allFinite() || !s.normals[i].allFinite() || s.points[i].norm() > 50 ||
+        s.normals[i].norm() > 1 + Real(1e-9))
+      return false;
+  return true;
+}
+
+TEST(Crease_degenerate_data, Gives_finite_results)
+{
+  const Control good = bolt().control();
+  const auto expect_finite = [](const Control& c) {
+    EXPECT_TRUE(all_finite(slots(c, CatmullClark_scheme(), 3)));
+    EXPECT_TRUE(all_finite(slots(triangulated(c), Loop_scheme(), 3)));
+  };
+  Control c = good;
+  for (auto& n : c.normals) n.second = {0, 0, 0};
+  expect_finite(c); // no normals
+  c = good;
+  for (std::size_t i = 1; i < c.points.size(); i += 2) c.points[i] = c.points[i - 1];
+  expect_finite(c); // edges without length
+  for (auto& p : c.points) p = {1, 2, 3};
+  expect_finite(c); // a single point
+  c = good;
+  for (auto& p : c.points) p = {p[0], 0, 0};
+  expect_finite(c); // folded onto a line
+  c = good;
+  for (auto& n : c.normals) n.second = {0.6, 0.8, 0};
+  expect_finite(c); // along some creases
+  c = good;
+  int k = 0;
+  for (auto& n : c.normals)
+    if (++k % 3 == 0)
+      for (double& x : n.second) x = -x;
+  expect_finite(c); // nearly opposite ones
+  c = good;
+  for (auto& e : c.sharp_edges) e.second = infinity;
+  for (std::size_t f = 0; f < c.faces.size(); ++f)
+    for (std::size_t i = 0; i < c.faces[f].size(); ++i)
+      c.sharp_edges[crease_levels::undirected(c.faces[f][i],
+                                              c.faces[f][(i + 1) % c.faces[f].size()])] = 0.5 * i;
+  expect_finite(c); // creases everywhere
+  c.normals.clear();
+  expect_finite(c);
+}
+
+// a pole of many edges, each second one sharp: no time of the square of its valence
+TEST(Crease_degenerate_data, Poles_of_large_valence)
+{
+  Control c;
+  const int n = 20000;
+  Index remaining = 0;
+  c.points.push_back({0, 0, 1});
+  for (int i = 0; i < n; ++i)
+    c.points.push_back({std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 0});
+  for (int i = 0; i < n; ++i) {
+    c.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+    c.sharp_edges[{0, 1 + i}] = i % 2 == 0 ? 0 : 0.5 + i % 3;
+    remaining += c.sharp_edges[{0, 1 + i}] > 1;
+  }
+  Crease_run<double, CatmullClark_scheme> run(c, CatmullClark_scheme());
+  run.refine();
+  EXPECT_EQ(run.creases().stars.front().number_of_ends, remaining);
+  // a dart at the pole
+  for (auto& e : c.sharp_edges) e.second = e.first.second == 1 ? infinity : 0;
+  Crease_run<double, CatmullClark_scheme> dart(c, CatmullClark_scheme());
+  dart.refine();
+  EXPECT_EQ(dart.creases().edges.size(), 2u);
+}
+
+} // namespace
