@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// What the result does not depend on, what it is the same as, and degenerate data.
+// What the result does not depend on, and what it is the same as.
 
 #include "Crease_shapes.h"
 
@@ -41,27 +41,6 @@ using crease_levels::undirected;
 using namespace CGAL::PN_subdivision_3;
 
 const Real epsilon = std::numeric_limits<double>::epsilon();
-
-struct Slots
-{
-  std::vector<Vector> points, normals;
-
-  bool operator==(const Slots& s) const { return points == s.points && normals == s.normals; }
-};
-
-template <class Scheme>
-Slots slots(const Control& control, const Scheme& scheme, int rounds)
-{
-  Crease_run<double, Scheme> run(control, scheme);
-  run.refine(rounds);
-  Slots s;
-  for (Index i = 0; i < run.number_of_slots(); ++i) {
-    const auto p = run.point(i), n = run.normal(i);
-    s.points.emplace_back(p[0], p[1], p[2]);
-    s.normals.emplace_back(n[0], n[1], n[2]);
-  }
-  return s;
-}
 
 // data on no simple surface, with semi-sharp edges
 Control wavy()
@@ -416,78 +395,6 @@ TEST(Crease_modified_schemes, Leave_extraordinary_darts_and_corners_alone)
   const auto [modified, plain] = runs(dart);
   EXPECT_EQ(mixed.normals, modified.normals);
   for (const std::size_t i : neighbors(0)) EXPECT_EQ(mixed.points[i], plain.points[i]);
-}
-
-// \name Degenerate data
-bool all_finite(const Slots& s)
-{
-  for (std::size_t i = 0; i < s.points.size(); ++i)
-    if (!s.points[i].allFinite() || !s.normals[i].allFinite() || s.points[i].norm() > 50 ||
-        s.normals[i].norm() > 1 + Real(1e-9))
-      return false;
-  return true;
-}
-
-TEST(Crease_degenerate_data, Gives_finite_results)
-{
-  const Control good = bolt().control();
-  const auto expect_finite = [](const Control& c) {
-    EXPECT_TRUE(all_finite(slots(c, CatmullClark_scheme(), 3)));
-    EXPECT_TRUE(all_finite(slots(triangulated(c), Loop_scheme(), 3)));
-  };
-  Control c = good;
-  for (auto& n : c.normals) n.second = {0, 0, 0};
-  expect_finite(c); // no normals
-  c = good;
-  for (std::size_t i = 1; i < c.points.size(); i += 2) c.points[i] = c.points[i - 1];
-  expect_finite(c); // edges without length
-  for (auto& p : c.points) p = {1, 2, 3};
-  expect_finite(c); // a single point
-  c = good;
-  for (auto& p : c.points) p = {p[0], 0, 0};
-  expect_finite(c); // folded onto a line
-  c = good;
-  for (auto& n : c.normals) n.second = {0.6, 0.8, 0};
-  expect_finite(c); // along some creases
-  c = good;
-  int k = 0;
-  for (auto& n : c.normals)
-    if (++k % 3 == 0)
-      for (double& x : n.second) x = -x;
-  expect_finite(c); // nearly opposite ones
-  c = good;
-  for (auto& e : c.sharp_edges) e.second = infinity;
-  for (std::size_t f = 0; f < c.faces.size(); ++f)
-    for (std::size_t i = 0; i < c.faces[f].size(); ++i)
-      c.sharp_edges[crease_levels::undirected(c.faces[f][i],
-                                              c.faces[f][(i + 1) % c.faces[f].size()])] = 0.5 * i;
-  expect_finite(c); // creases everywhere
-  c.normals.clear();
-  expect_finite(c);
-}
-
-// a pole of many edges, each second one sharp: no time of the square of its valence
-TEST(Crease_degenerate_data, Poles_of_large_valence)
-{
-  Control c;
-  const int n = 20000;
-  Index remaining = 0;
-  c.points.push_back({0, 0, 1});
-  for (int i = 0; i < n; ++i)
-    c.points.push_back({std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 0});
-  for (int i = 0; i < n; ++i) {
-    c.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
-    c.sharp_edges[{0, 1 + i}] = i % 2 == 0 ? 0 : 0.5 + i % 3;
-    remaining += c.sharp_edges[{0, 1 + i}] > 1;
-  }
-  Crease_run<double, CatmullClark_scheme> run(c, CatmullClark_scheme());
-  run.refine();
-  EXPECT_EQ(run.creases().stars.front().number_of_ends, remaining);
-  // a dart at the pole
-  for (auto& e : c.sharp_edges) e.second = e.first.second == 1 ? infinity : 0;
-  Crease_run<double, CatmullClark_scheme> dart(c, CatmullClark_scheme());
-  dart.refine();
-  EXPECT_EQ(dart.creases().edges.size(), 2u);
 }
 
 } // namespace

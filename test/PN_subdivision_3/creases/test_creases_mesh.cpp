@@ -8,8 +8,7 @@
 
 // Creases of meshes: what is read, written and refused.
 
-#include "Crease_shapes.h"
-#include "Mesh_cases.h"
+#include "Tagged_meshes.h"
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Polyhedron_3.h>
@@ -31,166 +30,10 @@
 
 namespace {
 
-using namespace crease_shapes;
-using crease_levels::Crease_run;
-using crease_levels::Index;
-using crease_levels::triangulated;
-using crease_levels::Triple;
-using crease_levels::undirected;
-namespace PN = CGAL::PN_subdivision_3;
-namespace np = CGAL::parameters;
+using namespace tagged_meshes;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
 using Surface_mesh = CGAL::Surface_mesh<Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-
-template <class Tag, class Mesh>
-using Dynamic_map = typename boost::property_map<Mesh, Tag>::type;
-
-// a mesh with its tags and normals
-template <class Mesh>
-struct Tagged
-{
-  using Traits = boost::graph_traits<Mesh>;
-
-  explicit Tagged(const Control& control)
-  {
-    mesh_cases::Soup soup;
-    soup.points = control.points;
-    for (const Face& f : control.faces) soup.faces.emplace_back(f.begin(), f.end());
-    mesh_cases::build(soup, mesh);
-    sharp = get(CGAL::dynamic_edge_property_t<double>(), mesh);
-    corners = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
-    normals = get(CGAL::dynamic_halfedge_property_t<Vector_3>(), mesh);
-    std::map<typename Traits::vertex_descriptor, int> index;
-    for (auto v : vertices(mesh)) {
-      const int i = int(index.size());
-      index[v] = i;
-      const auto it = control.sharp_vertices.find(i);
-      put(corners, v, it == control.sharp_vertices.end() ? 0. : it->second);
-    }
-    for (auto e : edges(mesh)) {
-      const auto it =
-        control.sharp_edges.find(undirected(index[source(e, mesh)], index[target(e, mesh)]));
-      put(sharp, e, it == control.sharp_edges.end() ? 0. : it->second);
-    }
-    int f = 0;
-    for (auto face : faces(mesh)) {
-      for (auto h : CGAL::halfedges_around_face(halfedge(face, mesh), mesh)) {
-        const auto it = control.normals.find({f, index[target(h, mesh)]});
-        const Triple n = it == control.normals.end() ? Triple{0, 0, 0} : it->second;
-        put(normals, h, Vector_3(n[0], n[1], n[2]));
-      }
-      ++f;
-    }
-  }
-
-  template <class Scheme, class Concurrency_tag = CGAL::Sequential_tag>
-  void subdivide(const Scheme& scheme, unsigned rounds)
-  {
-    PN::subdivide<Concurrency_tag>(mesh, scheme,
-                                   np::number_of_iterations(rounds)
-                                     .edge_is_constrained_map(sharp)
-                                     .vertex_is_constrained_map(corners)
-                                     .vertex_normal_map(normals));
-  }
-
-  Mesh mesh;
-  Dynamic_map<CGAL::dynamic_edge_property_t<double>, Mesh> sharp;
-  Dynamic_map<CGAL::dynamic_vertex_property_t<double>, Mesh> corners;
-  Dynamic_map<CGAL::dynamic_halfedge_property_t<Vector_3>, Mesh> normals;
-};
-
-Triple triple(const Point_3& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
-Triple triple(const Vector_3& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
-
-// all that a tagged mesh has: points, normals of (face as the set of its vertices, vertex), sharp edges
-struct State
-{
-  std::vector<Triple> points;
-  std::map<std::pair<std::set<int>, int>, Triple> normals;
-  std::map<Edge, double> sharp;
-  std::vector<double> corners;
-
-  bool operator==(const State& s) const
-  {
-    return points == s.points && normals == s.normals && corners == s.corners &&
-           std::equal(sharp.begin(), sharp.end(), s.sharp.begin(), s.sharp.end(),
-                      [](const auto& a, const auto& b) {
-                        const bool are_nan = std::isnan(a.second) && std::isnan(b.second);
-                        return a.first == b.first && (a.second == b.second || are_nan);
-                      });
-  }
-};
-
-template <class Mesh>
-State state(const Tagged<Mesh>& t)
-{
-  State s;
-  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, int> index;
-  const auto point = get(CGAL::vertex_point, t.mesh);
-  for (auto v : vertices(t.mesh)) {
-    index.emplace(v, int(index.size()));
-    s.points.push_back(triple(get(point, v)));
-    s.corners.push_back(get(t.corners, v));
-  }
-  for (auto e : edges(t.mesh))
-    s.sharp[undirected(index[source(e, t.mesh)], index[target(e, t.mesh)])] = get(t.sharp, e);
-  for (auto f : faces(t.mesh)) {
-    std::set<int> around;
-    for (auto v : CGAL::vertices_around_face(halfedge(f, t.mesh), t.mesh)) around.insert(index[v]);
-    for (auto h : CGAL::halfedges_around_face(halfedge(f, t.mesh), t.mesh))
-      s.normals[{around, index[target(h, t.mesh)]}] = triple(get(t.normals, h));
-  }
-  return s;
-}
-
-// the same by rounds on levels
-template <class Scheme>
-State state(const Control& control, const Scheme& scheme, int rounds)
-{
-  Crease_run<double, Scheme> run(control, scheme);
-  run.refine(rounds);
-  State s;
-  const auto& level = run.level();
-  for (Index v = 0; v < level.number_of_vertices(); ++v) {
-    s.points.push_back(run.point(v));
-    s.corners.push_back(0);
-  }
-  for (const auto& star : run.creases().stars) s.corners[star.vertex] = star.sharpness;
-  for (Index e = 0; e < level.number_of_edges(); ++e)
-    s.sharp[undirected(int(level.source(2 * e)), int(level.target(2 * e)))] = 0;
-  for (const auto& e : run.creases().edges)
-    s.sharp[undirected(int(level.source(2 * e.edge)), int(level.target(2 * e.edge)))] = e.sharpness;
-  std::vector<std::set<int>> around(level.number_of_faces());
-  run.for_each_corner([&](Index f, Index v, Index) { around[f].insert(int(v)); });
-  run.for_each_corner([&](Index f, Index v, Index slot) {
-    s.normals[{around[f], int(v)}] = run.normal(slot);
-  });
-  return s;
-}
-
-// a washer with sharp and semi-sharp edges and a corner
-Control tagged_washer()
-{
-  Part part = washer();
-  part.place();
-  Control c = part.control();
-  int k = 0;
-  for (auto& edge : c.sharp_edges)
-    if (++k % 5 == 0) edge.second = 0.4 * (k % 7);
-  c.sharp_vertices[3] = 1.5;
-  c.sharp_vertices[5] = infinity;
-  return c;
-}
 
 TEST(Creases_of_meshes, Are_those_of_levels_for_all_kinds_of_meshes)
 {
@@ -208,15 +51,24 @@ TEST(Creases_of_meshes, Are_those_of_levels_for_all_kinds_of_meshes)
   EXPECT_TRUE(state(c) == state(triangles, PN::Loop_scheme(), 2));
 }
 
+// removed vertices, edges and faces, fewer than a round adds
 TEST(Creases_of_meshes, Keep_the_indices_of_meshes_with_garbage)
 {
   const Control control = tagged_washer();
   Tagged<Surface_mesh> plain(control), with_garbage(control);
-  const auto v = with_garbage.mesh.add_vertex(Point_3(9, 9, 9));
-  with_garbage.mesh.remove_vertex(v);
+  Surface_mesh& mesh = with_garbage.mesh;
+  mesh.remove_vertex(mesh.add_vertex(Point_3(9, 9, 9)));
+  const auto f = mesh.add_face(mesh.add_vertex(Point_3(9, 9, 9)), mesh.add_vertex(Point_3(9, 8, 9)),
+                               mesh.add_vertex(Point_3(8, 9, 9)));
+  for (auto e : mesh.edges()) // what is removed is sharp
+    if (mesh.is_border(e)) put(with_garbage.sharp, e, 5);
+  CGAL::Euler::remove_center_vertex(CGAL::Euler::add_center_vertex(mesh.halfedge(f), mesh), mesh);
+  CGAL::Euler::remove_face(mesh.halfedge(*std::prev(mesh.faces().end())), mesh);
+  EXPECT_EQ(mesh.number_of_faces(), plain.mesh.number_of_faces());
+  EXPECT_GE(mesh.number_of_removed_edges(), 6u);
   plain.subdivide(PN::CatmullClark_scheme(), 2);
   with_garbage.subdivide(PN::CatmullClark_scheme(), 2);
-  EXPECT_TRUE(with_garbage.mesh.has_garbage());
+  EXPECT_TRUE(mesh.has_garbage());
   EXPECT_TRUE(state(plain) == state(with_garbage));
 }
 
@@ -390,6 +242,27 @@ TEST(Creases_of_meshes, Border_rules)
     }
 }
 
+// a map that cannot be written: the same surface
+struct All_edges_are_sharp
+{
+  using key_type = Surface_mesh::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  friend bool get(const All_edges_are_sharp&, key_type) { return true; }
+};
+
+TEST(Creases_of_meshes, Of_maps_that_are_only_read)
+{
+  const Control control = crease_shapes::cube().control(false);
+  Tagged<Surface_mesh> read(control), written(control);
+  PN::subdivide(read.mesh, PN::CatmullClark_scheme(),
+                np::number_of_iterations(2).edge_is_constrained_map(All_edges_are_sharp()));
+  PN::subdivide(written.mesh, PN::CatmullClark_scheme(),
+                np::number_of_iterations(2).edge_is_constrained_map(written.sharp));
+  EXPECT_EQ(state(read).points, state(written).points);
+}
+
 // \name Refusals
 template <class Function>
 std::string message_of(const Function& f)
@@ -426,6 +299,31 @@ TEST(Creases_of_meshes, Refuse_sharpness_that_is_none)
   c.sharp_vertices[5] = -0.5;
   expect_refusal(c, PN::CatmullClark_scheme(), "the sharpness of vertex 5 is negative");
   expect_refusal(c, PN::linear(PN::CatmullClark_scheme()), "vertex 5");
+}
+
+TEST(Creases_of_meshes, Are_refused_where_the_surface_is_none)
+{
+  // two fans that share their apex, all edges at it sharp
+  Control c;
+  c.points = {{0, 0, 0}};
+  for (const double z : {1., -1.})
+    for (const auto& [x, y] : {Edge{1, 0}, Edge{0, 1}, Edge{-1, 0}, Edge{0, -1}})
+      c.points.push_back({double(x), double(y), z});
+  for (int i = 1; i < 4; ++i) {
+    c.faces.push_back({0, i, i + 1});
+    c.faces.push_back({0, i + 5, i + 4});
+  }
+  for (int i = 1; i < 9; ++i) c.sharp_edges[{0, i}] = infinity;
+  Tagged<Surface_mesh> t(c);
+  const State before = state(t);
+  EXPECT_NE(message_of([&] { t.subdivide(PN::CatmullClark_scheme(), 1); }).find("vertex 0"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { PN::detect_creases(t.mesh, 30, t.sharp); }).find("vertex 0"),
+            std::string::npos);
+  EXPECT_NE(
+    message_of([&] { PN::estimate_corner_normals(t.mesh, t.sharp, t.normals); }).find("vertex 0"),
+    std::string::npos);
+  EXPECT_TRUE(state(t) == before);
 }
 
 TEST(Creases_of_meshes, Are_refused_by_schemes_without_rules_for_them)

@@ -176,8 +176,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Shape{"washer", washer}, Shape{"countersink", countersink},
                     Shape{"d_section", d_section}, Shape{"rounded_box", rounded_box},
                     Shape{"bolt", bolt}, Shape{"cube", cube},
-                    Shape{"plate_with_hole", plate_with_hole}, Shape{"ball_cap", ball_cap},
-                    Shape{"octant", octant}),
+                    Shape{"plate_with_hole", plate_with_hole}, Shape{"half_disk", half_disk},
+                    Shape{"ball_cap", ball_cap}, Shape{"octant", octant}),
   name_of);
 
 // The normals of a truncated cone are kept along its rims, which stay circles; the side between them is

@@ -9,6 +9,7 @@
 // The same subdivision for meshes of OpenMesh, through CGAL's adaptor.
 
 #include "Mesh_type_cases.h"
+#include "Tagged_meshes.h"
 
 #ifdef PN_TEST_WITH_OPENMESH
 
@@ -89,6 +90,19 @@ TEST(OpenMesh_types, FindsTheBorderAtItsVertices)
       EXPECT_EQ(mesh.is_boundary(v), border) << c.name << " vertex " << v.idx();
     }
   }
+}
+
+TEST(OpenMesh_types, Creases)
+{
+  using namespace tagged_meshes;
+  const Control polygons = tagged_washer();
+  Tagged<Poly_mesh, Dynamic_points<Poly_mesh>> p(polygons);
+  p.subdivide(PN::CatmullClark_scheme(), 2);
+  EXPECT_TRUE(state(p) == state(polygons, PN::CatmullClark_scheme(), 2));
+  const Control triangles = triangulated(polygons);
+  Tagged<Tri_mesh, Dynamic_points<Tri_mesh>> t(triangles);
+  t.subdivide(PN::Loop_scheme(), 2);
+  EXPECT_TRUE(state(t) == state(triangles, PN::Loop_scheme(), 2));
 }
 
 // A failure leaves neither elements nor status attributes behind.

@@ -409,6 +409,22 @@ inline Part plate_with_hole()
   return p;
 }
 
+// open: half of a disk, with corners where its arc ends
+inline Part half_disk()
+{
+  Part p;
+  const std::vector<Real> angles{0, Real(0.5), Real(1.3), Real(1.8), Real(2.5), pi};
+  const auto s = p.add(plane(0, 1));
+  const Ring arc = p.ring(1, 0, angles), inner = p.ring(Real(0.5), 0, angles);
+  p.tube(s, arc, inner, false);
+  const int center = p.vertex({0, 0, 0});
+  for (std::size_t i = 0; i + 1 < inner.size(); ++i) p.face(s, {center, inner[i], inner[i + 1]});
+  p.border = Border::curve;
+  p.sharp_vertices = {{arc.front(), infinity}, {arc.back(), infinity}};
+  p.of_border = {upright_cylinder(1), {Surface::plane, {0, 0, 0}, {0, 1, 0}, 0}};
+  return p;
+}
+
 inline Part ball_cap()
 {
   Part p;
@@ -437,6 +453,28 @@ inline Part octant()
   for (const Vector& out : {Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)})
     p.of_border.push_back({Surface::plane, {0, 0, 0}, out, 0});
   return p;
+}
+
+// \name Results
+struct Slots
+{
+  std::vector<Vector> points, normals;
+
+  bool operator==(const Slots& s) const { return points == s.points && normals == s.normals; }
+};
+
+template <class Scheme>
+Slots slots(const Control& control, const Scheme& scheme, int rounds)
+{
+  crease_levels::Crease_run<double, Scheme> run(control, scheme);
+  run.refine(rounds);
+  Slots s;
+  for (crease_levels::Index i = 0; i < run.number_of_slots(); ++i) {
+    const auto p = run.point(i), n = run.normal(i);
+    s.points.emplace_back(p[0], p[1], p[2]);
+    s.normals.emplace_back(n[0], n[1], n[2]);
+  }
+  return s;
 }
 
 } // namespace crease_shapes
