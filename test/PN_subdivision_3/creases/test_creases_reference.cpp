@@ -9,6 +9,7 @@
 // Rounds on tagged meshes against an implementation that shares nothing with the package.
 
 #include "Random_creases.h"
+#include "reference/Crease_tangents.h"
 #include "reference/Creases.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
@@ -163,6 +164,91 @@ TEST_P(Creases, Rounds_are_those_of_the_reference)
     compare_all(c, seed == 1 ? 3 : 2);
     if (HasFailure()) return;
   }
+}
+
+// \name Control data
+
+// other normals of the wedges: any directions, and none
+void turn_normals(Control& c, std::mt19937& random)
+{
+  std::map<Triple, Triple> turned;
+  for (auto& corner : c.normals) {
+    Triple& n = corner.second;
+    const auto [it, is_new] = turned.try_emplace(n, n);
+    if (is_new) {
+      const auto x = [&] { return random_between(random, -1, 1); };
+      Triple m{x(), x(), x()};
+      const double length = random() % 4 == 0 ? infinity : std::hypot(m[0], m[1], m[2]);
+      for (double& y : m) y /= length;
+      it->second = m;
+    }
+    n = it->second;
+  }
+}
+
+std::size_t expect_tangents(const Control& c)
+{
+  const Crease_run<double, CatmullClark_scheme> run(c, CatmullClark_scheme());
+  const reference::Creased_mesh mesh = state(run, c);
+  const reference::Crease_tangents expected(mesh);
+  std::size_t number_of_short = 0;
+  for (const auto& [ends, t] : mesh.tangents) {
+    const reference::Vector& e = expected.at(ends.first, ends.second);
+    EXPECT_LE((t - e).norm(), 1e-12) << ends.first << " to " << ends.second;
+    number_of_short += e.norm() < 0.99;
+  }
+  return number_of_short;
+}
+
+TEST_P(Creases, Tangents_are_those_of_the_reference)
+{
+  std::size_t number_of_short = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Control c = GetParam().shape();
+    c.border = GetParam().border;
+    perturb(c, random);
+    tag(c, random, GetParam().share, GetParam().values);
+    give_normals(c, random);
+    expect_tangents(c);
+    turn_normals(c, random);
+    number_of_short += expect_tangents(c);
+    for (auto& n : c.normals) n.second = {0, 0, 0};
+    expect_tangents(c);
+    // all but folded onto a line, some edges without length
+    for (std::size_t v = 0; v < c.points.size(); ++v)
+      c.points[v] = {std::floor(c.points[v][0]), 0.03 * c.points[v][1] * double(v % 3), 0};
+    number_of_short += expect_tangents(c);
+    if (HasFailure()) return;
+  }
+  EXPECT_GE(number_of_short, 20u);
+}
+
+// estimated normals are orthogonal to the tangents beside their wedges
+TEST_P(Creases, Estimated_normals_are_orthogonal_to_creases)
+{
+  std::size_t number = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    Control c = GetParam().shape();
+    c.border = GetParam().border;
+    perturb(c, random);
+    tag(c, random, GetParam().share, GetParam().values);
+    const Crease_run<double, CatmullClark_scheme> run(c, CatmullClark_scheme());
+    const reference::Creased_mesh mesh = state(run, c);
+    const reference::Crease_tangents tangents(mesh);
+    for (int v = 0; v < mesh.mesh.number_of_vertices(); ++v) {
+      if (!tangents.is_on_crease(v)) continue;
+      const reference::Vector& t = mesh.tangent(v, tangents.neighbors(v)[0]);
+      for (const int u : mesh.mesh.ring(v))
+        if (mesh.mesh.face(v, u) >= 0) {
+          EXPECT_LE(std::abs(mesh.normal({mesh.mesh.face(v, u), v}).dot(t)), 1e-12);
+          ++number;
+        }
+    }
+  }
+  EXPECT_TRUE(number >= 5 || GetParam().border == Border::fixed);
 }
 
 INSTANTIATE_TEST_SUITE_P(
