@@ -291,6 +291,22 @@ TEST(Crease_invariance, Without_tangents_and_with_equal_normals_is_the_linear_sc
   expect_linear(straight, CatmullClark_scheme());
 }
 
+// \name Borders
+TEST(Crease_invariance, Tagged_borders_are_curves_for_ever)
+{
+  for (Control curve : {ball_cap().control(), plate_with_hole().control()}) {
+    Control tagged = curve;
+    tagged.border = Border::surface;
+    const Level_connectivity level = crease_levels::level_of(tagged);
+    for (Index e = 0; e < level.number_of_edges(); ++e)
+      if (level.is_border_edge(e))
+        tagged.sharp_edges[undirected(int(level.source(2 * e)), int(level.target(2 * e)))] = 0.5;
+    EXPECT_TRUE(slots(tagged, CatmullClark_scheme(), 3) == slots(curve, CatmullClark_scheme(), 3));
+    EXPECT_TRUE(slots(triangulated(tagged), Loop_scheme(), 3) ==
+                slots(triangulated(curve), Loop_scheme(), 3));
+  }
+}
+
 // \name Schemes of normals
 TEST(Crease_normal_schemes, The_same_scheme_changes_nothing)
 {

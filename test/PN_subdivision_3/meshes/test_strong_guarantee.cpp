@@ -444,7 +444,10 @@ TYPED_TEST(Strong_guarantee, AllocationsWithCreases)
     int i = 0;
     for (auto e : edges(mesh)) put(sharp, e, std::vector<double>{0, 0.6, 3}[std::size_t(++i % 3)]);
     for (auto v : vertices(mesh)) put(corner, v, v == *vertices(mesh).begin());
-    for (auto h : halfedges(mesh)) put(of_corners, h, Vector(++i % 3, i % 5, 1));
+    for (auto h : halfedges(mesh)) {
+      ++i;
+      put(of_corners, h, Vector(i % 3, i % 5, 1));
+    }
     const std::vector<double> before = tags();
     const auto np = params::number_of_iterations(2)
                       .edge_is_constrained_map(sharp)
