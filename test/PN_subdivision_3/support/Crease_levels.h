@@ -214,7 +214,7 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::Control_creases<FT>(level, creases, values, is_given)(false);
+      internal::Control_creases<FT>(level, creases, values, is_given)();
     }
     typename Refiner::Values stored;
     for (const auto& v : values)
