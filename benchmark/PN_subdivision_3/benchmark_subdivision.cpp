@@ -213,6 +213,67 @@ void add_modified_schemes()
   add_modified("modified_Loop", "1M-one-round", triangles(360, 350), 1, loop, modified_loop);
 }
 
+// Every tenth ring of edges, which is 5 % of the edges, is a crease, or no edge is: the property that tells
+// belongs to the mesh in both cases.
+template <class Concurrency_tag, class Scheme>
+Job creased_job(const Scheme& scheme, int segments, bool is_tagged)
+{
+  return [scheme, segments, is_tagged](const Mesh& control, unsigned rounds) -> Result {
+    Mesh mesh = control;
+    const auto normals = Control_meshes::add_normals(mesh);
+    auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+    for (const Mesh::Edge_index e : mesh.edges()) {
+      const int a = int(mesh.vertex(e, 0)) / segments, b = int(mesh.vertex(e, 1)) / segments;
+      sharp[e] = a == b && a % 10 == 0;
+    }
+    const auto parameters = params::number_of_iterations(rounds).vertex_normal_map(normals);
+    const double seconds = seconds_of([&] {
+      if (is_tagged)
+        PN::subdivide<Concurrency_tag>(mesh, scheme, parameters.edge_is_constrained_map(sharp));
+      else
+        PN::subdivide<Concurrency_tag>(mesh, scheme, parameters);
+    });
+    return {seconds, mesh.number_of_faces()};
+  };
+}
+
+template <class Concurrency_tag, class Scheme>
+void add_creased_pair(const std::string& group, const Control& control, unsigned rounds,
+                      const Scheme& scheme)
+{
+  for (const bool is_tagged : {false, true}) {
+    const Job job = creased_job<Concurrency_tag>(scheme, control.segments, is_tagged);
+    add(group + (is_tagged ? "/creased" : "/untagged"), control, rounds,
+        [job](const Mesh& mesh, unsigned k) {
+#ifdef CGAL_LINKED_WITH_TBB
+          const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
+#endif
+          return job(mesh, k);
+        });
+  }
+}
+
+template <class Scheme>
+void add_creased(const std::string& name, const std::string& size, const Control& control,
+                 unsigned rounds, const Scheme& scheme)
+{
+  const std::string group = "creases_" + name + "/" + size;
+  add_creased_pair<CGAL::Sequential_tag>(group, control, rounds, scheme);
+#ifdef CGAL_LINKED_WITH_TBB
+  add_creased_pair<CGAL::Parallel_tag>(group + "-2-threads", control, rounds, scheme);
+#endif
+}
+
+void add_creases()
+{
+  const PN::CatmullClark_scheme catmull_clark;
+  add_creased("CatmullClark", "100k", quads(20, 20), 4, catmull_clark);
+  add_creased("CatmullClark", "1M", quads(80, 50), 4, catmull_clark);
+  const PN::Loop_scheme loop;
+  add_creased("Loop", "100k", triangles(20, 12), 4, loop);
+  add_creased("Loop", "1M", triangles(50, 40), 4, loop);
+}
+
 namespace SM3 = CGAL::Subdivision_method_3;
 
 const Job cgal_catmull_clark = linear_job([](Mesh& mesh, unsigned k) {
@@ -347,6 +408,7 @@ int main(int argc, char** argv)
     add_quad_schemes();
     add_triangle_schemes();
     add_modified_schemes();
+    add_creases();
     add_normal_estimates();
     add_refiners();
     return names;

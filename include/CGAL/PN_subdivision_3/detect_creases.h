@@ -12,6 +12,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/creases/crease_angles.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -33,7 +35,8 @@ finds the edges of a polygon mesh at which its faces meet at an angle: those tha
 take as creases.
 
 An edge with two faces becomes `true` in the map if the angle between the area vectors of the faces
-is greater than the given one, all others, border edges among them, become `false`. Edges of faces
+is greater than the given one, all others, border edges among them, become `false`. In a map of numbers
+they become infinitely sharp (of integers: the largest number) and 0. Edges of faces
 without area do not count as sharp. Choose the angle between that of the true edges of the shape and
 those of its approximation: the sides of a prism of n sides, which may stand for a cylinder, differ by
 360/n degrees.
@@ -42,7 +45,8 @@ Angles are computed in `double` from area vectors of the number type.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam EdgeMap a model of `WritablePropertyMap` with
-  `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` as value type
+  `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and `bool` or a built-in number type
+  as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border
@@ -61,25 +65,32 @@ template <class PolygonMesh, class EdgeMap,
 std::size_t detect_creases(const PolygonMesh& mesh, double degrees, EdgeMap edge_map,
                            const NamedParameters& np = parameters::default_values())
 {
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  using Index = Level_connectivity::Index;
-  if (!(degrees >= 0 && degrees <= 180))
-    throw std::invalid_argument(
-      "PN_subdivision_3: the angle of creases must be between 0 and 180 degrees");
-  const auto points = Parameters::const_point_map(mesh, np);
-  std::size_t number = 0;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    const auto values = internal::read_values<Linear_average<FT, 3>>(
-      access, level, points, internal::No_normal_map(), Control_normal_estimate::angle);
-    const std::vector<bool> is_sharp = internal::edges_of_greater_angle<FT>(level, values, degrees);
-    for (Index e = 0; e < level.number_of_edges(); ++e) {
-      put(edge_map, access.edge_at(e), bool(is_sharp[e]));
-      number += is_sharp[e];
-    }
-  });
-  return number;
+  if constexpr (!internal::check_detection_arguments<PolygonMesh, EdgeMap, NamedParameters>())
+    return 0;
+  else {
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    using Index = Level_connectivity::Index;
+    using Value = std::decay_t<typename boost::property_traits<EdgeMap>::value_type>;
+    if (!(degrees >= 0 && degrees <= 180))
+      throw std::invalid_argument(
+        "PN_subdivision_3: the angle of creases must be between 0 and 180 degrees");
+    const auto points = Parameters::const_point_map(mesh, np);
+    std::size_t number = 0;
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      const auto values = internal::read_values<Linear_average<FT, 3>>(
+        access, level, points, internal::No_normal_map(), Control_normal_estimate::angle);
+      const std::vector<bool> is_sharp =
+        internal::edges_of_greater_angle<FT>(level, values, degrees);
+      for (Index e = 0; e < level.number_of_edges(); ++e) {
+        put(edge_map, access.edge_at(e),
+            is_sharp[e] ? internal::sharp_for_ever<Value>() : Value(0));
+        number += is_sharp[e];
+      }
+    });
+    return number;
+  }
 }
 
 } // namespace PN_subdivision_3

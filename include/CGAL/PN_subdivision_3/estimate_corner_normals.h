@@ -91,7 +91,7 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
         internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]),
         internal::zero_vector<FT, 3>()};
     internal::Control_creases<FT>(level, creases, values,
-                                  std::vector<bool>(values.size(), false))(false);
+                                  std::vector<bool>(values.size(), false))();
     const internal::Cut_level<FT> cut(level, creases);
     static_assert(internal::is_of_halfedges_v<Access, HalfedgeNormalMap>,
                   "PN_subdivision_3: the normal map is no property map of the mesh's half-edges");

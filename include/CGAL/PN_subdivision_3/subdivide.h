@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -55,7 +56,7 @@ struct Any_subdivision
     constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
     constexpr bool may_be_sharp = is_constraint_map_v<Edge_map> ||
                                   is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
-                                  has_corner_normals;
+                                  has_crease_tangents_v<Scheme> || has_corner_normals;
     if constexpr (!may_be_sharp)
       Plain(scheme, rounds, round_done)(access, points, normals);
     else if constexpr (Has_crease_rules<Scheme>::value)
@@ -107,7 +108,7 @@ normals of vertices with several wedges are estimated wedge by wedge. Afterwards
 holds the mean normal of the wedges. All boundaries between different surfaces should be creases, also
 where the surfaces are tangent. A sharpness s that is finite holds for s rounds: edges lose 1 in each
 round, and where less than 1 is left the sharp and the smooth rule are mixed. The border is a crease
-by `with_border()`.
+by `with_border()`, and the tangents of creases are given and got by `with_crease_tangents()`.
 
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
 with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's

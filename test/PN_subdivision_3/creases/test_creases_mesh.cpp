@@ -11,6 +11,7 @@
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -31,6 +32,7 @@
 namespace {
 
 using namespace tagged_meshes;
+using PN::internal::sharpness_of;
 
 using Surface_mesh = CGAL::Surface_mesh<Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
@@ -150,6 +152,45 @@ TEST(Creases_of_meshes, Prisms_need_points_and_tags_only)
         EXPECT_LE(part.surfaces[0].distance(Vector(p.x(), p.y(), p.z())),
                   8 * epsilon * part.scale());
       }
+}
+
+// a straight prism as a new user has it: points, creases by their angle, calls one after the other
+template <class Mesh, class Value, class Scheme>
+void expect_cylinder(const Control& control, const Part& part, const Scheme& scheme)
+{
+  Tagged<Mesh> t(control);
+  const auto sharp = get(CGAL::dynamic_edge_property_t<Value>(), t.mesh);
+  EXPECT_EQ(PN::detect_creases(t.mesh, 75, sharp), 14u);
+  PN::subdivide(t.mesh, scheme, np::edge_is_constrained_map(sharp));
+  PN::subdivide(t.mesh, scheme, np::edge_is_constrained_map(sharp).number_of_iterations(2));
+  std::size_t number = 0;
+  for (auto e : edges(t.mesh)) number += sharpness_of(get(sharp, e)) > 3;
+  EXPECT_EQ(number, 14u * 8);
+  const Real bar = 8 * std::numeric_limits<double>::epsilon() * part.scale();
+  const auto points = get(CGAL::vertex_point, t.mesh);
+  int on_side = 0;
+  for (auto v : vertices(t.mesh)) {
+    const Triple x = triple(get(points, v));
+    const Vector p(x[0], x[1], x[2]);
+    const auto off = [&](int k) { return part.surfaces[std::size_t(k)].distance(p); };
+    on_side += off(0) <= bar;
+    EXPECT_LE((std::min)(off(0), (std::min)(off(1), off(2))), bar);
+  }
+  EXPECT_GE(on_side, 14 * 8 + 7 * 8);
+}
+
+TEST(Creases_of_meshes, Straight_prisms_become_cylinders)
+{
+  Part part;
+  const Ring a = part.ring(1, 0, uneven(7)), b = part.ring(1, 2, uneven(7));
+  part.tube(part.add(upright_cylinder(1)), a, b);
+  part.face(part.add(plane(0, -1)), a);
+  part.face(part.add(plane(2, 1)), b);
+  part.place();
+  const Control c = part.control(false);
+  expect_cylinder<Surface_mesh, double>(c, part, PN::CatmullClark_scheme());
+  expect_cylinder<Surface_mesh, int>(triangulated(c), part, PN::Loop_scheme());
+  expect_cylinder<Polyhedron, bool>(triangulated(c), part, PN::Loop_scheme());
 }
 
 TEST(Creases_of_meshes, A_map_of_vertices_gives_the_mean_of_the_wedges)
@@ -330,10 +371,12 @@ TEST(Creases_of_meshes, Are_refused_by_schemes_without_rules_for_them)
 {
   const Control quads = crease_shapes::cube().control();
   const Control triangles = triangulated(quads);
-  expect_refusal(quads, PN::DooSabin_scheme(), "the edge of half-edge ");
-  expect_refusal(quads, PN::Kobbelt_scheme(), "has no rules for creases");
-  expect_refusal(triangles, PN::Butterfly_scheme(), "has no rules for creases");
-  expect_refusal(triangles, PN::Sqrt3_scheme(), "has no rules for creases");
+  // the first sharp edge and the scheme, also below adaptors
+  const std::string edge = "the edge of half-edge 0 is sharp, but the scheme ";
+  expect_refusal(quads, PN::DooSabin_scheme(), edge + "doo-sabin");
+  expect_refusal(quads, PN::Kobbelt_scheme(), edge + "kobbelt");
+  expect_refusal(triangles, PN::Butterfly_scheme(), edge + "butterfly");
+  expect_refusal(triangles, PN::linear(PN::Sqrt3_scheme()), edge + "sqrt3");
   Control corner = quads;
   corner.sharp_edges.clear();
   corner.sharp_vertices[2] = 1;
@@ -347,6 +390,22 @@ TEST(Creases_of_meshes, Are_refused_by_schemes_without_rules_for_them)
   EXPECT_EQ(t.mesh.number_of_vertices(), 24u);
 }
 
+// the weights of a round are not all there is to a crease
+TEST(Creases_of_meshes, Are_refused_by_matrices)
+{
+  const Tagged<Surface_mesh> cap(ball_cap().control());
+  const PN::Loop_scheme loop;
+  const PN::CatmullClark_scheme cc;
+  const std::string message = message_of(
+    [&] { PN::subdivision_matrix(cap.mesh, PN::linear(PN::with_border(cc, PN::Border::fixed))); });
+  EXPECT_NE(message.find("with_border() makes the edge of half-edge "), std::string::npos);
+  const auto rows = PN::subdivision_matrix(cap.mesh, PN::with_border(cc, PN::Border::surface));
+  EXPECT_EQ(rows.cols(), Eigen::Index(cap.mesh.number_of_vertices()));
+  // without a border there is nothing to refuse
+  const Tagged<Surface_mesh> cube(triangulated(crease_shapes::cube().control()));
+  EXPECT_EQ(PN::subdivision_matrix(cube.mesh, PN::with_border(loop, PN::Border::curve)).rows(), 26);
+}
+
 TEST(Creases_of_meshes, Angles_out_of_range)
 {
   Tagged<Surface_mesh> t(crease_shapes::cube().control());
@@ -358,30 +417,6 @@ TEST(Creases_of_meshes, Angles_out_of_range)
 }
 
 // \name Strong guarantee
-// counts what is put and then fails
-template <class Map>
-struct Failing_map
-{
-  using key_type = typename boost::property_traits<Map>::key_type;
-  using value_type = typename boost::property_traits<Map>::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-  Map map;
-  int* left;
-
-  friend value_type get(const Failing_map& m, const key_type& k)
-  {
-    using boost::get;
-    return get(m.map, k);
-  }
-  friend void put(const Failing_map& m, const key_type& k, const value_type& v)
-  {
-    if ((*m.left)-- == 0) throw std::runtime_error("full");
-    using boost::put;
-    put(m.map, k, v);
-  }
-};
-
 TEST(Creases_of_meshes, What_fails_leaves_all_as_it_was)
 {
   const Control control = tagged_washer();

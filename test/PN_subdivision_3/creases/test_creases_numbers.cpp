@@ -19,11 +19,16 @@
 #include <CGAL/PN_subdivision_3/average/Crease_average.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -282,6 +287,44 @@ TEST(Creases_in_numbers, Intervals_contain_the_cylinder)
     ++rims;
   }
   EXPECT_EQ(rims, 40u);
+}
+
+// A triangle whose border is a crease. The rows of the mask at its vertices meet a normal that is opposite
+// to theirs up to an angle at which its height begins to fade: wide intervals do not decide that. Returns
+// the number of such angles.
+using Wide = CGAL::Interval_nt<>;
+using Wide_kernel = CGAL::Simple_cartesian<Wide>;
+using Wide_mesh = CGAL::Surface_mesh<Wide_kernel::Point_3>;
+
+int undecided_angles(Border border)
+{
+  int undecided = 0;
+  for (double angle = 3.05; angle < 3.12; angle += 0.001) {
+    Wide_mesh mesh;
+    const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
+               c = mesh.add_vertex({0, 1, 0});
+    mesh.add_face(a, b, c);
+    auto normals =
+      mesh.add_property_map<Wide_mesh::Halfedge_index, Wide_kernel::Vector_3>("h:n").first;
+    const auto wide = [](double x) { return Wide(x - 1e-4, x + 1e-4); };
+    for (auto h : mesh.halfedges()) {
+      const double turn = mesh.target(h) == a ? angle : 0;
+      normals[h] = Wide_kernel::Vector_3(wide(0), wide(std::sin(turn)), wide(std::cos(turn)));
+    }
+    try {
+      subdivide(mesh, with_border(Loop_scheme(), border),
+                CGAL::parameters::vertex_normal_map(normals));
+    } catch (const std::domain_error&) {
+      ++undecided;
+    }
+  }
+  return undecided;
+}
+
+TEST(Creases_in_numbers, Intervals_need_to_decide_what_is_used_only)
+{
+  EXPECT_GE(undecided_angles(Border::surface), 1); // there they are used
+  EXPECT_EQ(undecided_angles(Border::fixed), 0);
 }
 
 } // namespace

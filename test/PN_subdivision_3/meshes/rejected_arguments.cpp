@@ -49,6 +49,19 @@ void reject(Mesh& mesh)
   PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(mesh.points()));
   // expected: edge_is_constrained_map or vertex_is_constrained_map is no
 
+  PN::subdivide(mesh, PN::with_crease_tangents(PN::Loop_scheme(), creases));
+  // expected: the map of with_crease_tangents() is no property map of the mesh's half-edges
+
+  auto tangents = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_3>("tangents").first;
+  PN::subdivide(mesh, PN::with_crease_tangents(PN::Loop_scheme(), tangents));
+  // expected: the values of the map of with_crease_tangents() are not Vector_3
+
+  PN::subdivide(mesh, PN::with_crease_tangents(PN::Sqrt3_scheme(), tangents));
+  // expected: with_crease_tangents() is given a scheme without rules for creases
+
+  PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
+  // expected: the map of creases is no property map of the mesh's edges
+
   PN::Loop_subdivision(mesh, params::number_of_iterations(2).face_index_map(1));
   // expected: a named parameter is given that is not used here
 

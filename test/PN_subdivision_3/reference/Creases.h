@@ -455,7 +455,7 @@ private:
       }
     const Real f = limited(sum / number);
     const std::vector<int> along = crease_neighbors(v, true);
-    if (f < 1 && kind(v, false) == Kind::corner && kind(v, true) == Kind::crease) {
+    if (kind(v, false) == Kind::corner && kind(v, true) == Kind::crease) {
       const Vector t = unit(star.tangents.at(along[1]) - star.tangents.at(along[0]));
       star.tangents[along[1]] = t;
       star.tangents[along[0]] = -t;

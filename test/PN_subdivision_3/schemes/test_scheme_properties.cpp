@@ -308,8 +308,10 @@ TYPED_TEST(Scheme_property, EstimatesTheEntriesOfItsRows)
   for (const Control_mesh& control : meshes_of_high_valence<TypeParam>(200)) {
     Surface_mesh mesh = to_surface_mesh(control);
     const auto scheme = TypeParam::scheme();
-    const double estimate = PN::estimated_row_entries(
-      PN::linear(scheme), PN::internal::checked_level(access_to(mesh)), 2);
+    // adaptors pass it on
+    const double estimate =
+      PN::estimated_row_entries(PN::with_border(PN::linear(scheme), PN::Border::surface),
+                                PN::internal::checked_level(access_to(mesh)), 2);
     double entries = 0;
     for (unsigned k : {1u, 2u}) {
       for_each_row<double>(mesh, scheme, k, [&](auto, const auto* begin, const auto* end) {

@@ -215,7 +215,9 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::Control_creases<FT>(level, creases, values, is_given)(control.has_zero_tangents);
+      internal::Control_creases<FT>(level, creases, values, is_given)();
+      if (control.has_zero_tangents)
+        for (auto& e : creases.edges) e.tangent_from.fill({FT(0), FT(0), FT(0)});
     }
     typename Refiner::Values stored;
     for (const auto& v : values)

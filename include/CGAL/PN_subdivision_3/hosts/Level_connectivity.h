@@ -70,6 +70,15 @@ public:
     , halfedge_of_face_(size.faces, boost::container::default_init)
   {}
 
+  /// the same, with room for a later `resize()`.
+  Level_connectivity(const Level_size& size, const Level_size& room)
+  {
+    for (Array* a : {&target_, &next_, &face_}) a->reserve(room.halfedges());
+    halfedge_of_vertex_.reserve(room.vertices);
+    halfedge_of_face_.reserve(room.faces);
+    resize(size);
+  }
+
   /// copies `other` and makes room for more vertices and edges, which are undefined until they are
   /// set.
   /// \pre `size` has as many faces as `other`, and at least as many vertices and edges
@@ -214,6 +223,15 @@ public:
     has_border_ = size.border_halfedges() != 0;
   }
   void set_uniform_degree(Index m) { uniform_degree_ = m; }
+  /// further elements are undefined until they are set.
+  void resize(const Level_size& size)
+  {
+    set_size(size);
+    for (Array* a : {&target_, &next_, &face_})
+      a->resize(size.halfedges(), boost::container::default_init);
+    halfedge_of_vertex_.resize(size.vertices, boost::container::default_init);
+    halfedge_of_face_.resize(size.faces, boost::container::default_init);
+  }
   /// @}
 
 private:

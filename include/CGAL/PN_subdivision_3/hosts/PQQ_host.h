@@ -74,7 +74,7 @@ public:
   /// the new vertex of an edge.
   Index vertex_of_edge(Index e) const { return split_.vertex_of_edge(e); }
   /// the new vertex of a face.
-  Index vertex_of_face(Index f) const { return vertex_of_edge(level_.number_of_edges()) + f; }
+  Index vertex_of_face(Index f) const { return split_.vertex_of_face(f); }
 
   /// the old vertex, edge or face that a new vertex comes from.
   Element_parent parent_of_vertex(Index new_vertex) const

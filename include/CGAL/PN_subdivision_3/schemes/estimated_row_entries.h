@@ -12,48 +12,8 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
-#include <type_traits>
-#include <utility>
-
 namespace CGAL {
 namespace PN_subdivision_3 {
-namespace internal {
-
-template <class Scheme, class = void>
-struct Has_dense_row_entries : std::false_type
-{};
-template <class Scheme>
-struct Has_dense_row_entries<Scheme, std::void_t<decltype(Scheme::dense_row_entries(
-                                       std::declval<const Level_connectivity&>(), 1u))>>
-  : std::true_type
-{};
-
-template <class Scheme>
-struct Dense_row_entries
-{
-  static double of([[maybe_unused]] const Level_connectivity& level,
-                   [[maybe_unused]] unsigned round)
-  {
-    if constexpr (Has_dense_row_entries<Scheme>::value)
-      return Scheme::dense_row_entries(level, round);
-    else
-      return 0;
-  }
-};
-template <class Scheme>
-struct Dense_row_entries<Linear_scheme<Scheme>> : Dense_row_entries<Scheme>
-{};
-template <class Scheme, class Normal_scheme>
-struct Dense_row_entries<Scheme_with_normals<Scheme, Normal_scheme>>
-{
-  static double of(const Level_connectivity& level, unsigned round)
-  {
-    return Dense_row_entries<Scheme>::of(level, round) +
-           Dense_row_entries<Normal_scheme>::of(level, round);
-  }
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
@@ -75,8 +35,8 @@ double estimated_row_entries([[maybe_unused]] const Scheme& scheme, const Level_
                              unsigned rounds)
 {
   constexpr double ordinary_row = 8;
-  const double first = internal::Dense_row_entries<Scheme>::of(level, 1);
-  const double later = rounds < 2 ? 0 : internal::Dense_row_entries<Scheme>::of(level, 2);
+  const double first = internal::dense_row_entries<Scheme>(level, 1);
+  const double later = rounds < 2 ? 0 : internal::dense_row_entries<Scheme>(level, 2);
   double entries = 0;
   Level_size size = level.size();
   for (unsigned k = 1; k <= rounds && size.vertices < Level_connectivity::null; ++k) {

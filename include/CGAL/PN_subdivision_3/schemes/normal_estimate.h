@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_NORMAL_ESTIMATE_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_NORMAL_ESTIMATE_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <optional>
@@ -32,32 +31,10 @@ A scheme with the estimate of control normals that it uses for meshes without an
 `with_normal_estimate()`.
 */
 template <class Scheme>
-struct Scheme_with_normal_estimate
+struct Scheme_with_normal_estimate : Scheme_adaptor<Scheme>
 {
-  using Host = typename Scheme::Host;
-
-  template <class FT>
-  auto mask(const Level_connectivity& level, unsigned round) const
-  {
-    return scheme.template mask<FT>(level, round);
-  }
-
-  template <class FT, class S = Scheme>
-  auto normal_mask(const Level_connectivity& level, unsigned round) const
-    -> decltype(std::declval<const S&>().template normal_mask<FT>(level, round))
-  {
-    return scheme.template normal_mask<FT>(level, round);
-  }
-
-  template <class Element_names>
-  void check(const Level_connectivity& level, const Element_names& names) const
-  {
-    internal::check_scheme(scheme, level, names);
-  }
-
   std::optional<Control_normal_estimate> normal_estimate() const { return estimate; }
 
-  Scheme scheme;
   Control_normal_estimate estimate;
 };
 
@@ -72,18 +49,10 @@ template <class Scheme, class = typename Scheme::Host>
 Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
                                                          Control_normal_estimate estimate)
 {
-  return {scheme, estimate};
+  return {{scheme}, estimate};
 }
 
 namespace internal {
-
-template <class Scheme>
-struct Is_linear<Scheme_with_normal_estimate<Scheme>> : Is_linear<Scheme>
-{};
-
-template <class Scheme>
-struct Has_normal_mask<Scheme_with_normal_estimate<Scheme>> : Has_normal_mask<Scheme>
-{};
 
 template <class Scheme, class = void>
 struct States_normal_estimate : std::false_type
@@ -93,12 +62,18 @@ struct States_normal_estimate<
   Scheme, std::void_t<decltype(std::declval<const Scheme&>().normal_estimate())>> : std::true_type
 {};
 
+template <class Scheme, class Normal_scheme>
+std::optional<Control_normal_estimate>
+stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme);
+
 // what a scheme or an adaptor says about the estimate, if anything
 template <class Scheme>
 std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
 {
   if constexpr (States_normal_estimate<Scheme>::value)
     return scheme.normal_estimate();
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return stated_normal_estimate(scheme.scheme);
   else
     return std::nullopt;
 }

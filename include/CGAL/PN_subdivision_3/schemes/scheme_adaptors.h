@@ -27,6 +27,24 @@ struct Has_crease_rules<Scheme, std::void_t<decltype(Scheme::has_crease_rules)>>
   : std::bool_constant<Scheme::has_crease_rules>
 {};
 
+// whether the scheme says that it is a linear twin
+template <class Scheme, class = void>
+struct Is_linear : std::false_type
+{};
+template <class Scheme>
+struct Is_linear<Scheme, std::void_t<decltype(Scheme::is_linear)>>
+  : std::bool_constant<Scheme::is_linear>
+{};
+
+// whether the scheme says that the normals have a mask of their own
+template <class Scheme, class = void>
+struct Has_normal_mask : std::false_type
+{};
+template <class Scheme>
+struct Has_normal_mask<Scheme, std::void_t<decltype(Scheme::has_normal_mask)>>
+  : std::bool_constant<Scheme::has_normal_mask>
+{};
+
 template <class Scheme, class Element_names, class = void>
 struct Has_check : std::false_type
 {};
@@ -46,24 +64,81 @@ void check_scheme(const Scheme& scheme, const Level_connectivity& level, const E
   if constexpr (Has_check<Scheme, Element_names>::value) scheme.check(level, names);
 }
 
+template <class Scheme, class = void>
+struct Has_dense_row_entries : std::false_type
+{};
+template <class Scheme>
+struct Has_dense_row_entries<Scheme, std::void_t<decltype(Scheme::dense_row_entries(
+                                       std::declval<const Level_connectivity&>(), 1u))>>
+  : std::true_type
+{};
+
+// the number that a scheme tells, see estimated_row_entries()
+template <class Scheme>
+double dense_row_entries([[maybe_unused]] const Level_connectivity& level,
+                         [[maybe_unused]] unsigned round)
+{
+  if constexpr (Has_dense_row_entries<Scheme>::value)
+    return Scheme::dense_row_entries(level, round);
+  else
+    return 0;
+}
+
+template <class Scheme, class = void>
+struct Is_adaptor : std::false_type
+{};
+template <class Scheme>
+struct Is_adaptor<Scheme, std::void_t<typename Scheme::Adapted_scheme>> : std::true_type
+{};
+
+// A pointer to the outermost one of nested schemes that is of a kind, or nullptr. Of the schemes of
+// points and of normals the one of points is searched.
+template <template <class> class Is_of_kind, class Scheme>
+constexpr auto outermost(const Scheme& scheme)
+{
+  if constexpr (Is_of_kind<Scheme>::value)
+    return &scheme;
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return outermost<Is_of_kind>(scheme.scheme);
+  else
+    return nullptr;
+}
+template <template <class> class Is_of_kind, class Scheme>
+using Outermost = decltype(outermost<Is_of_kind>(std::declval<const Scheme&>()));
+
 } // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-The linear twin of a scheme, made by `linear()`: it gives the points that the scheme gives where there
-are no normals.
+What the adaptors of schemes have in common: they are the scheme, but for what each of them says
+itself. Adaptors can be nested in any order; of two of a kind the outer one counts.
 */
 template <class Scheme>
-struct Linear_scheme
+struct Scheme_adaptor
 {
+  using Adapted_scheme = Scheme;
   using Host = typename Scheme::Host;
 
   static constexpr bool has_crease_rules = internal::Has_crease_rules<Scheme>::value;
+  static constexpr bool is_linear = internal::Is_linear<Scheme>::value;
+  static constexpr bool has_normal_mask = internal::Has_normal_mask<Scheme>::value;
 
   template <class FT>
   auto mask(const Level_connectivity& level, unsigned round) const
   {
     return scheme.template mask<FT>(level, round);
+  }
+
+  /// if the normals have a mask of their own.
+  template <class FT>
+  auto normal_mask(const Level_connectivity& level, unsigned round) const
+  {
+    return scheme.template normal_mask<FT>(level, round);
+  }
+
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    return internal::dense_row_entries<Scheme>(level, round);
   }
 
   template <class Element_names>
@@ -75,12 +150,24 @@ struct Linear_scheme
   Scheme scheme;
 };
 
+/*!
+\ingroup PkgPNSubdivision3Schemes
+The linear twin of a scheme, made by `linear()`: it gives the points that the scheme gives where there
+are no normals.
+*/
+template <class Scheme>
+struct Linear_scheme : Scheme_adaptor<Scheme>
+{
+  static constexpr bool is_linear = true;
+  static constexpr bool has_normal_mask = false;
+};
+
 /// \ingroup PkgPNSubdivision3Schemes
 /// returns the linear twin of `scheme`: normals are neither read nor written.
 template <class Scheme, class = typename Scheme::Host>
 Linear_scheme<Scheme> linear(const Scheme& scheme)
 {
-  return {scheme};
+  return {{scheme}};
 }
 
 /*!
@@ -88,21 +175,14 @@ Linear_scheme<Scheme> linear(const Scheme& scheme)
 A scheme that refines the normals by the mask of another one, made by `with_normal_scheme()`.
 */
 template <class Scheme, class Normal_scheme>
-struct Scheme_with_normals
+struct Scheme_with_normals : Scheme_adaptor<Scheme>
 {
   static_assert(std::is_same_v<typename Scheme::Host, typename Normal_scheme::Host>,
                 "the schemes of points and normals need the same host");
 
-  using Host = typename Scheme::Host;
-
   static constexpr bool has_crease_rules =
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
-
-  template <class FT>
-  auto mask(const Level_connectivity& level, unsigned round) const
-  {
-    return scheme.template mask<FT>(level, round);
-  }
+  static constexpr bool has_normal_mask = true;
 
   template <class FT>
   auto normal_mask(const Level_connectivity& level, unsigned round) const
@@ -110,14 +190,19 @@ struct Scheme_with_normals
     return normal_scheme.template mask<FT>(level, round);
   }
 
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    return internal::dense_row_entries<Scheme>(level, round) +
+           internal::dense_row_entries<Normal_scheme>(level, round);
+  }
+
   template <class Element_names>
   void check(const Level_connectivity& level, const Element_names& names) const
   {
-    internal::check_scheme(scheme, level, names);
+    internal::check_scheme(this->scheme, level, names);
     internal::check_scheme(normal_scheme, level, names);
   }
 
-  Scheme scheme;
   Normal_scheme normal_scheme;
 };
 
@@ -131,26 +216,9 @@ template <class Scheme, class Normal_scheme>
 Scheme_with_normals<Scheme, Normal_scheme> with_normal_scheme(const Scheme& scheme,
                                                               const Normal_scheme& normal_scheme)
 {
-  return {scheme, normal_scheme};
+  return {{scheme}, normal_scheme};
 }
 
-namespace internal {
-
-template <class Scheme>
-struct Is_linear : std::false_type
-{};
-template <class Scheme>
-struct Is_linear<Linear_scheme<Scheme>> : std::true_type
-{};
-
-template <class Scheme>
-struct Has_normal_mask : std::false_type
-{};
-template <class Scheme, class Normal_scheme>
-struct Has_normal_mask<Scheme_with_normals<Scheme, Normal_scheme>> : std::true_type
-{};
-
-} // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 

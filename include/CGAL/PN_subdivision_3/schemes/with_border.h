@@ -9,8 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_WITH_BORDER_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_WITH_BORDER_H
 
-#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -34,32 +35,8 @@ enum class Border {
 A scheme with another rule for the border, made by `with_border()`.
 */
 template <class Scheme>
-struct Scheme_with_border
+struct Scheme_with_border : Scheme_adaptor<Scheme>
 {
-  using Host = typename Scheme::Host;
-
-  static constexpr bool has_crease_rules = internal::Has_crease_rules<Scheme>::value;
-
-  template <class FT>
-  auto mask(const Level_connectivity& level, unsigned round) const
-  {
-    return scheme.template mask<FT>(level, round);
-  }
-
-  /// if the normals have a mask of their own.
-  template <class FT>
-  auto normal_mask(const Level_connectivity& level, unsigned round) const
-  {
-    return scheme.template normal_mask<FT>(level, round);
-  }
-
-  template <class Element_names>
-  void check(const Level_connectivity& level, const Element_names& names) const
-  {
-    internal::check_scheme(scheme, level, names);
-  }
-
-  Scheme scheme;
   Border border;
 };
 
@@ -69,44 +46,30 @@ struct Scheme_with_border
 template <class Scheme, class = typename Scheme::Host>
 Scheme_with_border<Scheme> with_border(const Scheme& scheme, Border border)
 {
-  return {scheme, border};
+  return {{scheme}, border};
 }
 
 namespace internal {
 
 template <class Scheme>
-struct Is_linear<Scheme_with_border<Scheme>> : Is_linear<Scheme>
+struct Is_with_border : std::false_type
 {};
 template <class Scheme>
-struct Has_normal_mask<Scheme_with_border<Scheme>> : Has_normal_mask<Scheme>
+struct Is_with_border<Scheme_with_border<Scheme>> : std::true_type
 {};
 
-// The border of a scheme, which other adaptors may be around; the outermost one counts.
+// The border of a scheme and of the adaptors around it.
 template <class Scheme>
 struct Border_of
 {
-  static constexpr bool is_given = false;
-  static Border get(const Scheme&) { return Border::surface; }
-};
-template <class Scheme>
-struct Border_of<Scheme_with_border<Scheme>>
-{
-  static constexpr bool is_given = true;
-  static Border get(const Scheme_with_border<Scheme>& s) { return s.border; }
-};
-template <class Scheme>
-struct Border_of<Linear_scheme<Scheme>>
-{
-  static constexpr bool is_given = Border_of<Scheme>::is_given;
-  static Border get(const Linear_scheme<Scheme>& s) { return Border_of<Scheme>::get(s.scheme); }
-};
-template <class Scheme, class Normal_scheme>
-struct Border_of<Scheme_with_normals<Scheme, Normal_scheme>>
-{
-  static constexpr bool is_given = Border_of<Scheme>::is_given;
-  static Border get(const Scheme_with_normals<Scheme, Normal_scheme>& s)
+  static constexpr bool is_given = !std::is_null_pointer_v<Outermost<Is_with_border, Scheme>>;
+
+  static Border get([[maybe_unused]] const Scheme& scheme)
   {
-    return Border_of<Scheme>::get(s.scheme);
+    if constexpr (is_given)
+      return outermost<Is_with_border>(scheme)->border;
+    else
+      return Border::surface;
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/utils.h>
 
@@ -37,6 +38,15 @@ Coordinates<FT, dimension> difference(Coordinates<FT, dimension> a,
 {
   for (int c = 0; c < dimension; ++c) a[c] -= b[c];
   return a;
+}
+
+// of intervals: whether they are the same number
+template <class FT, int dimension>
+bool are_certainly_equal(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
+{
+  for (int c = 0; c < dimension; ++c)
+    if (!CGAL::certainly(a[c] == b[c])) return false;
+  return true;
 }
 
 template <class FT, int dimension>

@@ -14,15 +14,14 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_tangents.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/Uncertain.h>
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -78,7 +77,7 @@ private:
 
   Index new_vertex(Index crease) const
   {
-    return data_.level.number_of_vertices() + data_.creases.edges[crease].edge;
+    return data_.round.host().vertex_of_edge(data_.creases.edges[crease].edge);
   }
 
   void place_results(Index stars, Index edges)
@@ -108,18 +107,10 @@ private:
   template <class Function>
   void decided(Index vertex, const Function& f) const
   {
-    if constexpr (std::is_floating_point_v<FT>)
-      f();
-    else
-      try {
-        f();
-      } catch (const Uncertain_conversion_exception&) {
-        throw std::domain_error(
-          "PN_subdivision_3: the precision of the number type does not decide "
-          "the rule of vertex " +
-          std::to_string(vertex) + " on a crease in round " + std::to_string(data_.round.number()) +
-          ": use a higher precision");
-      }
+    internal::decided<FT>(f, [&] {
+      return "the rule of vertex " + std::to_string(vertex) + " on a crease in round " +
+             std::to_string(data_.round.number());
+    });
   }
 
   // \name Vertices
@@ -136,12 +127,11 @@ private:
     Rule_value value = rules.vertex(star, parent, all);
     keep_tangents(join, value);
     if (!is_same(parent, child)) {
+      // a corner that becomes a crease vertex passes on one direction of travel
+      if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
+        make_opposite_vectors<FT>(value.tangents[0], value.tangents[1]);
       const FT f(weight_of_parent(star));
-      if (f < FT(1)) {
-        if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
-          make_opposite(value.tangents);
-        blend(value, rules.vertex(star, child, join), f, join.wedge);
-      }
+      if (f < FT(1)) blend(value, rules.vertex(star, child, join), f, join.wedge);
     }
     if constexpr (is_pn) value.normals = join_normals<FT>(value.normals, join);
     put(i, refined_.star[i], star.vertex, value, [](Index w) { return w; });
@@ -183,13 +173,6 @@ private:
     value.tangents = kept;
   }
 
-  // A corner that becomes a crease vertex passes on one direction of travel.
-  static void make_opposite(typename Rule_value::Vectors& tangents)
-  {
-    tangents[1] = unit_or_zero<FT, 3>(difference<FT, 3>(tangents[1], tangents[0]), FT(2));
-    tangents[0] = opposite_vector<FT, 3>(tangents[1]);
-  }
-
   // \name Edges
   void edge(Rules& rules, Index i)
   {
@@ -214,7 +197,7 @@ private:
   // \name Both
   // value becomes f value + (1 - f) other; wedge w of value is in wedge[w] of other
   static void blend(Rule_value& value, const Rule_value& other, const FT& f,
-                    const std::vector<Index>& wedge)
+                    const Short_vector<Index>& wedge)
   {
     value.point = mixed(value.point, other.point, f);
     if constexpr (is_pn)

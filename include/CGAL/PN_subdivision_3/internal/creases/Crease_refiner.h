@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
@@ -47,6 +48,8 @@ public:
   // of the slots
   const Values& values() const { return refiner_.values(); }
   const Refiner& refiner() const { return refiner_; }
+  // once nothing is evaluated any more
+  void release_values() { refiner_.release_values(); }
 
   // \pre the level stays while the round is used
   One_round next_round()
@@ -60,8 +63,11 @@ public:
     One_round round = next_round();
     const auto on_creases = round.crease_values(for_chunks_);
     Creases<FT> creases = std::move(round.refined_creases());
-    refiner_.refine(round.round(), creases.number_of_slots - round.number_of_vertices());
-    for (const auto& slot : on_creases) refiner_.values()[slot.first] = slot.second;
+    Values values = refiner_.refined_values(round.round(), creases.number_of_slots);
+    for (const auto& slot : on_creases) values[slot.first] = slot.second;
+    round.close();
+    const Level_size room = Level_cut<FT>::size(round.round().refined_size(), creases);
+    refiner_.replace(round.round(), room, std::move(values));
     creases_ = std::move(creases);
   }
 

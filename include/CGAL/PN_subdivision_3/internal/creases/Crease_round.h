@@ -14,12 +14,14 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_pass.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/soften_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,21 +45,22 @@ public:
   using Stored_value = typename One_round::Stored_value;
   using Slot_value = std::pair<Index, Value>;
 
-  // `old` has the values of the slots; it is changed where normals are read softened
+  // `old` has the values of the slots; it is changed where normals are read softened. The level is cut
+  // open until close() is called.
   Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
                Stored_value* old, unsigned number)
     : scheme_(scheme)
     , level_(level)
     , creases_(creases)
     , old_(old)
-    , cut_(level, creases)
-    , round_(scheme, level, cut_.connectivity(), number)
+    , refined_size_(Host::refined_size(level.size(), number))
     , refined_(creases, level, number_of_vertices())
   {
-    if (needs_smooth_rules()) {
-      count_valences();
-      smooth_round_.emplace(scheme, level, number);
-    }
+    Host host(level, number);
+    if (needs_smooth_rules()) make_smooth_rows(number);
+    cut_.emplace(level, creases);
+    round_.emplace(scheme, std::move(host), refined_size_, level, number);
+    if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases());
     if constexpr (!Is_linear<Scheme>::value) soften();
   }
 
@@ -65,37 +68,74 @@ public:
   Crease_round& operator=(const Crease_round&) = delete;
 
   // of all new vertices; values on creases do not hold
-  const One_round& round() const { return round_; }
-  Index number_of_vertices() const { return static_cast<Index>(round_.refined_size().vertices); }
+  const One_round& round() const { return *round_; }
+  Index number_of_vertices() const { return static_cast<Index>(refined_size_.vertices); }
 
   // the values on the creases, for each of their slots
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
   {
-    const typename Crease_pass<Scheme, Average>::Data data{
-      scheme_,  level_,         cut_.connectivity(),
-      creases_, round_,         smooth_round_ ? &*smooth_round_ : nullptr,
-      old_,     stored_normals_};
+    const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
+    const typename Crease_pass<Scheme, Average>::Data data{scheme_,
+                                                           level_,
+                                                           creases_,
+                                                           *round_,
+                                                           pointer(smooth_rows_),
+                                                           pointer(smooth_normal_rows_),
+                                                           old_,
+                                                           stored_normals_};
     return Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
   }
+
+  // makes the level whole again; to be called before a host connects the child
+  void close() { cut_->close(); }
 
   // those of the refined level, once their tangents have been made by crease_values()
   Creases<FT>& refined_creases() { return refined_.creases; }
 
 private:
+  using Host = typename Scheme::Host;
+
+  // the new vertices that crease_values() has values for
+  std::vector<Index> on_creases() const
+  {
+    std::vector<Index> vertices;
+    for (const Crease_star& star : creases_.stars) vertices.push_back(star.vertex);
+    for (const Crease_edge<FT>& e : creases_.edges)
+      vertices.push_back(round_->host().vertex_of_edge(e.edge));
+    return vertices;
+  }
+
+  static bool is_smooth(Vertex_rule r)
+  {
+    return r == Vertex_rule::smooth || r == Vertex_rule::dart;
+  }
+
+  // before the round or after it
+  bool has_smooth_rule(const Crease_star& star) const
+  {
+    const Index child = refined_.star[std::size_t(&star - creases_.stars.data())];
+    return is_smooth(creases_.rule(star)) || child == Level_connectivity::null ||
+           is_smooth(refined_.creases.rule(refined_.creases.stars[child]));
+  }
+
   bool needs_smooth_rules() const
   {
-    const auto is_smooth = [](Vertex_rule r) {
-      return r == Vertex_rule::smooth || r == Vertex_rule::dart;
-    };
-    for (std::size_t i = 0; i < creases_.stars.size(); ++i) {
-      const Index child = refined_.star[i];
-      if (is_smooth(creases_.rule(creases_.stars[i]))) return true;
-      if (child == Level_connectivity::null ||
-          is_smooth(refined_.creases.rule(refined_.creases.stars[child])))
-        return true;
-    }
-    return std::any_of(creases_.edges.begin(), creases_.edges.end(),
+    return std::any_of(creases_.stars.begin(), creases_.stars.end(),
+                       [this](const Crease_star& s) { return has_smooth_rule(s); }) ||
+           std::any_of(creases_.edges.begin(), creases_.edges.end(),
                        [](const Crease_edge<FT>& e) { return e.sharpness < 1; });
+  }
+
+  // from the mask of the whole level
+  void make_smooth_rows(unsigned number)
+  {
+    count_valences();
+    const One_round smooth(scheme_, level_, number);
+    const Corner_slots<FT> slots(level_, creases_);
+    const auto needs_row = [this](const Crease_star& s) { return has_smooth_rule(s); };
+    smooth_rows_.emplace(level_, creases_, slots, smooth.mask(), needs_row);
+    if constexpr (Has_normal_mask<Scheme>::value)
+      smooth_normal_rows_.emplace(level_, creases_, slots, smooth.normal_mask(), needs_row);
   }
 
   // crease vertices and corners are not extraordinary, darts count but have no rules of their own
@@ -133,10 +173,11 @@ private:
   Level_connectivity& level_;
   const Creases<FT>& creases_;
   Stored_value* old_;
-  Cut_level<FT> cut_;
-  One_round round_;
+  const Level_size refined_size_;
   Refined_creases<FT> refined_;
-  std::optional<One_round> smooth_round_;
+  std::optional<Smooth_rows<FT>> smooth_rows_, smooth_normal_rows_;
+  std::optional<Level_cut<FT>> cut_;
+  std::optional<One_round> round_;
   std::vector<std::pair<Index, Coordinates<FT, 3>>> stored_normals_;
 };
 

@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
@@ -23,8 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,8 +41,8 @@ struct Crease_value
   Vectors normals, tangents;
 };
 
-// What the rules of a round read: the level uncut and cut open, its creases, the values of the slots
-// and, of slots that are read softened, the normals themselves.
+// What the rules of a round read: the level cut open, its creases, the values of the slots and, of
+// slots that are read softened, the normals themselves.
 template <class Scheme, class Average>
 struct Crease_round_data
 {
@@ -54,11 +52,11 @@ struct Crease_round_data
   using Slot_normal = std::pair<Index, Coordinates<FT, 3>>;
 
   const Scheme& scheme;
-  const Level_connectivity& level;
   const Level_connectivity& cut;
   const Creases<FT>& creases;
-  const One_round& round;        // its mask is that of the cut level
-  const One_round* smooth_round; // its mask is that of the uncut level; null if no rule needs it
+  const One_round& round; // its mask is that of the cut level
+  const Smooth_rows<FT>* smooth_rows;
+  const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
   const typename One_round::Stored_value* old;
   const std::vector<Slot_normal>& stored_normals; // by their slots
 };
@@ -78,10 +76,7 @@ public:
 
   explicit Crease_rules(const Data& data)
     : data_(data)
-  {
-    if (data.smooth_round != nullptr)
-      shares_.emplace(data.level, data.cut, data.smooth_round->mask());
-  }
+  {}
 
   // the edge point; the normal on the side of the half-edge of side 0 first
   Value edge(const Crease_edge<FT>& e)
@@ -111,7 +106,8 @@ public:
   // the scheme's own rule of an inner edge
   Value smooth_edge(const Crease_edge<FT>& e)
   {
-    return smooth([&](auto& shares, Row& row) { shares.edge(e.edge, row); }, 2);
+    const auto i = std::size_t(&e - data_.creases.edges.data());
+    return smooth([i](const Smooth_rows<FT>& rows) { return rows.of_edge(i); }, 2);
   }
 
   // the vertex by a rule, as if only the ends of `join` existed
@@ -119,8 +115,10 @@ public:
   {
     if (rule == Vertex_rule::corner) return corner(star, join);
     if (rule == Vertex_rule::crease) return crease(star, join);
-    Value result = smooth([&](auto& shares, Row& row) { shares.vertex(star.vertex, row); },
-                          join.number_of_wedges);
+    const auto star_index = std::size_t(&star - data_.creases.stars.data());
+    Value result =
+      smooth([star_index](const Smooth_rows<FT>& rows) { return rows.of_star(star_index); },
+             join.number_of_wedges);
     for (const Index i : join.ends) {
       Vector t = tangent_from(data_.creases.end(star, i));
       if constexpr (is_pn) {
@@ -137,7 +135,6 @@ private:
   using Rule = Crease_average<FT, 3>;
   using Entry = typename Rule::Entry;
   using Row = Entry_row<FT>;
-  using Shares = Slot_shares<FT, std::decay_t<decltype(std::declval<Data>().round.mask())>>;
 
   Vector point(Index slot) const
   {
@@ -209,8 +206,8 @@ private:
     const std::array<FT, 3> weights = crease_weights(star.vertex);
     const Vector to_last = opposite_vector<FT, 3>(tangent_towards(to_b));
     const std::array<Entry, 3> entries{
-      {{weights[0], point(data_.level.source(data_.creases.halfedge(to_a))), tangent_towards(to_a)},
-       {weights[1], point(data_.level.source(data_.creases.halfedge(to_b))), to_last},
+      {{weights[0], point(data_.cut.source(data_.creases.halfedge(to_a))), tangent_towards(to_a)},
+       {weights[1], point(data_.cut.source(data_.creases.halfedge(to_b))), to_last},
        {weights[2], point(star.vertex), tangent_at(star, to_a, to_b)}}};
     const Rule average(entries.data(), entries.data() + 3);
     Value result{average.point(), {}, {}};
@@ -259,16 +256,22 @@ private:
     return weights;
   }
 
-  template <class Shared_row>
-  Value smooth(const Shared_row& shared_row, Index number_of_wedges)
+  // row_of(rows) is the row of the rule
+  template <class Row_of>
+  Value smooth(const Row_of& row_of, Index number_of_wedges) const
   {
-    row_.clear();
-    shared_row(*shares_, row_);
+    const auto row = row_of(*data_.smooth_rows);
     const Average average{};
     if constexpr (!is_pn)
-      return {average(row_.begin(), row_.end(), data_.old), {}, {}};
+      return {average(row.first, row.second, data_.old), {}, {}};
     else {
-      const typename Average::Value value = smooth_value(average, shared_row);
+      const Old_values old{data_.old};
+      typename Average::Value value;
+      if constexpr (Has_normal_mask<Scheme>::value) {
+        const auto normal_row = row_of(*data_.smooth_normal_rows);
+        value = average(row.first, row.second, normal_row.first, normal_row.second, old);
+      } else
+        value = average(row.first, row.second, old);
       Value result{value.point, {}, {}};
       result.normals.resize(number_of_wedges, value.normal);
       return result;
@@ -281,22 +284,7 @@ private:
     const typename Round<Scheme, Average>::Stored_value* stored;
   };
 
-  template <class Shared_row>
-  typename Average::Value smooth_value(const Average& average, const Shared_row& shared_row)
-  {
-    const Old_values old{data_.old};
-    if constexpr (Has_normal_mask<Scheme>::value) {
-      const auto& mask = data_.smooth_round->normal_mask();
-      Slot_shares<FT, std::decay_t<decltype(mask)>> shares(data_.level, data_.cut, mask);
-      Row normal_row;
-      shared_row(shares, normal_row);
-      return average(row_.begin(), row_.end(), normal_row.begin(), normal_row.end(), old);
-    } else
-      return average(row_.begin(), row_.end(), old);
-  }
-
   const Data& data_;
-  std::optional<Shares> shares_;
   Row row_;
 };
 

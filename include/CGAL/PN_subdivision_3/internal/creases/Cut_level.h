@@ -19,22 +19,24 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// A level cut open along its creases: its vertices are the slots, so that a mask reads in every face
-// the values of that face's wedges, and meets a border where a crease is.
+// Cuts a level open along its creases: its vertices are then the slots, so that a mask reads in every
+// face the values of that face's wedges, and meets a border where a crease is.
 //
 // Vertices, edges and faces keep their numbers. An inner crease edge gets a second copy behind all
-// edges, with the face that was at its half-edge of side 1.
+// edges, with the face that was at its half-edge of side 1. The cut takes the time of the tagged part
+// of the level if this has room for it.
 template <class FT>
-class Cut_level
+class Level_cut
 {
 public:
   using Index = Level_connectivity::Index;
 
-  Cut_level(const Level_connectivity& level, const Creases<FT>& creases)
+  Level_cut(Level_connectivity& level, const Creases<FT>& creases)
     : level_(level)
     , creases_(creases)
-    , cut_(level, size(level, creases))
+    , old_size_(level.size())
   {
+    level_.resize(size(level, creases));
     split_edges();
     std::vector<Level_connectivity::Counted_valence> counted;
     for (const Crease_star& star : creases.stars) {
@@ -46,34 +48,83 @@ public:
       }
       if (ends != 0 && (!star.is_border || star.number_of_wedges > 1)) cut(star);
     }
-    cut_.set_counted_valences(std::move(counted));
+    level_.set_counted_valences(std::move(counted));
+  }
+  Level_cut(const Level_cut&) = delete;
+  Level_cut& operator=(const Level_cut&) = delete;
+
+  // makes the level whole again
+  void close()
+  {
+    for (auto c = changes_.rbegin(); c != changes_.rend(); ++c) (level_.*c->set)(c->index, c->old);
+    changes_.clear();
+    level_.resize(old_size_);
+    level_.set_counted_valences({});
   }
 
-  const Level_connectivity& connectivity() const { return cut_; }
-
-private:
+  // that of the level cut open
   static Level_size size(const Level_connectivity& level, const Creases<FT>& creases)
   {
-    Level_size size = level.size();
+    return size(level.size(), creases);
+  }
+  static Level_size size(Level_size size, const Creases<FT>& creases)
+  {
     size.vertices = creases.number_of_slots;
     for (const Crease_edge<FT>& e : creases.edges)
       if (!e.is_border()) ++size.edges;
     return size;
   }
 
+private:
+  using Set = void (Level_connectivity::*)(Index, Index);
+
+  struct Change
+  {
+    Set set;
+    Index index, old;
+  };
+
+  // \name Changes that are taken back
+  void set_target(Index h, Index v)
+  {
+    changes_.push_back({&Level_connectivity::set_target, h, level_.target(h)});
+    level_.set_target(h, v);
+  }
+  void set_next(Index h, Index n)
+  {
+    changes_.push_back({&Level_connectivity::set_next, h, level_.next(h)});
+    level_.set_next(h, n);
+  }
+  void set_face(Index h, Index f)
+  {
+    changes_.push_back({&Level_connectivity::set_face, h, level_.face(h)});
+    level_.set_face(h, f);
+  }
+  void set_halfedge_of_vertex(Index v, Index h)
+  {
+    changes_.push_back(
+      {&Level_connectivity::set_halfedge_of_vertex, v, level_.halfedge_of_vertex(v)});
+    level_.set_halfedge_of_vertex(v, h);
+  }
+  void set_halfedge_of_face(Index f, Index h)
+  {
+    changes_.push_back({&Level_connectivity::set_halfedge_of_face, f, level_.halfedge_of_face(f)});
+    level_.set_halfedge_of_face(f, h);
+  }
+
   void split_edges()
   {
-    Index copy = level_.number_of_edges();
+    auto copy = static_cast<Index>(old_size_.edges);
     for (const Crease_edge<FT>& e : creases_.edges) {
       copy_.push_back(copy);
       if (e.is_border()) continue;
       const Index old = e.halfedge(1), new_halfedge = 2 * copy + 1;
       const Index f = level_.face(old);
-      cut_.set_face(new_halfedge, f);
-      cut_.set_next(new_halfedge, level_.next(old));
-      if (level_.halfedge_of_face(f) == old) cut_.set_halfedge_of_face(f, new_halfedge);
-      cut_.set_border(old);
-      cut_.set_border(2 * copy);
+      level_.set_face(new_halfedge, f);
+      level_.set_next(new_halfedge, level_.next(old));
+      if (level_.halfedge_of_face(f) == old) set_halfedge_of_face(f, new_halfedge);
+      set_face(old, Level_connectivity::null);
+      level_.set_border(2 * copy);
       ++copy;
     }
   }
@@ -91,50 +142,68 @@ private:
     const Index k = star.number_of_ends;
     const Index border =
       star.is_border ? level_.halfedge_of_vertex(star.vertex) : Level_connectivity::null;
-    if (star.is_border && !creases_.edge(creases_.end(star, 0)).is_border()) {
-      const Index first = level_.next_around_target(border);
-      cut_wedge(star.slot(0), first, first, creases_.end(star, 0));
-    }
+    if (star.is_border && !creases_.edge(creases_.end(star, 0)).is_border())
+      cut_wedge(star.slot(0), level_.next_around_target(border), creases_.end(star, 0));
     for (Index i = 0; i < k; ++i) {
       const Crease_end& e = creases_.end(star, i);
       const Crease_edge<FT>& crease = creases_.edge(e);
       if (!crease.has_after(e.side)) continue;
       const Index first = moved(e.crease, e.side), slot = crease.after[e.side];
       if (i + 1 < k || !star.is_border)
-        cut_wedge(slot, creases_.halfedge(e), first, creases_.end(star, i + 1 < k ? i + 1 : 0));
+        cut_wedge(slot, first, creases_.end(star, i + 1 < k ? i + 1 : 0));
       else
-        cut_wedge(slot, creases_.halfedge(e), first, Level_connectivity::opposite(border),
+        cut_wedge(slot, first, Level_connectivity::opposite(border),
                   Level_connectivity::opposite(border));
     }
   }
 
-  void cut_wedge(Index slot, Index first, Index moved_first, const Crease_end& last)
+  void cut_wedge(Index slot, Index first, const Crease_end& last)
   {
-    cut_wedge(slot, first, moved_first, Level_connectivity::opposite(creases_.halfedge(last)),
+    cut_wedge(slot, first, Level_connectivity::opposite(creases_.halfedge(last)),
               moved(last.crease, 1 - last.side));
   }
 
-  // `first` leads to the vertex, `last` from it along the other side of the wedge
-  void cut_wedge(Index slot, Index first, Index moved_first, Index last, Index moved_last)
+  // `first` leads to the vertex; `last`, now moved, from it along the other side of the wedge. What is
+  // between them has not been changed yet.
+  void cut_wedge(Index slot, Index first, Index last, Index moved_last)
   {
-    Index h = first, moved_h = moved_first;
+    Index h = first;
     for (;;) {
-      cut_.set_target(moved_h, slot);
+      set_target(h, slot);
       const Index n = level_.next(h);
       if (n == last) break;
-      moved_h = h = Level_connectivity::opposite(n);
+      h = Level_connectivity::opposite(n);
     }
-    cut_.set_next(moved_h, moved_last);
+    set_next(h, moved_last);
     const Index border = Level_connectivity::opposite(moved_last);
-    cut_.set_target(border, slot);
-    cut_.set_next(border, Level_connectivity::opposite(moved_first));
-    cut_.set_halfedge_of_vertex(slot, border);
+    set_target(border, slot);
+    set_next(border, Level_connectivity::opposite(first));
+    set_halfedge_of_vertex(slot, border);
   }
 
-  const Level_connectivity& level_;
+  Level_connectivity& level_;
   const Creases<FT>& creases_;
-  Level_connectivity cut_;
+  const Level_size old_size_;
   std::vector<Index> copy_; // of the crease edges; meaningless for border edges
+  std::vector<Change> changes_;
+};
+
+// A copy of a level, cut open.
+template <class FT>
+class Cut_level
+{
+public:
+  Cut_level(const Level_connectivity& level, const Creases<FT>& creases)
+    : cut_(level, Level_cut<FT>::size(level, creases))
+  {
+    cut_.set_size(level.size());
+    Level_cut<FT>(cut_, creases);
+  }
+
+  const Level_connectivity& connectivity() const { return cut_; }
+
+private:
+  Level_connectivity cut_;
 };
 
 // Calls f(half-edge, slot) for every corner of the level: that of the half-edge's face at its target.

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SLOT_SHARES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/number_utils.h>
 
@@ -43,10 +44,10 @@ public:
   using Index = Level_connectivity::Index;
   using Row = Entry_row<FT>;
 
-  // `level` is that of the mask, `cut` the same one cut open
-  Slot_shares(const Level_connectivity& level, const Level_connectivity& cut, const Mask& mask)
+  // `level` is that of the mask, `slots` has those of its corners
+  Slot_shares(const Level_connectivity& level, const Corner_slots<FT>& slots, const Mask& mask)
     : level_(level)
-    , cut_(cut)
+    , slots_(slots)
     , mask_(mask)
   {}
 
@@ -97,17 +98,15 @@ private:
     bool takes_rest; // of what no face has as such
   };
 
-  // The half-edges of a face correspond in both levels, beginning with the one that the face stores.
   template <class Takes_rest>
   void add_face(Index h, const FT& part, const Takes_rest& takes_rest)
   {
-    const Index f = level_.face(h);
-    const Index first = level_.halfedge_of_face(f);
-    Index g = first, cut = cut_.halfedge_of_face(f);
+    // from the same corner on, whatever h is
+    const Index first = level_.halfedge_of_face(level_.face(h));
+    Index g = first;
     do {
-      corners_.push_back({level_.target(g), cut_.target(cut), part, takes_rest(g)});
+      corners_.push_back({level_.target(g), slots_(g), part, takes_rest(g)});
       g = level_.next(g);
-      cut = cut_.next(cut);
     } while (g != first);
   }
 
@@ -163,7 +162,7 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Level_connectivity& cut_;
+  const Corner_slots<FT>& slots_;
   const Mask& mask_;
   Row mask_row_;
   std::vector<Corner> corners_;

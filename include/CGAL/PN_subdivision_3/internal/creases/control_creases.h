@@ -15,11 +15,13 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_tangents.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -59,22 +61,23 @@ public:
     , estimate_(estimate)
   {}
 
-  // tangents are made unless they are there
-  void operator()(bool has_tangents)
+  // tangents that are not zero stay
+  void operator()()
   {
-    if (!has_tangents) {
-      const auto point = [&](Index v) -> const Vector& { return values_[v].point; };
-      const auto given = [&](Index slot) {
-        return is_given_[slot] ? values_[slot].normal : zero_vector<FT, 3>();
-      };
-      using Tangents = Control_tangents<FT, decltype(point), decltype(given)>;
-      Tangents(level_, creases_, point, given)();
-    }
+    const auto point = [&](Index v) -> const Vector& { return values_[v].point; };
+    const auto given = [&](Index slot) {
+      return is_given_[slot] ? values_[slot].normal : zero_vector<FT, 3>();
+    };
+    using Tangents = Control_tangents<FT, decltype(point), decltype(given)>;
+    Tangents(level_, creases_, point, given)();
     if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
     estimate_normals();
     for (const Crease_star& star : creases_.stars) {
       const Vertex_rule rule = creases_.rule(star);
-      if (rule == Vertex_rule::crease || rule == Vertex_rule::corner) strip_normals(star);
+      if (rule != Vertex_rule::crease && rule != Vertex_rule::corner) continue;
+      decided<FT>(
+        [&] { strip_normals(star); },
+        [&] { return "the normals at the creases of vertex " + std::to_string(star.vertex); });
     }
   }
 
@@ -113,10 +116,12 @@ private:
     }
     for (Index w = 0; w < star.number_of_wedges; ++w) {
       if (is_given_[star.slot(w)] || (!has_after[w] && !has_before[w])) continue;
-      if (!has_after[w]) after[w] = before[w];
-      if (!has_before[w]) before[w] = after[w];
       Vector& n = values_[star.slot(w)].normal;
-      n = unit_or_zero<FT, 3>(strip<FT>(n, after[w], before[w]), FT(1));
+      if (has_after[w] && has_before[w])
+        n = strip<FT>(n, after[w], before[w]);
+      else
+        n = strip<FT>(n, has_after[w] ? after[w] : before[w]);
+      n = unit_or_zero<FT, 3>(n, FT(1));
     }
   }
 

@@ -13,8 +13,10 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,7 +50,28 @@ Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& 
   return result;
 }
 
-// The tangents of the creases of a control level from its points and the normals that are given.
+// the same if a and b are one vector, which intervals do not tell
+template <class FT>
+Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a)
+{
+  Coordinates<FT, 3> sum = a, result = x;
+  add_multiple<FT, 3>(sum, FT(1), a);
+  strip_direction<FT>(result, x, sum, FT(2));
+  return result;
+}
+
+// Makes the tangents of both ways along a crease opposite, unless they are: that of the second one is
+// the direction of their difference.
+template <class FT>
+void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
+{
+  if (are_certainly_equal<FT, 3>(a, opposite_vector<FT, 3>(b))) return;
+  b = unit_or_zero<FT, 3>(difference<FT, 3>(b, a), FT(2));
+  a = opposite_vector<FT, 3>(b);
+}
+
+// The tangents of the creases of a control level, where they are zero, from its points and the normals
+// that are given.
 template <class FT, class Point_of, class Given_normal>
 class Control_tangents
 {
@@ -69,16 +92,28 @@ public:
   void operator()()
   {
     for (const Crease_star& star : creases_.stars)
-      if (creases_.rule(star) == Vertex_rule::crease) make_crease_tangents(star);
+      if (creases_.rule(star) == Vertex_rule::crease)
+        decided<FT>([&] { make_crease_tangents(star); }, Name{star});
     for (const Crease_star& star : creases_.stars)
       if (creases_.rule(star) != Vertex_rule::crease)
-        for (Index i = 0; i < star.number_of_ends; ++i) make_end_tangent(creases_.end(star, i));
+        for (Index i = 0; i < star.number_of_ends; ++i)
+          if (const Crease_end& e = creases_.end(star, i); !is_given(e))
+            decided<FT>([&] { make_end_tangent(e); }, Name{star});
     if (creases_.has_fixed_border)
       for (Crease_edge<FT>& e : creases_.edges)
         if (e.is_border()) e.tangent_from = {zero_vector<FT, 3>(), zero_vector<FT, 3>()};
   }
 
 private:
+  struct Name
+  {
+    std::string operator()() const
+    {
+      return "the tangents of the creases at vertex " + std::to_string(star.vertex);
+    }
+    const Crease_star& star;
+  };
+
   // from the vertex of the end to the other end of the edge
   Vector along(const Crease_end& e) const
   {
@@ -90,12 +125,23 @@ private:
     return creases_.edges[e.crease].tangent_from[1 - e.side];
   }
 
+  bool is_given(const Crease_end& e)
+  {
+    return !are_certainly_equal<FT, 3>(tangent_from(e), zero_vector<FT, 3>());
+  }
+
   void make_crease_tangents(const Crease_star& star)
   {
     const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
-    const Vector t0 = arc_tangent(along(to_a), along(to_b));
-    tangent_from(to_b) = made_certain(t0, to_b);
-    tangent_from(to_a) = opposite_vector<FT, 3>(tangent_from(to_b));
+    Vector &a = tangent_from(to_a), &b = tangent_from(to_b);
+    if (is_given(to_a) && is_given(to_b))
+      make_opposite_vectors<FT>(a, b);
+    else if (is_given(to_a))
+      b = opposite_vector<FT, 3>(a);
+    else {
+      if (!is_given(to_b)) b = made_certain(arc_tangent(along(to_a), along(to_b)), to_b);
+      a = opposite_vector<FT, 3>(b);
+    }
     for (const Crease_end& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
   }
 
@@ -146,9 +192,9 @@ private:
     if (crease.has_after(e.side)) n1 = given_normal_(crease.after[e.side]);
     if (crease.has_before(e.side)) n2 = given_normal_(crease.before[e.side]);
     if (is_zero_not_unit<FT, 3>(n1)) std::swap(n1, n2);
-    if (is_zero_not_unit<FT, 3>(n2)) n2 = n1;
-    const bool has_normal = !is_zero_not_unit<FT, 3>(n1);
-    return of_certain_length(t0, has_normal ? strip<FT>(t0, n1, n2) : t0);
+    if (is_zero_not_unit<FT, 3>(n1)) return of_certain_length(t0, t0);
+    const bool has_both = !is_zero_not_unit<FT, 3>(n2);
+    return of_certain_length(t0, has_both ? strip<FT>(t0, n1, n2) : strip<FT>(t0, n1));
   }
 
   static Vector of_certain_length(const Vector& t0, Vector t)

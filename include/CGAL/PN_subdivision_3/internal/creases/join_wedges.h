@@ -13,6 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -20,13 +22,17 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// few in general
+template <class T>
+using Short_vector = boost::container::small_vector<T, 4>;
+
 // Which ends of a star remain, and how the others join its wedges.
 struct Wedge_join
 {
   using Index = Level_connectivity::Index;
 
-  std::vector<Index> ends;  // positions among the ends of the star
-  std::vector<Index> wedge; // for every wedge of the star the joined one
+  Short_vector<Index> ends;  // positions among the ends of the star
+  Short_vector<Index> wedge; // for every wedge of the star the joined one
   Index number_of_wedges = 1;
   bool has_inner_end = false;
 };
@@ -84,7 +90,7 @@ std::vector<Coordinates<FT, 3>> join_normals(const std::vector<Coordinates<FT, 3
 {
   if (join.number_of_wedges == normals.size()) return normals;
   std::vector<Coordinates<FT, 3>> result(join.number_of_wedges, zero_vector<FT, 3>());
-  std::vector<int> count(join.number_of_wedges, 0);
+  Short_vector<int> count(join.number_of_wedges, 0);
   for (std::size_t w = 0; w < normals.size(); ++w) {
     add_multiple<FT, 3>(result[join.wedge[w]], FT(1), normals[w]);
     ++count[join.wedge[w]];

@@ -97,14 +97,15 @@ private:
     });
   }
 
-  // walks round the vertex, from the border on or from the first end
+  // Walks round the vertex, from the border on or from the vertex' own half-edge: this order is that of
+  // the refined creases, so that a refined mesh that is read again has the same one.
   void add_star(Index v, double sharpness, std::size_t first, std::size_t end)
   {
     const auto first_end = static_cast<Index>(creases_.ends.size());
     const bool is_border = level_.is_border_vertex(v);
     if (end != first) {
-      const Index start = is_border ? level_.next_around_target(level_.halfedge_of_vertex(v))
-                                    : sorted_[first].halfedge;
+      const Index own = level_.halfedge_of_vertex(v);
+      const Index start = is_border ? level_.next_around_target(own) : own;
       Index h = start;
       do {
         const auto it = std::lower_bound(

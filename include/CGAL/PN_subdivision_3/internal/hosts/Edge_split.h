@@ -26,13 +26,16 @@ public:
 
   explicit Edge_split(const Level_connectivity& level)
     : level_(level)
+    , number_of_vertices_(level.number_of_vertices())
     , number_of_halfedges_(level.number_of_halfedges())
   {}
 
   // the halves of h: from its source to the edge vertex, from there to its target
   Index first_half(Index h) const { return (h & 1u) == 0 ? h : number_of_halfedges_ + h; }
   Index second_half(Index h) const { return (h & 1u) == 0 ? number_of_halfedges_ + h : h; }
-  Index vertex_of_edge(Index e) const { return level_.number_of_vertices() + e; }
+  Index vertex_of_edge(Index e) const { return number_of_vertices_ + e; }
+  // behind those of the edges
+  Index vertex_of_face(Index f) const { return vertex_of_edge(number_of_halfedges_ / 2) + f; }
   Index edge_vertex(Index h) const { return vertex_of_edge(Level_connectivity::edge(h)); }
 
   // sets the half-edges of the old and the edge vertices, and all of the border
@@ -81,7 +84,8 @@ private:
   }
 
   const Level_connectivity& level_;
-  const Index number_of_halfedges_;
+  // of the level when the host was made: it may be cut open while new vertices are computed
+  const Index number_of_vertices_, number_of_halfedges_;
 };
 
 } // namespace internal

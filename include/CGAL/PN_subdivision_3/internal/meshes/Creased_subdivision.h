@@ -13,19 +13,22 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/tangent_maps.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
-#include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,8 +55,7 @@ public:
 
   Creased_subdivision(const Scheme& scheme, unsigned rounds, Round_done round_done)
     : scheme_(scheme)
-    , rounds_(rounds)
-    , round_done_(round_done)
+    , plain_(scheme, rounds, round_done)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
 
@@ -84,7 +86,9 @@ private:
     Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map, level.number_of_vertices());
     Creases<FT> creases = Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
       [&](Index e) { return edges.sharpness(e); }, [&](Index v) { return vertices.sharpness(v); });
-    const unsigned rounds = level.size().faces == 0 ? 1 : rounds_;
+    Tangents<Access> tangents(access, level, tangent_map());
+    tangents.read(creases);
+    const unsigned rounds = plain_.number_of_rounds(level);
     const Level_size size =
       checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
 
@@ -100,32 +104,41 @@ private:
                     for_chunks_);
     std::vector<Value>().swap(values);
 
-    const Caller_precision<FT> precision;
-    run_together<Concurrency_tag>([&] { access.grow(size); },
-                                  [&] {
-                                    const typename Caller_precision<FT>::In_this_thread scope(
-                                      precision);
-                                    refine_up_to_last(refiner, rounds);
-                                  });
+    plain_.grow_and_refine(access, size, refiner, rounds);
     auto last = refiner.next_round();
     const Slot_values on_creases = last.crease_values(for_chunks_);
     if constexpr (has_corner_normals)
-      put_corners(refiner, last, on_creases, writer, corners);
+      put_corners(access, size, refiner, last, on_creases, writer, corners);
     else {
       Plain::put_values(refiner.refiner(), last.round(), writer);
       put_crease_vertices(on_creases, last.number_of_vertices(), writer);
+      Plain::grow_fully(access, size, refiner);
     }
+    last.close();
     put_constraints(last.refined_creases(), size, edges, vertices, rounds);
-    round_done_(rounds, static_cast<std::size_t>(size.faces));
-    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
-    const Plain plain(scheme_, rounds_, round_done_);
-    plain.put_connectivity(refiner.refiner(), last.round(), access, [&] {
+    tangents.put_refined(last.refined_creases(), static_cast<Index>(size.edges));
+    plain_.report_last_round(rounds, size);
+    plain_.put_connectivity(refiner.refiner(), last.round(), access, [&] {
       writer.keep();
       corners.keep();
       edges.keep();
       vertices.keep();
+      tangents.keep();
     });
   }
+
+  // a linear scheme has no use for tangents either
+  auto tangent_map() const
+  {
+    if constexpr (is_pn)
+      return crease_tangents(scheme_);
+    else
+      return No_tangent_map();
+  }
+  template <class Access>
+  using Tangents =
+    Crease_tangents<FT, Access,
+                    std::conditional_t<is_pn, Crease_tangent_map<Scheme>, No_tangent_map>>;
 
   // in the place of a Corner_normal_writer
   struct Nothing
@@ -145,7 +158,7 @@ private:
       return {};
   }
 
-  // the values of the slots, and the tangents
+  // the values of the slots, and the tangents that are missing
   template <class Control_value, class Access, class Point_map, class Normal_map>
   std::vector<Control_value> read_control(const Access& access, const Level_connectivity& level,
                                           Point_map points, [[maybe_unused]] Normal_map normals,
@@ -169,7 +182,7 @@ private:
           if (star.number_of_wedges > 1) is_given[star.vertex] = false;
         read_vertex_normals(access, normals, is_given, n, values);
       }
-      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))(false);
+      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))();
     }
     return values;
   }
@@ -185,14 +198,6 @@ private:
       if (is_given[v]) values[v].normal = given[v].normal;
   }
 
-  void refine_up_to_last(Refiner& refiner, unsigned rounds) const
-  {
-    for (unsigned k = 1; k < rounds; ++k) {
-      refiner.refine();
-      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
-    }
-  }
-
   // The values of a vertex follow one another. With several of them it has their mean normal.
   template <class Writer>
   static void put_crease_vertices(const Slot_values& on_creases, Index number_of_vertices,
@@ -205,14 +210,16 @@ private:
       for (++slot; slot != on_creases.end() && slot->first >= number_of_vertices; ++slot, ++wedges)
         if constexpr (is_pn) add_multiple<FT, 3>(value.normal, FT(1), slot->second.normal);
       if constexpr (is_pn)
-        if (wedges > 1) value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges));
+        if (wedges > 1)
+          decided<FT>([&] { value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges)); },
+                      [&] { return "the mean normal of vertex " + std::to_string(v); });
       writer.put_values(v, &value, 1);
     }
   }
 
-  template <class Last, class Writer, class Corner_writer>
-  void put_corners(Refiner& refiner, Last& last, const Slot_values& on_creases, Writer& writer,
-                   Corner_writer& corners) const
+  template <class Access, class Last, class Writer, class Corner_writer>
+  void put_corners(Access& access, const Level_size& size, Refiner& refiner, Last& last,
+                   const Slot_values& on_creases, Writer& writer, Corner_writer& corners) const
   {
     const Index n = last.number_of_vertices();
     const Creases<FT>& creases = last.refined_creases();
@@ -222,8 +229,10 @@ private:
                                  std::copy(new_values, new_values + number, values.begin() + first);
                                });
     for (const auto& slot : on_creases) values[slot.first] = slot.second;
+    Plain::grow_fully(access, size, refiner);
     writer.begin_old_vertices();
     writer.put_values(0, values.data(), n);
+    last.close();
     Level_connectivity child(last.round().refined_size());
     refiner.refiner().connect(last.round(), child);
     corners.put_all(child, creases, values);
@@ -249,8 +258,7 @@ private:
   }
 
   const Scheme& scheme_;
-  unsigned rounds_;
-  Round_done round_done_;
+  const Plain plain_;
   For_chunks for_chunks_;
 };
 

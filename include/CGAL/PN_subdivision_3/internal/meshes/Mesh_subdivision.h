@@ -88,6 +88,53 @@ public:
       subdivide(access, points, No_normal_map());
   }
 
+  // \name Steps of a call
+  // shared with Creased_subdivision
+
+  // without faces all rounds are alike
+  unsigned number_of_rounds(const Level_connectivity& level) const
+  {
+    return level.size().faces == 0 ? 1 : rounds_;
+  }
+
+  // With several threads the mesh grows while the levels before the last one are made; with one it
+  // gets its edges and faces by grow_fully(), when the old values are gone.
+  template <class Access, class Any_refiner>
+  void grow_and_refine(Access& access, const Level_size& size, Any_refiner& refiner,
+                       unsigned rounds) const
+  {
+    const Caller_precision<FT> precision;
+    run_together<Concurrency_tag>(
+      [&] {
+        if constexpr (is_parallel_v<Concurrency_tag>)
+          access.grow(size);
+        else
+          access.grow_vertices(size);
+      },
+      [&] {
+        const typename Caller_precision<FT>::In_this_thread scope(precision);
+        for (unsigned k = 1; k < rounds; ++k) {
+          refiner.refine();
+          round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+        }
+      });
+  }
+
+  // once all values have been computed
+  template <class Access, class Any_refiner>
+  static void grow_fully(Access& access, const Level_size& size, Any_refiner& refiner)
+  {
+    refiner.release_values();
+    access.grow(size);
+  }
+
+  // of the last round, and of those that change nothing
+  void report_last_round(unsigned rounds, const Level_size& size) const
+  {
+    round_done_(rounds, static_cast<std::size_t>(size.faces));
+    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
+  }
+
   template <class Writer>
   static void put_values(const Refiner& refiner, const One_round& last, Writer& writer)
   {
@@ -146,8 +193,7 @@ private:
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
-    // without faces all rounds are alike
-    const unsigned rounds = level.size().faces == 0 ? 1 : rounds_;
+    const unsigned rounds = number_of_rounds(level);
     const Level_size size =
       checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
     auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
@@ -156,26 +202,11 @@ private:
     Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    // With several threads the mesh grows while the levels before the last one are made; with one
-    // it gets its edges and faces when the old values are gone.
-    const Caller_precision<FT> precision;
-    run_together<Concurrency_tag>(
-      [&] {
-        if constexpr (is_parallel_v<Concurrency_tag>)
-          access.grow(size);
-        else
-          access.grow_vertices(size);
-      },
-      [&] {
-        const typename Caller_precision<FT>::In_this_thread scope(precision);
-        refine_up_to_last(refiner, rounds);
-      });
+    grow_and_refine(access, size, refiner, rounds);
     const One_round last = refiner.next_round();
     put_values(refiner, last, writer);
-    refiner.release_values();
-    access.grow(size);
-    round_done_(rounds, static_cast<std::size_t>(size.faces));
-    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
+    grow_fully(access, size, refiner);
+    report_last_round(rounds, size);
     put_connectivity(refiner, last, access, [&] { writer.keep(); });
     if constexpr (!Scheme::Host::keeps_vertices) access.trim(size, writer.has_own_maps);
   }
@@ -184,14 +215,6 @@ private:
   {
     return std::any_of(values.begin(), values.end(),
                        [](const Value& v) { return is_near_overflow(point_of(v)); });
-  }
-
-  void refine_up_to_last(Refiner& refiner, unsigned rounds) const
-  {
-    for (unsigned k = 1; k < rounds; ++k) {
-      refiner.refine();
-      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
-    }
   }
 
   const Scheme& scheme_;

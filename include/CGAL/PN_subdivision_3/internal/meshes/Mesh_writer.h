@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 
@@ -22,42 +23,13 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The values that a map has for the old vertices, to be put back.
-template <class Map>
-class Old_values
-{
-public:
-  template <class Access>
-  Old_values(const Access& access, std::size_t number_of_vertices, Map map)
-    : map_(map)
-  {
-    values_.reserve(number_of_vertices);
-    for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
-      values_.push_back(get(map_, access.vertex(v)));
-  }
-
-  // a map that throws here too keeps what it has
-  template <class Access>
-  void put_back(const Access& access) noexcept
-  {
-    for (Level_connectivity::Index v = 0; v < values_.size(); ++v) try {
-        put(map_, access.vertex(v), values_[v]);
-      } catch (...) {
-      }
-  }
-
-private:
-  Map map_;
-  std::vector<typename boost::property_traits<Map>::value_type> values_;
-};
 template <>
-class Old_values<No_normal_map>
+class Old_values<No_normal_map, Vertex_of_mesh>
 {
 public:
   template <class Access>
@@ -135,8 +107,8 @@ private:
   bool old_values_put_ = false;
   bool is_kept_ = false;
   Index number_of_old_vertices_;
-  Old_values<Point_map> old_points_;
-  Old_values<Normal_map> old_normals_;
+  Old_values<Point_map, Vertex_of_mesh> old_points_;
+  Old_values<Normal_map, Vertex_of_mesh> old_normals_;
 };
 
 } // namespace internal

@@ -128,6 +128,15 @@ std::bool_constant<!std::is_same_v<T, bool>>
 is_surface_mesh_map(const Properties::Property_map_base<I, T, Map>*);
 std::false_type is_surface_mesh_map(const void*);
 
+template <class I, class T, class Map>
+std::true_type is_property_of_surface_mesh(const Properties::Property_map_base<I, T, Map>*);
+std::false_type is_property_of_surface_mesh(const void*);
+
+// whether all elements that a mesh gets have one and the same value in the map
+template <class Property_map>
+constexpr bool has_one_new_value_v =
+  decltype(is_property_of_surface_mesh(static_cast<const Property_map*>(nullptr)))::value;
+
 template <class Property_map>
 constexpr bool has_concurrent_put_v =
   decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;

@@ -14,6 +14,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -235,6 +237,38 @@ struct Is_scheme<
   : std::true_type
 {};
 
+// the map of with_crease_tangents()
+template <class Mesh, class Scheme, class Point_map, class Geom_traits>
+constexpr bool check_crease_tangents()
+{
+  using Map = Crease_tangent_map<Scheme>;
+  constexpr bool is_given = has_crease_tangents_v<Scheme>;
+  constexpr bool has_rules = Has_crease_rules<Scheme>::value;
+  static_assert(
+    !is_given || has_rules,
+    "PN_subdivision_3: with_crease_tangents() is given a scheme without rules for creases");
+  if constexpr (!is_given || !has_rules)
+    return !is_given;
+  else if constexpr (!Is_property_map_of<
+                       Map, typename boost::graph_traits<Mesh>::halfedge_descriptor>::value) {
+    static_assert(!is_given,
+                  "PN_subdivision_3: the map of with_crease_tangents() is no property map "
+                  "of the mesh's half-edges");
+    return false;
+  } else {
+    constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
+    static_assert(is_readable,
+                  "PN_subdivision_3: the map of with_crease_tangents() cannot be read");
+    constexpr bool has_vectors =
+      may_be_normal_of<typename boost::property_traits<Map>::value_type,
+                       typename boost::property_traits<Point_map>::value_type, Geom_traits>();
+    static_assert(has_vectors,
+                  "PN_subdivision_3: the values of the map of with_crease_tangents() are "
+                  "not Vector_3 with the number type of the points");
+    return is_readable && has_vectors;
+  }
+}
+
 // \name Functions
 
 template <class Mesh, class Scheme, class NamedParameters>
@@ -266,7 +300,9 @@ constexpr bool check_subdivision_arguments()
              check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
                                   typename Parameters::Edge_constraint_map>() &&
              check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                                  typename Parameters::Vertex_constraint_map>();
+                                  typename Parameters::Vertex_constraint_map>() &&
+             check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                                   typename Parameters::Geom_traits>();
     else
       return false;
   }
@@ -288,6 +324,31 @@ constexpr bool check_estimation_arguments()
                               typename Parameters::Geom_traits, boost::writable_property_map_tag>();
     else
       return false;
+  }
+}
+
+template <class Mesh, class Map, class NamedParameters>
+constexpr bool check_detection_arguments()
+{
+  constexpr bool are_used = are_used_v<Mesh_parameters, NamedParameters>;
+  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
+                          "those that are: vertex_point_map, geom_traits");
+  using Edge = typename boost::graph_traits<Mesh>::edge_descriptor;
+  if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else if constexpr (!Is_property_map_of<Map, Edge>::value) {
+    static_assert(Is_property_map_of<Map, Edge>::value,
+                  "PN_subdivision_3: the map of creases is no property map of the mesh's edges");
+    return false;
+  } else {
+    constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;
+    static_assert(is_writable, "PN_subdivision_3: the map of creases cannot be written");
+    constexpr bool is_number =
+      std::is_arithmetic_v<std::decay_t<typename boost::property_traits<Map>::value_type>>;
+    static_assert(is_number,
+                  "PN_subdivision_3: the values of the map of creases are neither bool nor "
+                  "built-in numbers");
+    return is_writable && is_number;
   }
 }
 

@@ -12,11 +12,15 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_constraint_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -45,6 +49,16 @@ double sharpness_in(const Map& map, const Key& key)
   return sharpness_of(static_cast<Value>(get(map, key))); // bits have references of their own
 }
 
+// the value of what is infinitely sharp; of integers, what no number of rounds uses up
+template <class Value>
+Value sharp_for_ever()
+{
+  if constexpr (std::numeric_limits<Value>::has_infinity)
+    return std::numeric_limits<Value>::infinity();
+  else
+    return (std::numeric_limits<Value>::max)();
+}
+
 template <class Name>
 double checked_sharpness(double s, const Name& name)
 {
@@ -58,8 +72,6 @@ double checked_sharpness(double s, const Name& name)
 
 // The constraints of the edges or vertices of a mesh: read before the first round, written for the
 // refined elements if the map can be written, and put back unless they are kept.
-//
-// Element says what the key of an index is, and how it is called.
 template <class Access, class Map, class Element>
 class Constraints
 {
@@ -69,28 +81,21 @@ public:
   Constraints(const Access& access, Map map, Index number)
     : access_(access)
     , map_(map)
-  {
-    if constexpr (is_constraint_map_v<Map>)
-      for (Index i = 0; i < number; ++i) old_.push_back(get(map_, Element::at(access_, i)));
-  }
+    , old_(access, number, map)
+  {}
   ~Constraints()
   {
-    if constexpr (is_writable)
-      if (is_changed_) put_back();
+    if (is_changed_) old_.put_back(access_);
   }
   Constraints(const Constraints&) = delete;
   Constraints& operator=(const Constraints&) = delete;
 
-  // 0 if there is no map
-  Index number_of_old() const { return static_cast<Index>(old_.size()); }
+  Index number_of_old() const { return old_.size(); }
 
-  double sharpness([[maybe_unused]] Index i) const
+  double sharpness(Index i) const
   {
-    if constexpr (is_constraint_map_v<Map>)
-      return checked_sharpness(sharpness_of(Value(old_[i])),
-                               [&] { return Element::name(access_, i); });
-    else
-      return 0;
+    return checked_sharpness(sharpness_of(Value(old_[i])),
+                             [&] { return Element::name(access_, i); });
   }
 
   // Puts the constraints of `number` refined elements. `constraints` has some of them, in the order of
@@ -99,39 +104,23 @@ public:
     [[maybe_unused]] Index number,
     [[maybe_unused]] const std::vector<std::pair<Index, std::pair<Index, double>>>& constraints)
   {
-    if constexpr (is_writable) {
+    if constexpr (is_writable_map_v<Map>) {
+      const Index end = are_new_ones_smooth(number) ? old_.size() : number;
       is_changed_ = true;
-      auto next = constraints.begin();
-      for (Index i = 0; i < number; ++i) {
-        if (next != constraints.end() && next->first == i) {
-          const Value old = old_[next->second.first];
-          put(map_, Element::at(access_, i), value(next->second.second, old));
-          ++next;
-        } else if (i >= old_.size() || !(old_[i] == Value(0)))
-          put(map_, Element::at(access_, i), Value(0));
+      Index i = 0;
+      for (const auto& c : constraints) {
+        put_smooth(i, (std::min)(c.first, end));
+        put(map_, Element::at(access_, c.first), value(c.second.second, old_[c.second.first]));
+        i = c.first + 1;
       }
+      put_smooth(i, end);
     }
   }
 
   void keep() { is_changed_ = false; }
 
 private:
-  template <class Any_map, bool = is_constraint_map_v<Any_map>>
-  struct Traits
-  {
-    using Value = int;
-    static constexpr bool is_writable = false;
-  };
-  template <class Any_map>
-  struct Traits<Any_map, true>
-  {
-    using Value = typename boost::property_traits<Any_map>::value_type;
-    static constexpr bool is_writable =
-      std::is_convertible_v<typename boost::property_traits<Any_map>::category,
-                            boost::writable_property_map_tag>;
-  };
-  using Value = std::decay_t<typename Traits<Map>::Value>;
-  static constexpr bool is_writable = Traits<Map>::is_writable;
+  using Value = typename Old_values<Map, Element>::Value;
 
   // what is sharp for ever keeps its value
   static Value value(double sharpness, const Value& old)
@@ -139,46 +128,40 @@ private:
     return sharpness == infinite_sharpness ? old : Value(sharpness);
   }
 
-  void put_back() noexcept
+  // before anything is put
+  bool are_new_ones_smooth([[maybe_unused]] Index number) const
   {
-    for (Index i = 0; i < old_.size(); ++i) try {
-        put(map_, Element::at(access_, i), Value(old_[i]));
-      } catch (...) {
-      }
+    if constexpr (has_one_new_value_v<Map>)
+      return number > old_.size() && get(map_, Element::at(access_, old_.size())) == Value(0);
+    else
+      return false;
+  }
+
+  void put_smooth(Index begin, Index end)
+  {
+    Index i = begin;
+    for (; i < end && i < old_.size(); ++i)
+      if (!(old_[i] == Value(0))) put(map_, Element::at(access_, i), Value(0));
+    for (; i < end; ++i) put(map_, Element::at(access_, i), Value(0));
   }
 
   const Access& access_;
   Map map_;
-  std::vector<Value> old_;
+  Old_values<Map, Element> old_;
   bool is_changed_ = false;
 };
 
-struct Edge_of_mesh
+template <class Access, class Element>
+class Constraints<Access, No_constraint_map, Element>
 {
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index e)
-  {
-    return access.edge_at(e);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Level_connectivity::Index e)
-  {
-    return "the edge of " + access.halfedge_name(2 * e);
-  }
-};
+public:
+  using Index = Level_connectivity::Index;
 
-struct Vertex_of_mesh
-{
-  template <class Access>
-  static auto at(const Access& access, Level_connectivity::Index v)
-  {
-    return access.vertex(v);
-  }
-  template <class Access>
-  static std::string name(const Access& access, Level_connectivity::Index v)
-  {
-    return access.vertex_name(v);
-  }
+  Constraints(const Access&, No_constraint_map, Index) {}
+  Index number_of_old() const { return 0; }
+  double sharpness(Index) const { return 0; }
+  void put_refined(Index, const std::vector<std::pair<Index, std::pair<Index, double>>>&) {}
+  void keep() {}
 };
 
 template <class Access, class Map>

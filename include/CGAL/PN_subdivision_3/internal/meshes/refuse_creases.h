@@ -34,8 +34,8 @@ struct Scheme_name<Scheme, std::void_t<decltype(std::string(Scheme::name()))>>
   static std::string get() { return "the scheme " + std::string(Scheme::name()); }
 };
 template <class Scheme>
-struct Scheme_name<Scheme, std::void_t<decltype(std::declval<const Scheme&>().scheme)>>
-  : Scheme_name<std::decay_t<decltype(std::declval<const Scheme&>().scheme)>>
+struct Scheme_name<Scheme, std::void_t<typename Scheme::Adapted_scheme>>
+  : Scheme_name<typename Scheme::Adapted_scheme>
 {};
 
 // Refuses what is sharp in a mesh, by its name, for a scheme that has no rules for it.

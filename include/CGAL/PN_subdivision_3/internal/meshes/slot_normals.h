@@ -15,8 +15,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
-#include <CGAL/Uncertain.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -67,12 +67,14 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
     normalize_control_normal<FT, 3>(n, name);
     if (count[slot]++ == 0)
       values[slot].normal = n;
-    else if (!CGAL::certainly(n == values[slot].normal))
+    else if (!are_certainly_equal<FT, 3>(n, values[slot].normal))
       differ[slot] = true;
     add_multiple<FT, 3>(sum[slot], FT(1), n);
   });
   for (std::size_t slot = 0; slot < values.size(); ++slot)
-    if (differ[slot]) values[slot].normal = unit_or_zero<FT, 3>(sum[slot], FT(count[slot]));
+    if (differ[slot])
+      decided<FT>([&] { values[slot].normal = unit_or_zero<FT, 3>(sum[slot], FT(count[slot])); },
+                  [] { return "whether the normals of the corners of a wedge cancel"; });
 }
 
 // Puts the normals of all corners of a level, and back what was there unless that is kept.

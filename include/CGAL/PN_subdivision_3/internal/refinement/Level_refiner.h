@@ -30,7 +30,7 @@ namespace internal {
 // refine() replaces the level by its child. A round that is not to be stored is a next_round():
 // its values go to a sink, its connectivity to any child of a host. Where the rows are made on
 // another level than the child (cut open along creases, say), every level has more values than
-// vertices: those beyond the vertices are the caller's to set after the round.
+// vertices: those beyond the vertices are the caller's to set.
 template <class Scheme, class Average>
 class Level_refiner
 {
@@ -61,25 +61,33 @@ public:
 
   // \pre the level stays while the round is used
   One_round next_round() const { return {scheme_, level_, level_, rounds_done_ + 1}; }
-  // rows from `mask_level`, whose vertices the values belong to
-  One_round next_round(const Level_connectivity& mask_level) const
+
+  void refine()
   {
-    return {scheme_, level_, mask_level, rounds_done_ + 1};
+    const One_round round = next_round();
+    Values values = refined_values(round, round.refined_size().vertices);
+    replace(round, round.refined_size(), std::move(values));
   }
 
-  void refine() { refine(next_round(), 0); }
-  void refine(const One_round& round, std::size_t number_of_further_values)
+  // the first ones are those of the new vertices
+  Values refined_values(const One_round& round, std::size_t number_of_values) const
   {
-    Level_connectivity child(round.refined_size());
+    Values refined(number_of_values, boost::container::default_init);
+    evaluate(round, 0, static_cast<Index>(round.refined_size().vertices),
+             [&](Index first, const Value* values, Index number) {
+               std::copy(values, values + number, refined.begin() + first);
+             });
+    return refined;
+  }
+
+  // the child, with room for further elements, and its values take the place of the level
+  void replace(const One_round& round, const Level_size& room, Values&& values)
+  {
+    Level_connectivity child(round.refined_size(), room);
     child.set_uniform_degree(Scheme::Host::refined_degree);
     connect(round, child);
-    const Index n = child.number_of_vertices();
-    Values refined(n + number_of_further_values, boost::container::default_init);
-    evaluate(round, 0, n, [&](Index first, const Value* values, Index number) {
-      std::copy(values, values + number, refined.begin() + first);
-    });
     level_ = std::move(child);
-    values_ = std::move(refined);
+    values_ = std::move(values);
     ++rounds_done_;
   }
 

@@ -24,6 +24,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -49,12 +50,19 @@ public:
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
     : Round(scheme, level, level, number)
   {}
+  // rows from `mask_level`, whose vertices the values belong to
   Round(const Scheme& scheme, const Level_connectivity& host_level,
         const Level_connectivity& mask_level, unsigned number)
-    : host_(host_level, number)
+    : Round(scheme, Host(host_level, number), Host::refined_size(host_level.size(), number),
+            mask_level, number)
+  {}
+  // the level of the host may be cut open to that of the mask after the host has been made
+  Round(const Scheme& scheme, Host&& host, const Level_size& refined_size,
+        const Level_connectivity& mask_level, unsigned number)
+    : host_(std::move(host))
     , mask_(scheme.template mask<FT>(mask_level, number))
     , normal_mask_(make_normal_mask(scheme, mask_level, number))
-    , size_(Host::refined_size(host_level.size(), number))
+    , size_(refined_size)
     , number_of_old_vertices_(mask_level.number_of_vertices())
     , number_(number)
   {}
@@ -64,6 +72,10 @@ public:
   const auto& mask() const { return mask_; }
   const auto& normal_mask() const { return normal_mask_; }
   unsigned number() const { return number_; }
+
+  // The rows of these vertices, in increasing order, are not needed: their values are set by others.
+  // An undecided comparison in them is no error.
+  void set_vertices_of_others(std::vector<Index> vertices) { of_others_ = std::move(vertices); }
 
   // computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block
@@ -128,9 +140,7 @@ private:
     std::array<Value, block_size_v<FT>> values;
     for (Index first = begin; first < end;) {
       const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
-      emit(mask_, first, n, vertex, rows);
-      if constexpr (has_normal_mask) emit(normal_mask_, first, n, vertex, normal_rows);
-      average(rows, normal_rows, old, values.data(), vertex(first));
+      compute(first, n, vertex, rows, normal_rows, old, values.data());
       sink(first, values.data(), n);
       first += n;
     }
@@ -164,28 +174,48 @@ private:
     return begin != end && !CGAL::certainly(error > FT(64) * machine_epsilon<FT>() * sizes);
   }
 
-  void average(const Stencil_block<FT>& rows, [[maybe_unused]] const Normal_rows& normal_rows,
-               const Stored_value* old, Value* result, [[maybe_unused]] Index first) const
+  template <class Vertex>
+  void compute(Index first, Index n, const Vertex& vertex, Stencil_block<FT>& rows,
+               [[maybe_unused]] Normal_rows& normal_rows, const Stored_value* old,
+               Value* result) const
   {
-    const Block block{};
-    const auto averages = [&] {
-      if constexpr (has_normal_mask)
-        block(rows, normal_rows, old, result);
-      else
-        block(rows, old, result);
+    const auto averages = [&](Index begin, Index number, Value* values) {
+      const Block block{};
+      emit(mask_, begin, number, vertex, rows);
+      if constexpr (has_normal_mask) {
+        emit(normal_mask_, begin, number, vertex, normal_rows);
+        block(rows, normal_rows, old, values);
+      } else
+        block(rows, old, values);
     };
     if constexpr (std::is_floating_point_v<FT>)
-      averages();
+      averages(first, n, result);
     else
       try {
-        averages();
+        averages(first, n, result);
       } catch (const Uncertain_conversion_exception&) {
-        throw std::domain_error(
-          "PN_subdivision_3: the precision of the number type does not decide "
-          "whether the normal of vertex " +
-          std::to_string(first) + " in round " + std::to_string(number_) +
-          " vanishes or is opposite to a neighbor's: use a higher precision");
+        for (Index i = 0; i < n; ++i)
+          compute_alone(
+            vertex(first + i), [&] { averages(first + i, 1, result + i); }, result[i]);
       }
+  }
+
+  // a row of a block in which a comparison is undecided
+  template <class Average_row>
+  void compute_alone(Index vertex, const Average_row& average_row, Value& result) const
+  {
+    if (std::binary_search(of_others_.begin(), of_others_.end(), vertex)) {
+      result = Value{};
+      return;
+    }
+    try {
+      average_row();
+    } catch (const Uncertain_conversion_exception&) {
+      throw std::domain_error("PN_subdivision_3: the precision of the number type does not decide "
+                              "whether the normal of vertex " +
+                              std::to_string(vertex) + " in round " + std::to_string(number_) +
+                              " vanishes or is opposite to a neighbor's: use a higher precision");
+    }
   }
 
   Host host_;
@@ -194,6 +224,7 @@ private:
   Level_size size_;
   Index number_of_old_vertices_;
   unsigned number_;
+  std::vector<Index> of_others_;
 };
 
 } // namespace internal
