@@ -105,4 +105,7 @@ void reject(Mesh& mesh)
   PN::Surface_refiner refiner(mesh, PN::Loop_scheme());
   refiner.build_mesh(mesh, params::number_of_iterations(2));
   // expected: a named parameter is given that is not used here
+
+  PN::Surface_refiner(mesh, PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
+  // expected: Surface_refiner has no rules for creases
 }

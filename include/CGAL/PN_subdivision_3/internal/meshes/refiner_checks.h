@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_REFINER_CHECKS_H
 
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -36,7 +37,10 @@ constexpr bool check_refiner_arguments()
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
     constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
     static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
-    return is_scheme &&
+    constexpr bool has_border = Border_of<Scheme>::is_given;
+    static_assert(!has_border, "PN_subdivision_3: Surface_refiner has no rules for creases: it "
+                               "takes no with_border()");
+    return is_scheme && !has_border &&
            check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag>() &&
            check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
                             typename Parameters::Geom_traits, boost::readable_property_map_tag>();
