@@ -62,25 +62,34 @@ def unfiltered(kind: int, line: bytes, above: bytes, step: int) -> bytes:
 
 
 def pixels(path: Path) -> tuple[int, int, bytes]:
-    """Width, height and the colors of a PNG file as VTK writes it: 8 bits, RGB, not interlaced."""
+    """Width, height and the colors of a PNG file as VTK and render.py write it: 8 bits, RGB or a palette,
+    not interlaced."""
     content = path.read_bytes()
-    at, data, header = 8, b"", b""
+    at, data, header, palette = 8, b"", b"", b""
     while at < len(content):
         size, kind = struct.unpack(">I4s", content[at:at + 8])
         body = content[at + 8:at + 8 + size]
         if kind == b"IHDR":
             header = body
+        elif kind == b"PLTE":
+            palette = body
         elif kind == b"IDAT":
             data += body
         at += size + 12
     width, height, bits, color, *_, interlaced = struct.unpack(">IIBBBBB", header)
-    if (bits, color, interlaced) != (8, 2, 0):
-        raise SystemExit(f"{path}: only pictures of 8 bits, RGB, not interlaced can be compared")
-    raw, stride = zlib.decompress(data), 3 * width + 1
+    if bits != 8 or color not in (2, 3) or interlaced:
+        raise SystemExit(f"{path}: only pictures of 8 bits, RGB or with a palette, not interlaced can "
+                         "be compared")
+    step = 3 if color == 2 else 1
+    raw, stride = zlib.decompress(data), step * width + 1
     lines = [bytes(stride - 1)]
     for start in range(0, height * stride, stride):
-        lines.append(unfiltered(raw[start], raw[start + 1:start + stride], lines[-1], 3))
-    return width, height, b"".join(lines[1:])
+        lines.append(unfiltered(raw[start], raw[start + 1:start + stride], lines[-1], step))
+    colors = b"".join(lines[1:])
+    if palette and color == 3:
+        of_index = [palette[3 * i:3 * i + 3] for i in range(len(palette) // 3)]
+        colors = b"".join(map(of_index.__getitem__, colors))
+    return width, height, colors
 
 
 def difference_of_pictures(drawn: Path, committed: Path) -> str:

@@ -44,14 +44,19 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--edges", action="store_true", help="draw the edges of the faces")
     parser.add_argument("--normals", action="store_true", help="draw the vertex normals")
     parser.add_argument("--control", type=Path, action="append", default=[], metavar="MESH",
-                        help="draw this mesh's edges over it; once for all, or once per mesh")
+                        help="draw this mesh's edges over it; once for all, or once per mesh "
+                             "('none' for a mesh that has none)")
+    parser.add_argument("--control-normals", action="store_true",
+                        help="draw the vertex normals of these meshes too")
     parser.add_argument("--scalars", metavar="NAME",
-                        help="colour by this vertex array of VTP files, symmetric about 0")
+                        help="colour by this vertex array of VTP files, symmetric about 0; meshes "
+                             "without it stay plain")
     parser.add_argument("--range", type=float, metavar="MAX",
                         help="the scalar at the ends of the colours (default: 90th percentile)")
     parser.add_argument("--caption", action="append", default=[], metavar="TEXT",
                         help="once per mesh (default: file name and number of faces)")
     parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")
+    parser.add_argument("--zoom", type=float, default=1.0, help="enlarge, past the tile's edges")
     parser.add_argument("--tile", type=int, default=480, help="pixels of a tile's side")
     arguments = parser.parse_args()
     check_arguments(parser, arguments)
@@ -64,6 +69,8 @@ def check_arguments(parser: argparse.ArgumentParser, arguments: argparse.Namespa
         parser.error("give --control once, or once per mesh")
     if len(arguments.caption) not in (0, count):
         parser.error("give --caption once per mesh")
+    if arguments.zoom <= 0:
+        parser.error("--zoom must be positive")
     if arguments.tile < 16 or (arguments.columns is not None and arguments.columns < 1):
         parser.error("--tile must be at least 16, --columns at least 1")
     try:
@@ -71,7 +78,7 @@ def check_arguments(parser: argparse.ArgumentParser, arguments: argparse.Namespa
     except ValueError:
         parser.error(f"--view: '{arguments.view}' is neither a name nor AZIMUTH,ELEVATION")
     for path in arguments.meshes + arguments.control:
-        if not path.is_file():
+        if not path.is_file() and not (str(path) == "none" and path in arguments.control):
             parser.error(f"{path}: no such file")
 
 

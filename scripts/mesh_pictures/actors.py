@@ -12,7 +12,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
                                          vtkProperty)
 
@@ -32,8 +31,9 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
     mapper = vtkPolyDataMapper()
     shown = _with_normals(mesh, shading)
     mapper.SetInputData(shown)
-    if scalars:
-        mapper.SetLookupTable(_colours(limit))
+    coloured = scalars is not None and mesh.GetPointData().HasArray(scalars)
+    if coloured:
+        mapper.SetLookupTable(colours(limit))
         mapper.SetScalarModeToUsePointFieldData()
         mapper.SelectColorArray(scalars)
         mapper.InterpolateScalarsBeforeMappingOff()
@@ -45,8 +45,12 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
     for colour, inside in ((OUTSIDE, False), (INSIDE, True)):
         style = vtkProperty()
         style.SetColor(*colour)
-        style.SetSpecular(0.25)
-        style.SetSpecularPower(30)
+        if coloured:  # a highlight would look like a curvature
+            style.SetAmbient(0.45)
+            style.SetDiffuse(0.55)
+        else:
+            style.SetSpecular(0.25)
+            style.SetSpecularPower(30)
         style.SetEdgeVisibility(edges)
         style.SetEdgeColor(*EDGE)
         if normals_of(shown) is None:
@@ -136,38 +140,18 @@ def _lines_and_dots(data: vtkPolyData, colour: tuple[float, float, float],
 
 
 def scalar_limit(meshes: list[vtkPolyData], name: str, wanted: float | None) -> float:
-    """The value at the ends of the colours, one for all tiles."""
+    """The value at the ends of the colours, one for all tiles. Meshes without scalars stay plain."""
     values = [mesh.GetPointData().GetArray(name) for mesh in meshes]
-    if any(v is None for v in values):
-        raise ValueError(f"not every mesh has a vertex array '{name}'")
+    values = [v for v in values if v is not None]
+    if not values:
+        raise ValueError(f"no mesh has a vertex array '{name}'")
     every = np.abs(np.concatenate([vtk_to_numpy(v) for v in values]))
     return wanted or float(np.percentile(every, 90)) or 1.0
 
 
-def _colours(limit: float) -> vtkColorTransferFunction:
+def colours(limit: float) -> vtkColorTransferFunction:
     table = vtkColorTransferFunction()
     table.SetColorSpaceToLab()
     for value, colour in ((-limit, BLUE), (0.0, WHITE), (limit, RED)):
         table.AddRGBPoint(value, *colour)
     return table
-
-
-def colour_bar(title: str, limit: float, font_size: int) -> vtkScalarBarActor:
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(_colours(limit))
-    bar.SetTitle(title.replace("_", " "))
-    bar.SetOrientationToHorizontal()
-    bar.SetNumberOfLabels(3)
-    bar.SetLabelFormat("%.3g")
-    bar.UnconstrainedFontSizeOn()
-    bar.SetPosition(0.54, 0.015)
-    bar.SetWidth(0.42)
-    bar.SetHeight(0.12)
-    bar.SetTextPositionToPrecedeScalarBar()
-    for style in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
-        style.SetColor(0.1, 0.1, 0.1)
-        style.SetFontSize(font_size)
-        style.ShadowOff()
-        style.ItalicOff()
-        style.BoldOff()
-    return bar

@@ -15,22 +15,23 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401  (text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
 
 from . import actors
 from .camera import View, fitted_view
 from .files import points_of, read_mesh
+from .png import write_png
+from .scale_bar import add_scale_bar
 
 GAP = 0.004
-ROOM_FOR_BAR = 1.08
+BAR_HEIGHT = 0.17  # of a tile's
 
 
 def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     vtkObject.GlobalWarningDisplayOff()  # every failure has a line of its own
     meshes = [read_mesh(path) for path in options.meshes]
-    controls = [read_mesh(path) for path in options.control]
+    controls = [None if str(path) == "none" else read_mesh(path) for path in options.control]
     if len(controls) == 1:
         controls *= len(meshes)
     limit = actors.scalar_limit(meshes, options.scalars, options.range) if options.scalars else 0.0
@@ -39,23 +40,33 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(columns * options.tile, rows * options.tile)
+    bar = round(BAR_HEIGHT * options.tile) if options.scalars else 0
+    width, height = columns * options.tile, rows * options.tile + bar
+    window.SetSize(width, height)
     window.AddRenderer(backdrop())
     view: View | None = None
     for i, mesh in enumerate(meshes):
-        renderer = new_tile(i, columns, rows)
+        renderer = new_tile(i, columns, rows, bar / height)
         control = controls[i] if controls else None
         if view is None or not options.same_view:
             seen = [*meshes, *controls] if options.same_view else [mesh, control]
             points = np.concatenate([points_of(m) for m in seen if m])
             view = fitted_view(points, angles, options.up)
-            view.half_size *= ROOM_FOR_BAR if options.scalars else 1.0
+            view.half_size /= options.zoom
         add_mesh(renderer, mesh, options, limit)
         if control:
             renderer.AddActor(actors.control_edges(control))
+            if options.control_normals:
+                renderer.AddActor(actors.normal_needles(control))
         renderer.AddViewProp(caption(i, mesh, options))
         view.apply(renderer)
         window.AddRenderer(renderer)
+    if options.scalars:
+        strip = vtkRenderer()
+        strip.SetViewport(0, 0, 1, bar / height)
+        strip.SetBackground(1.0, 1.0, 1.0)
+        add_scale_bar(strip, (width, bar), options.scalars, limit)
+        window.AddRenderer(strip)
     save(window, options.output)
 
 
@@ -70,14 +81,14 @@ def backdrop() -> vtkRenderer:
     return renderer
 
 
-def new_tile(i: int, columns: int, rows: int) -> vtkRenderer:
+def new_tile(i: int, columns: int, rows: int, below: float) -> vtkRenderer:
+    """The part of the window `below` the tiles is for the scale bar."""
     row, column = divmod(i, columns)
+    high, wide = (1 - below) / rows, 1 / columns
     renderer = vtkRenderer()
-    renderer.SetViewport(column / columns + GAP / columns, 1 - (row + 1) / rows + GAP / rows,
-                         (column + 1) / columns - GAP / columns, 1 - row / rows - GAP / rows)
+    renderer.SetViewport((column + GAP) * wide, 1 - (row + 1 - GAP) * high,
+                         (column + 1 - GAP) * wide, 1 - (row + GAP) * high)
     renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.SetBackground2(0.86, 0.89, 0.93)
-    renderer.GradientBackgroundOn()
     for position, strength in (((-1, 1.2, 1.5), 0.85), ((1.5, 0.2, 1), 0.4), ((0, -1, 1), 0.35)):
         light = vtkLight()
         light.SetLightTypeToCameraLight()
@@ -92,8 +103,6 @@ def add_mesh(renderer: vtkRenderer, mesh: vtkPolyData, options: Namespace, limit
     renderer.AddActor(actors.lone_vertices(mesh))
     if options.normals:
         renderer.AddActor(actors.normal_needles(mesh))
-    if options.scalars:
-        renderer.AddActor2D(actors.colour_bar(options.scalars, limit, caption_size(options)))
 
 
 def caption(i: int, mesh: vtkPolyData, options: Namespace) -> vtkTextActor:
@@ -109,7 +118,7 @@ def caption(i: int, mesh: vtkPolyData, options: Namespace) -> vtkTextActor:
 
 
 def caption_size(options: Namespace) -> int:
-    return max(10, options.tile // 30)
+    return max(10, options.tile // 20)
 
 
 def save(window: vtkRenderWindow, path: Path) -> None:
@@ -117,9 +126,5 @@ def save(window: vtkRenderWindow, path: Path) -> None:
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.SetFileName(str(path))
-    writer.Write()
-    if writer.GetErrorCode():
-        raise ValueError(f"{path}: cannot be written")
+    grab.Update()
+    write_png(path, grab.GetOutput())
