@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from control_meshes import head, models, parts, shapes, star
+from control_meshes import head, models, paper, parts, shapes, star
 from control_meshes.domain import Domain, Saddle, Sphere, Tube
 from control_meshes.mesh import Mesh, check
 from control_meshes.output import as_text, selection_text
@@ -138,6 +138,22 @@ ENTRIES = [
     Entry("parts/bracket.obj", "angle with a fillet; tangent surfaces", make=parts.bracket),
     Entry("parts/bearing_housing.obj", "plate with bolt holes, boss, bore and a spherical seat",
           make=parts.bearing_housing),
+    Entry("paper/cylinder.ply", "figure 3: uneven quads on a cylinder", make=paper.cylinder),
+    Entry("paper/tetrahedron.ply", "figure 4: with the normals of a sphere", make=paper.tetrahedron),
+    Entry("paper/cross.off", "figures 7 and 8: six arms, five of them open",
+          make=paper.cross_of_cubes),
+    Entry("paper/waves.ply", "figure 10: flat, normals in waves", make=paper.waves),
+    Entry("paper/bumps.ply", "figure 10: flat, normals of bumps", make=paper.bumps),
+    Entry("paper/ring.ply", "figure 11: ring, horizontal normals", make=paper.ring),
+    Entry("paper/ring_edited.ply", "figure 11: ring, edited normals", make=paper.edited_ring),
+    Entry("paper/wheel.ply", "figure 12: wheel, horizontal normals", make=paper.wheel),
+    Entry("paper/wheel_tori.ply", "figure 12: wheel, normals of tori", make=paper.wheel_of_tori),
+    Entry("paper/bell.ply", "figure 13: a top without normal", make=paper.bell),
+    Entry("paper/cuboid_with_hole.ply", "figure 13: corners without normals",
+          make=paper.cuboid_with_hole),
+    Entry("paper/cyclide.ply", "figure 13: 6 x 6 points of a cyclide", make=paper.cyclide),
+    Entry("paper/torus_4.ply", "figure 17: 4 x 4 points of a torus", make=lambda: paper.torus(4)),
+    Entry("paper/torus_8.ply", "figure 17: 8 x 8 points of a torus", make=lambda: paper.torus(8)),
 ]
 
 
@@ -175,6 +191,9 @@ def readme(lines: list[str]) -> str:
         "is the nearest double. Their surface is given by a comment in the file, `comment sphere",
         "X Y Z R` or `comment cylinder X Y Z DX DY DZ R` (a point of the axis and its direction).",
         "A zero vector means that the vertex has no control normal.",
+        "",
+        "The meshes in `paper/` are those of the figures of Yang's paper; some of their normals are",
+        "handles of the design that differ from those of the faces.",
         "",
         "Parts have a group per surface, which a comment in the file describes, a normal per corner",
         "and, beside them, `NAME.selection.txt` with their creases: the edges between two surfaces,",

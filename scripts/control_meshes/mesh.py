@@ -24,6 +24,7 @@ class Mesh:
     faces: list[Face]
     normals: list[Vec] | None = None
     comments: list[str] = field(default_factory=list)
+    normals_are_handles: bool = False  # and need not agree with the faces
 
     def halfedges(self) -> Iterator[tuple[int, int]]:
         for f in self.faces:
@@ -145,6 +146,8 @@ def _check_normals(mesh: Mesh) -> None:
     for v, n in enumerate(mesh.normals):
         if any(n) and abs(dot(n, n) - 1) > 2.0 ** -51:
             raise ValueError(f"the normal of vertex {v} is neither unit nor zero")
+    if mesh.normals_are_handles:
+        return
     for i, f in enumerate(mesh.faces):
         mean = (0.0, 0.0, 0.0)
         for v in f:
