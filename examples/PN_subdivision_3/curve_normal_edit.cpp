@@ -7,15 +7,21 @@
 // Author(s): PN_subdivision_3 developers
 
 // Modeling with normals: the points stay on a circle, every second normal is rotated. The curve
-// follows as long as neighboring normals do not come near to opposite ones.
+// follows as long as neighboring normals do not come near to opposite ones. Prints what becomes of control
+// points and control normals, and how often the curve crosses itself.
 //
 //   curve_normal_edit [OUTPUT.svg]
 
 #include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
 #include <CGAL/PN_subdivision_curve.h>
 
+#include <CGAL/intersections.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -37,6 +43,38 @@ Curve circle(int n)
   return polygon;
 }
 
+constexpr int rounds = 6;
+
+// Control point i is point 2^rounds i of the curve.
+void print_control_data(const Curve& polygon, const Curve& curve)
+{
+  std::size_t kept = 0;
+  double angle = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t k = i << rounds, n = curve.size();
+    if (curve[k].first == polygon[i].first) ++kept;
+    const curve_svg::Vector along = curve[(k + 1) % n].first - curve[(k + n - 1) % n].first;
+    const double sine = along * polygon[i].second / std::sqrt(along.squared_length());
+    angle = (std::max)(angle, std::asin(std::abs(sine)) * 180 / pi);
+  }
+  std::cout << kept << " of " << polygon.size()
+            << " control points are kept, control normals are off the curve's by up to " << angle
+            << " degrees, ";
+}
+
+std::size_t number_of_crossings(const Curve& curve)
+{
+  const std::size_t n = curve.size();
+  const auto segment = [&](std::size_t i) {
+    return curve_svg::Kernel::Segment_2(curve[i].first, curve[(i + 1) % n].first);
+  };
+  std::size_t crossings = 0;
+  for (std::size_t i = 0; i + 2 < n; ++i)
+    for (std::size_t j = i + 2; j < n - (i == 0 ? 1 : 0); ++j)
+      if (CGAL::do_intersect(segment(i), segment(j))) ++crossings;
+  return crossings;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -48,7 +86,10 @@ int main(int argc, char** argv)
     Curve polygon = circle(12);
     PN::rotate_control_normals(polygon, degrees * pi / 180, PN::every_kth_vertex(polygon, 2));
     const Curve curve = PN::subdivide_curve(polygon, PN::Dubuc_Deslauriers_mask(10), closed,
-                                            CGAL::parameters::number_of_iterations(6));
+                                            CGAL::parameters::number_of_iterations(rounds));
+    std::cout << degrees << " degrees: ";
+    print_control_data(polygon, curve);
+    std::cout << number_of_crossings(curve) << " crossings" << std::endl;
     panels.push_back(
       curve_svg::panel("rotated by " + std::to_string(degrees) + "\u00b0", polygon, curve, closed));
     panels.back().comb = nullptr; // the curvature varies too wildly to be drawn
