@@ -21,7 +21,7 @@ if(Python3_FOUND)
 
   # the drawings of the manual, against those that the examples have just written
   foreach(example_and_figure
-          curve_bottle curve_circle curve_normal_edit far_from_origin kernel_precision
+          average_arcs curve_bottle curve_circle curve_normal_edit far_from_origin kernel_precision
           extraordinary_curvature_table=extraordinary_curvature)
     string(REGEX MATCH "^[^=]+" example ${example_and_figure})
     string(REGEX MATCH "[^=]+$" figure ${example_and_figure})
@@ -36,6 +36,14 @@ if(Python3_FOUND)
       set_tests_properties(figure_${figure} PROPERTIES FIXTURES_REQUIRED drawn_${example})
     endif()
   endforeach()
+
+  # some numbers of the page that shows the paper's figures; scripts/check_pictures.sh compares all
+  find_program(PN_BASH bash)
+  if(TARGET pn_subdivide AND PN_BASH)
+    add_test(NAME numbers_of_paper_figures
+             COMMAND ${PN_BASH} ${pn_scripts}/make_paper_figures.sh
+                     --build ${PN_subdivision_3_BINARY_DIR} --check 3 4 11 17)
+  endif()
 else()
   message(STATUS "PN_subdivision_3: Python 3.11 not found, the tests of data/ and of the sources'"
                  " headers are left out (Debian package python3)")

@@ -10,11 +10,13 @@
 # Tells which pictures of doc/PN_subdivision_3/fig (PNG) the present code draws otherwise, and leaves
 # the new ones in build/pictures. The tests compare the drawings (SVG).
 #
-#   scripts/check_pictures.sh [PN_SUBDIVIDE]      needs what scripts/demo.sh needs
+#   scripts/check_pictures.sh [BUILD]      BUILD is build/release by default; needs what scripts/demo.sh
+#                                          needs, and the examples
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-command=${1:-build/release/src/pn_subdivide/pn_subdivide}
+build=${1:-build/release}
+command=$build/src/pn_subdivide/pn_subdivide
 drawn=build/pictures
 rm -rf "$drawn"
 for script in scripts/make_*_pictures.sh; do
@@ -22,8 +24,9 @@ for script in scripts/make_*_pictures.sh; do
 done
 
 stale=0
-for picture in "$drawn"/*.png; do
-  scripts/compare_figures.py "$picture" "doc/PN_subdivision_3/fig/$(basename "$picture")" || stale=1
+scripts/make_paper_figures.sh --build "$build" --output "$drawn" --check >/dev/null || stale=1
+for picture in "$drawn"/*.png "$drawn"/paper/*.png; do
+  scripts/compare_figures.py "$picture" "doc/PN_subdivision_3/fig/${picture#"$drawn"/}" || stale=1
 done
 [[ $stale -eq 0 ]] && echo "All pictures are what the present code draws."
 exit "$stale"

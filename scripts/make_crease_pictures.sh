@@ -44,7 +44,7 @@ draw bearing_housing 30,40
 
 refine bearing_housing "$work/linear.vtp" --linear --curvature gaussian
 refine bearing_housing "$work/PN.vtp" --curvature gaussian
-scripts/render.py --output "$folder/creases_curvature.png" --columns 2 --tile 400 --same-view \
+scripts/render.py --output "$folder/creases_curvature.png" --columns 2 --tile 450 --same-view \
                   --shading split --scalars gaussian_curvature --range 1 --view=30,40 \
                   --caption linear --caption PN "$work"/{linear,PN}.vtp
 

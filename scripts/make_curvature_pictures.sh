@@ -7,9 +7,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Draws doc/PN_subdivision_3/fig/curvature_MESH.png for some meshes of data/: the Gaussian curvature of
+# Draws doc/PN_subdivision_3/fig/curvature_MESH.png for two models of data/: the Gaussian curvature of
 # the surfaces by Catmull-Clark and modified Catmull-Clark subdivision, linear and point-normal, in the
-# same colours. Models have estimated control normals.
+# same colours. The control normals are estimated.
 #
 #   scripts/make_curvature_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -25,14 +25,11 @@ draw() { # mesh, rounds, curvature at the ends of the colours, view
   refine "$1" "$2" modified modified-catmull-clark --linear
   refine "$1" "$2" PN catmull-clark
   refine "$1" "$2" PN_modified modified-catmull-clark
-  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 300 --same-view \
+  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 450 --same-view \
                     --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
                     --caption "linear" --caption "modified linear" --caption "PN" \
                     --caption "PN-modified" "$work"/{linear,modified,PN,PN_modified}.vtp
 }
 
-draw saddle_5.ply 5 5 35,60
-draw bezier_6.ply 5 1 35,60
-draw cylinder_cap_8.ply 5 0.01 35,50
 draw spoon.obj 4 4 -40,60
 draw head.obj 4 8 -35,10

@@ -98,11 +98,11 @@ for shape in sphere cap cylinder; do
   done
   all_captions+=("${captions[@]}")
 done
-scripts/render.py --output "$folder/points_alone.png" --columns 3 --tile 320 --shading averaged \
+scripts/render.py --output "$folder/points_alone.png" --columns 3 --tile 450 --shading averaged \
                   --same-view --view=35,25 --scalars mean_curvature --range 1.6 \
                   "${all_captions[@]}" "${meshes[@]}"
 
 refine catmull-clark data/meshes/head.obj 4 head
-scripts/render.py --output "$folder/rims.png" --columns 3 --tile 320 --shading averaged --same-view \
+scripts/render.py --output "$folder/rims.png" --columns 3 --tile 450 --shading averaged --same-view \
                   --view=-35,-15 --scalars mean_curvature --range 3 "${captions[@]}" \
                   "$work"/head_{linear,angle,estimate}.vtp

@@ -9,7 +9,8 @@
 #
 # Draws doc/PN_subdivision_3/fig/SCHEME.png for each scheme: a closed mesh in the first row, the same
 # mesh cut open in the second; the linear scheme on the left, the point-normal one with estimated
-# control normals on the right. Surfaces are shaded by their faces, not by the refined normals.
+# control normals on the right. Surfaces are shaded by their faces, not by the refined normals; those of the
+# modified schemes have the color of their Gaussian curvature, beside the unmodified scheme.
 #
 #   scripts/make_scheme_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -76,5 +77,22 @@ draw kobbelt quads 4 Kobbelt
 draw loop triangles 4 Loop
 draw butterfly triangles 4 Butterfly
 draw sqrt3 triangles 6 "sqrt(3)"
-draw modified-catmull-clark quads 4 "modified Catmull-Clark"
-draw modified-loop triangles 4 "modified Loop"
+
+draw_curvature() { # scheme, kind of faces, name
+  local meshes=() options scheme
+  for scheme in "$1" "modified-$1"; do
+    for options in "--linear" "--normals estimate"; do
+      meshes+=("$work/${#meshes[@]}.vtp")
+      # shellcheck disable=SC2086  # several words
+      "$command" surface "$work/closed_$2.off" "${meshes[-1]}" --scheme "$scheme" --levels 5 \
+                 --curvature gaussian --quiet $options
+    done
+  done
+  scripts/render.py --output "$folder/modified-$1.png" --columns 4 --tile 450 --same-view \
+                    --shading averaged --scalars gaussian_curvature --range 3 --view=35,25 \
+                    --caption "$3" --caption "PN-$3" --caption "modified $3" \
+                    --caption "PN-modified $3" "${meshes[@]}"
+}
+
+draw_curvature catmull-clark quads Catmull-Clark
+draw_curvature loop triangles Loop

@@ -45,9 +45,9 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
     for colour, inside in ((OUTSIDE, False), (INSIDE, True)):
         style = vtkProperty()
         style.SetColor(*colour)
-        if coloured:  # a highlight would look like a curvature
-            style.SetAmbient(0.45)
-            style.SetDiffuse(0.55)
+        if coloured:  # light and shade would look like curvatures
+            style.SetAmbient(0.6)
+            style.SetDiffuse(0.35)
         else:
             style.SetSpecular(0.25)
             style.SetSpecularPower(30)

@@ -1,0 +1,98 @@
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Refined meshes as the command writes them (PLY, text): what is where in them."""
+
+from collections import defaultdict
+from pathlib import Path
+
+Vec = tuple[float, float, float]
+Face = tuple[int, ...]
+
+
+class Refined:
+    """Points, faces and what else the file has of a vertex, by its names there. The control vertices
+    are the first ones, unless the scheme drops them."""
+
+    def __init__(self, path: Path) -> None:
+        lines = path.read_text().split("\n")
+        start = lines.index("end_header") + 1
+        header = [line.split() for line in lines[:start]]
+        counts = {words[1]: int(words[2]) for words in header if words[0] == "element"}
+        names = [words[2] for words in header if words[0] == "property" and words[1] != "list"]
+        end = start + counts["vertex"]
+        rows = [tuple(map(float, line.split())) for line in lines[start:end]]
+        self.values = {name: [row[i] for row in rows] for i, name in enumerate(names)}
+        self.points = self._vectors("x", "y", "z")
+        self.normals = self._vectors("nx", "ny", "nz") if "nx" in names else []
+        self.faces: list[Face] = [tuple(map(int, line.split()[1:]))
+                                  for line in lines[end:end + counts["face"]]]
+        self.faces_at: dict[int, list[Face]] = defaultdict(list)
+        self.neighbours: dict[int, set[int]] = defaultdict(set)
+        for f in self.faces:
+            for a, b in zip(f, f[1:] + f[:1]):
+                self.faces_at[a].append(f)
+                self.neighbours[a].add(b)
+                self.neighbours[b].add(a)
+
+    def _vectors(self, *names: str) -> list[Vec]:
+        return list(zip(*(self.values[name] for name in names)))  # type: ignore[arg-type]
+
+    def is_border(self, v: int) -> bool:
+        return len(self.neighbours[v]) != len(self.faces_at[v])
+
+    def straight_line(self, start: int, towards: int) -> list[int]:
+        """The vertices on the way from one over a neighbour straight on: each next edge has no face
+        in common with the last one. Ends at the start, at the border or where it is not four edges
+        that meet."""
+        line = [start, towards]
+        while line[-1] != start:
+            beside = {v for f in self.faces_at[line[-1]] if line[-2] in f for v in f}
+            ahead = self.neighbours[line[-1]] - beside
+            if len(ahead) != 1:
+                break
+            line.append(ahead.pop())
+        return line
+
+    def lines_through(self, start: int) -> list[set[int]]:
+        """The straight lines through a vertex."""
+        lines: list[set[int]] = []
+        for towards in sorted(self.neighbours[start]):
+            line = set(self.straight_line(start, towards))
+            if line not in lines:
+                lines.append(line)
+        return lines
+
+    def line_over(self, a: int, b: int) -> set[int]:
+        """The straight line through both."""
+        return next(line for line in self.lines_through(a) if b in line)
+
+    def layers(self, start: int, count: int) -> dict[int, int]:
+        """How many faces each vertex up to this count is away from one."""
+        layer = {start: 0}
+        outermost = [start]
+        for distance in range(1, count + 1):
+            around = {w for v in outermost for f in self.faces_at[v] for w in f}
+            outermost = sorted(around - set(layer))
+            layer.update(dict.fromkeys(outermost, distance))
+        return layer
+
+    def normal_from_faces(self, v: int) -> Vec:
+        """The normalized sum of the area vectors of the faces."""
+        total = [0.0, 0.0, 0.0]
+        for f in self.faces_at[v]:
+            for a, b in zip(f[1:], f[2:]):
+                p, q = _difference(self.points[a], self.points[f[0]]), _difference(
+                    self.points[b], self.points[f[0]])
+                for i in range(3):
+                    total[i] += p[i - 2] * q[i - 1] - p[i - 1] * q[i - 2]
+        length = sum(x * x for x in total) ** 0.5
+        return (total[0] / length, total[1] / length, total[2] / length)
+
+
+def _difference(a: Vec, b: Vec) -> Vec:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
