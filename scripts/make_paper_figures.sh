@@ -97,7 +97,12 @@ figure_1() {
 
 figure_2() {
   example curve_circle curve_circle.svg > "$work/printed"
-  number 2_off "$(awk '{ if ($NF > d) d = $NF } END { print d }' "$work/printed")"
+  local deviation spacing scheme=6_point
+  while read -r deviation spacing; do
+    number "2_off_$scheme" "$deviation"
+    number "2_spacing_$scheme" "$spacing"
+    scheme=b_spline
+  done < <(tr -d , < "$work/printed" | awk '{ print $7, $NF }')
 }
 
 figure_3() {

@@ -15,7 +15,9 @@
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_curve.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
@@ -38,6 +40,17 @@ Curve uneven_circle()
   return polygon;
 }
 
+double largest_over_smallest_distance(const Curve& curve)
+{
+  double smallest = std::numeric_limits<double>::max(), largest = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const auto edge = curve[(i + 1) % curve.size()].first - curve[i].first;
+    smallest = (std::min)(smallest, std::sqrt(edge.squared_length()));
+    largest = (std::max)(largest, std::sqrt(edge.squared_length()));
+  }
+  return largest / smallest;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -54,7 +67,9 @@ int main(int argc, char** argv)
   for (const Curve* curve : {&interpolating, &approximating}) {
     const double deviation =
       PN::curve_deviation(*curve, curve_svg::Kernel::Circle_2({0, 0}, 1)).distance.sup();
-    std::cout << curve->size() << " points, off the circle by " << deviation << std::endl;
+    std::cout << curve->size() << " points, off the circle by " << deviation
+              << ", distances of neighbors up to 1 : " << largest_over_smallest_distance(*curve)
+              << std::endl;
     kept = kept && deviation <= 8 * std::numeric_limits<double>::epsilon();
   }
 
