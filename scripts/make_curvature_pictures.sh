@@ -9,7 +9,7 @@
 #
 # Draws doc/PN_subdivision_3/fig/curvature_MESH.png for two models of data/: the Gaussian curvature of
 # the surfaces by Catmull-Clark and modified Catmull-Clark subdivision, linear and point-normal, in the
-# same colours. The control normals are estimated.
+# same colors. The control normals are estimated.
 #
 #   scripts/make_curvature_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -20,7 +20,7 @@ refine() { # mesh, rounds, output, scheme, options
              --scheme "${@:4}"
 }
 
-draw() { # mesh, rounds, curvature at the ends of the colours, view
+draw() { # mesh, rounds, curvature at the ends of the colors, view
   refine "$1" "$2" linear catmull-clark --linear
   refine "$1" "$2" modified modified-catmull-clark --linear
   refine "$1" "$2" PN catmull-clark

@@ -49,10 +49,10 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--control-normals", action="store_true",
                         help="draw the vertex normals of these meshes too")
     parser.add_argument("--scalars", metavar="NAME",
-                        help="colour by this vertex array of VTP files, symmetric about 0; meshes "
+                        help="color by this vertex array of VTP files, symmetric about 0; meshes "
                              "without it stay plain")
     parser.add_argument("--range", type=float, metavar="MAX",
-                        help="the scalar at the ends of the colours (default: 90th percentile)")
+                        help="the scalar at the ends of the colors (default: 90th percentile)")
     parser.add_argument("--caption", action="append", default=[], metavar="TEXT",
                         help="once per mesh (default: file name and number of faces)")
     parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")

@@ -5,7 +5,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""What is drawn of a mesh: its surface, edges, normals, lone vertices, colours."""
+"""What is drawn of a mesh: its surface, edges, normals, lone vertices, colors."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -31,9 +31,9 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
     mapper = vtkPolyDataMapper()
     shown = _with_normals(mesh, shading)
     mapper.SetInputData(shown)
-    coloured = scalars is not None and mesh.GetPointData().HasArray(scalars)
-    if coloured:
-        mapper.SetLookupTable(colours(limit))
+    colored = scalars is not None and mesh.GetPointData().HasArray(scalars)
+    if colored:
+        mapper.SetLookupTable(colors(limit))
         mapper.SetScalarModeToUsePointFieldData()
         mapper.SelectColorArray(scalars)
         mapper.InterpolateScalarsBeforeMappingOff()
@@ -42,10 +42,10 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    for colour, inside in ((OUTSIDE, False), (INSIDE, True)):
+    for color, inside in ((OUTSIDE, False), (INSIDE, True)):
         style = vtkProperty()
-        style.SetColor(*colour)
-        if coloured:  # light and shade would look like curvatures
+        style.SetColor(*color)
+        if colored:  # light and shade would look like curvatures
             style.SetAmbient(0.6)
             style.SetDiffuse(0.35)
         else:
@@ -122,7 +122,7 @@ def lone_vertices(mesh: vtkPolyData) -> vtkActor:
     return actor
 
 
-def _lines_and_dots(data: vtkPolyData, colour: tuple[float, float, float],
+def _lines_and_dots(data: vtkPolyData, color: tuple[float, float, float],
                     width: float) -> vtkActor:
     data.GetPointData().Initialize()
     mapper = vtkPolyDataMapper()
@@ -133,14 +133,14 @@ def _lines_and_dots(data: vtkPolyData, colour: tuple[float, float, float],
     actor = vtkActor()
     actor.SetMapper(mapper)
     style = actor.GetProperty()
-    style.SetColor(*colour)
+    style.SetColor(*color)
     style.SetLineWidth(width)
     style.LightingOff()
     return actor
 
 
 def scalar_limit(meshes: list[vtkPolyData], name: str, wanted: float | None) -> float:
-    """The value at the ends of the colours, one for all tiles. Meshes without scalars stay plain."""
+    """The value at the ends of the colors, one for all tiles. Meshes without scalars stay plain."""
     values = [mesh.GetPointData().GetArray(name) for mesh in meshes]
     values = [v for v in values if v is not None]
     if not values:
@@ -149,9 +149,9 @@ def scalar_limit(meshes: list[vtkPolyData], name: str, wanted: float | None) -> 
     return wanted or float(np.percentile(every, 90)) or 1.0
 
 
-def colours(limit: float) -> vtkColorTransferFunction:
+def colors(limit: float) -> vtkColorTransferFunction:
     table = vtkColorTransferFunction()
     table.SetColorSpaceToLab()
-    for value, colour in ((-limit, BLUE), (0.0, WHITE), (limit, RED)):
-        table.AddRGBPoint(value, *colour)
+    for value, color in ((-limit, BLUE), (0.0, WHITE), (limit, RED)):
+        table.AddRGBPoint(value, *color)
     return table

@@ -23,17 +23,17 @@ FRAMES = {"z": np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1]], float),
 
 @dataclass
 class View:
-    """A parallel projection: the viewer's axes as rows (right, away, up), centre and half size."""
+    """A parallel projection: the viewer's axes as rows (right, away, up), center and half size."""
 
     axes: np.ndarray
-    centre: np.ndarray
+    center: np.ndarray
     half_size: float
 
     def apply(self, renderer: vtkRenderer) -> None:
         camera = renderer.GetActiveCamera()
         camera.ParallelProjectionOn()
-        camera.SetFocalPoint(*self.centre)
-        camera.SetPosition(*(self.centre - 10 * self.half_size * self.axes[1]))
+        camera.SetFocalPoint(*self.center)
+        camera.SetPosition(*(self.center - 10 * self.half_size * self.axes[1]))
         camera.SetViewUp(*self.axes[2])
         camera.SetParallelScale(self.half_size)
         renderer.ResetCameraClippingRange()
@@ -62,6 +62,6 @@ def _axes(angles: tuple[float, float], up: str) -> np.ndarray:
 def _spread(points: np.ndarray, axes: np.ndarray) -> float:
     """How little the points lie on one line in the picture, from 0 to 1: the thinner of the
     two principal extents against the largest extent of all."""
-    centred = points - points.mean(axis=0)
-    flat = np.linalg.svd(centred @ axes[[0, 2]].T, compute_uv=False)
-    return flat[1] / (np.linalg.norm(centred) or 1.0)
+    centerd = points - points.mean(axis=0)
+    flat = np.linalg.svd(centerd @ axes[[0, 2]].T, compute_uv=False)
+    return flat[1] / (np.linalg.norm(centerd) or 1.0)

@@ -43,7 +43,7 @@ def read_mesh(path: Path) -> vtkPolyData:
 
 
 def _read_off(path: Path) -> vtkPolyData:
-    """OFF and NOFF; colours behind the faces are skipped."""
+    """OFF and NOFF; colors behind the faces are skipped."""
     lines = [line.split("#")[0].split() for line in path.read_text().splitlines()]
     lines = [line for line in lines if line]
     kind = lines[0].pop(0) if lines else ""

@@ -5,7 +5,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Pictures as PNG files with few colours, which are a third of the size of others."""
+"""Pictures as PNG files with few colors, which are a third of the size of others."""
 
 import struct
 import zlib
@@ -16,24 +16,24 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
 
-COLOURS = 240
+COLORS = 240
 
 
 def write_png(path: Path, image: vtkImageData) -> None:
     quantize = vtkImageQuantizeRGBToIndex()
     quantize.SetInputData(image)
-    quantize.SetNumberOfColors(COLOURS)
+    quantize.SetNumberOfColors(COLORS)
     quantize.Update()
     width, height = image.GetDimensions()[:2]
     indices = vtk_to_numpy(quantize.GetOutput().GetPointData().GetScalars())
     rows = indices.reshape(height, width)[::-1].astype(np.uint8)  # VTK counts from below
     table = quantize.GetLookupTable()
-    colours = [[round(255 * c) for c in table.GetTableValue(i)[:3]]
+    colors = [[round(255 * c) for c in table.GetTableValue(i)[:3]]
                for i in range(table.GetNumberOfTableValues())]
     unfiltered = np.hstack([np.zeros((height, 1), np.uint8), rows])
     header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
     content = (b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", header)
-               + _chunk(b"PLTE", bytes(c for colour in colours for c in colour))
+               + _chunk(b"PLTE", bytes(c for color in colors for c in color))
                + _chunk(b"IDAT", zlib.compress(unfiltered.tobytes(), 9)) + _chunk(b"IEND", b""))
     try:
         path.write_bytes(content)

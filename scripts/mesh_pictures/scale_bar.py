@@ -5,7 +5,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""The scale of the colours, in a strip of its own below the tiles."""
+"""The scale of the colors, in a strip of its own below the tiles."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import (vtkActor2D, vtkPolyDataMapper2D, vtkRenderer,
                                          vtkTextActor)
 
-from .actors import colours
+from .actors import colors
 
 STEPS = 200
 TICKS = (-1.0, -0.5, 0.0, 0.5, 1.0)
@@ -38,7 +38,7 @@ def add_scale_bar(renderer: vtkRenderer, size: tuple[int, int], name: str, limit
 
 
 def _band(left: float, length: float, low: float, high: float, limit: float) -> vtkActor2D:
-    table = colours(limit)
+    table = colors(limit)
     corners, cells = [], vtkCellArray()
     shades = np.empty((STEPS, 3), np.uint8)
     for i in range(STEPS):

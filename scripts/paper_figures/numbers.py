@@ -40,10 +40,10 @@ def off_circle(p: Vec, three: list[Vec]) -> float:
     u, v = _minus(b, a), _minus(c, a)
     axis = _cross(u, v)
     middle = _cross(_minus(_times(v, _dot(u, u)), _times(u, _dot(v, v))), axis)
-    centre = _plus(a, _times(middle, 0.5 / _dot(axis, axis)))
-    size = hypot(*_minus(a, centre))
-    height = _dot(_minus(p, centre), axis) / hypot(*axis)
-    across = _minus(_minus(p, centre), _times(axis, height / hypot(*axis)))
+    center = _plus(a, _times(middle, 0.5 / _dot(axis, axis)))
+    size = hypot(*_minus(a, center))
+    height = _dot(_minus(p, center), axis) / hypot(*axis)
+    across = _minus(_minus(p, center), _times(axis, height / hypot(*axis)))
     return hypot(height, hypot(*across) - size) / size
 
 
@@ -187,7 +187,7 @@ def extraordinary(number: str, folder: Path, control_vertices: int, regular: int
     for name in ("linear", "modified", "PN_modified"):
         mesh = Refined(folder / f"{name}.ply")
         hubs = [v for v in range(control_vertices)
-                if len(mesh.neighbours[v]) > regular and not mesh.is_border(v)]
+                if len(mesh.neighbors[v]) > regular and not mesh.is_border(v)]
         yield f"{number}_vertices", len(hubs)
         yield f"{number}_{name}", sum(oscillation(mesh, v) for v in hubs) / len(hubs)
 

@@ -32,27 +32,27 @@ class Refined:
         self.faces: list[Face] = [tuple(map(int, line.split()[1:]))
                                   for line in lines[end:end + counts["face"]]]
         self.faces_at: dict[int, list[Face]] = defaultdict(list)
-        self.neighbours: dict[int, set[int]] = defaultdict(set)
+        self.neighbors: dict[int, set[int]] = defaultdict(set)
         for f in self.faces:
             for a, b in zip(f, f[1:] + f[:1]):
                 self.faces_at[a].append(f)
-                self.neighbours[a].add(b)
-                self.neighbours[b].add(a)
+                self.neighbors[a].add(b)
+                self.neighbors[b].add(a)
 
     def _vectors(self, *names: str) -> list[Vec]:
         return list(zip(*(self.values[name] for name in names)))  # type: ignore[arg-type]
 
     def is_border(self, v: int) -> bool:
-        return len(self.neighbours[v]) != len(self.faces_at[v])
+        return len(self.neighbors[v]) != len(self.faces_at[v])
 
     def straight_line(self, start: int, towards: int) -> list[int]:
-        """The vertices on the way from one over a neighbour straight on: each next edge has no face
+        """The vertices on the way from one over a neighbor straight on: each next edge has no face
         in common with the last one. Ends at the start, at the border or where it is not four edges
         that meet."""
         line = [start, towards]
         while line[-1] != start:
             beside = {v for f in self.faces_at[line[-1]] if line[-2] in f for v in f}
-            ahead = self.neighbours[line[-1]] - beside
+            ahead = self.neighbors[line[-1]] - beside
             if len(ahead) != 1:
                 break
             line.append(ahead.pop())
@@ -61,7 +61,7 @@ class Refined:
     def lines_through(self, start: int) -> list[set[int]]:
         """The straight lines through a vertex."""
         lines: list[set[int]] = []
-        for towards in sorted(self.neighbours[start]):
+        for towards in sorted(self.neighbors[start]):
             line = set(self.straight_line(start, towards))
             if line not in lines:
                 lines.append(line)
