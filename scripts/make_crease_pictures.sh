@@ -55,6 +55,6 @@ for part in capped_cylinder half_ball lens washer plate_with_holes d_section bol
   captions+=(--caption "${part//_/ }, linear" --caption "${part//_/ }, PN")
   meshes+=("$work/$part".{linear,PN}.vtp)
 done
-scripts/render.py --output "$folder/creases_mean_curvature.png" --columns 4 --tile 240 \
+scripts/render.py --output "$folder/creases_mean_curvature.png" --columns 4 --tile 450 \
                   --shading split --scalars mean_curvature --range 1.4 --view=30,30 \
                   "${captions[@]}" "${meshes[@]}"
