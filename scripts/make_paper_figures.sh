@@ -254,25 +254,25 @@ figure_13() {
         "$work"/{bell_PN,hole_PN,cyclide}.ply
 }
 
-modified() { # figure, control mesh, scheme, range, view, options
-  curvature "$2" 4 linear --scheme "$3" --linear "${@:6}"
-  curvature "$2" 4 modified --scheme "modified-$3" --linear "${@:6}"
+modified() { # figure, control mesh, scheme, range, view, name, options
+  curvature "$2" 4 linear --scheme "$3" --linear "${@:7}"
+  curvature "$2" 4 modified --scheme "modified-$3" --linear "${@:7}"
   curvature "$2" 4 PN_modified --scheme "modified-$3" --normals angle --first-round 2 \
-            --tuned-valences diverging "${@:6}"
-  surface "$2" control.ply --scheme "$3" --levels 0 --normals angle "${@:6}"
+            --tuned-valences diverging "${@:7}"
+  surface "$2" control.ply --scheme "$3" --levels 0 --normals angle "${@:7}"
   measure "$1" "$work"
   sheet "figure_$1" 4 "${curvatures[@]}" --range "$4" --view="$5" --control none --control none \
-        --control none --control "$work/control.ply" --control-normals --caption "(a) $3" \
+        --control none --control "$work/control.ply" --control-normals --caption "(a) $6" \
         --caption "(b) modified" --caption "(c) PN-modified" --caption "(d) PN-modified" \
         "$work"/{linear,modified,PN_modified}.vtp "$work/PN_modified.ply"
 }
 
 figure_14() {
-  modified 14 data/meshes/spoon.obj catmull-clark 4 -40,60
+  modified 14 data/meshes/spoon.obj catmull-clark 4 -40,60 Catmull-Clark
 }
 
 figure_15() {
-  modified 15 data/meshes/head.obj loop 8 -35,10 --triangulate
+  modified 15 data/meshes/head.obj loop 8 -35,10 Loop --triangulate
 }
 
 figure_16() {

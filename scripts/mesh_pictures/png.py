@@ -5,7 +5,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Pictures as PNG files with few colors, which are a third of the size of others."""
+"""Pictures as PNG files with 240 colors at most, which are a third of the size of others."""
 
 import struct
 import zlib

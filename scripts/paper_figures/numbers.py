@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from math import acos, cos, degrees, hypot, pi, sin
 from pathlib import Path
+from statistics import median
 
 from control_meshes.star import BEZIER_HEIGHTS
 
@@ -189,7 +190,7 @@ def extraordinary(number: str, folder: Path, control_vertices: int, regular: int
         hubs = [v for v in range(control_vertices)
                 if len(mesh.neighbors[v]) > regular and not mesh.is_border(v)]
         yield f"{number}_vertices", len(hubs)
-        yield f"{number}_{name}", sum(oscillation(mesh, v) for v in hubs) / len(hubs)
+        yield f"{number}_{name}", median(oscillation(mesh, v) for v in hubs)
 
 
 def spoon_14(folder: Path) -> Numbers:
