@@ -9,12 +9,14 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 
-#include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
+#include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Creased_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -24,52 +26,35 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-template <class Mesh>
-constexpr bool is_surface_mesh_v = false;
-template <class Point>
-constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
-
-// calls f(access) with the access that fits the mesh
-template <class Mesh, class Function>
-void with_mesh_access(Mesh& mesh, const Function& f)
-{
-  if constexpr (is_surface_mesh_v<std::remove_const_t<Mesh>>)
-    if (!mesh.has_garbage()) {
-      Surface_mesh_access<Mesh> access(mesh);
-      return f(access);
-    }
-  Bgl_mesh_access<Mesh> access(mesh);
-  f(access);
-}
-
 // The subdivision that a call asks for: without anything that could be sharp, the plain one.
 template <class Concurrency_tag, class Scheme, class FT>
 struct Any_subdivision
 {
   using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
 
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
   void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                  Vertex_map vertex_map) const
+                  Vertex_map vertex_map, const Carry& carry) const
   {
     constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
     constexpr bool may_be_sharp = is_constraint_map_v<Edge_map> ||
                                   is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
                                   has_corner_normals;
     if constexpr (!may_be_sharp)
-      Plain(scheme, rounds, round_done)(access, points, normals);
+      Plain(scheme, rounds, round_done)(access, points, normals, carry);
     else if constexpr (Has_crease_rules<Scheme>::value)
       Creased_subdivision<Concurrency_tag, Scheme, FT>(scheme, rounds, round_done)(
-        access, points, normals, edge_map, vertex_map);
+        access, points, normals, edge_map, vertex_map, carry);
     else {
       static_assert(!has_corner_normals || Is_linear<Scheme>::value,
                     "PN_subdivision_3: the scheme has no rules for creases and takes a normal per "
                     "vertex, not per half-edge");
       refuse_creases(scheme, access, edge_map, vertex_map);
       if constexpr (!has_corner_normals)
-        Plain(scheme, rounds, round_done)(access, points, normals);
+        Plain(scheme, rounds, round_done)(access, points, normals, carry);
       else if constexpr (Is_linear<Scheme>::value)
-        Plain(scheme, rounds, round_done)(access, points, No_normal_map());
+        Plain(scheme, rounds, round_done)(access, points, No_normal_map(), carry);
     }
   }
 
@@ -223,25 +208,43 @@ valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes,
 with all that take polygons; `estimated_row_entries()` tells beforehand.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
-void subdivide(PolygonMesh& mesh, const Scheme& scheme,
-               const NamedParameters& np = parameters::default_values())
+          class NamedParameters, class Attributes>
+void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& np,
+               Attributes&& attributes)
 {
-  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>() &&
+                internal::check_attributes<PolygonMesh, Attributes>()) {
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     const unsigned iterations = Parameters::number_of_iterations(np);
     if (iterations == 0) return;
     auto visitor = Parameters::visitor(np);
+    auto& unwrapped = internal::unwrapped(visitor);
+    using Visitor = std::remove_reference_t<decltype(unwrapped)>;
     const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
-      internal::unwrapped(visitor).round_done(k, number_of_faces);
+      (void)k, (void)number_of_faces;
+      if constexpr (internal::Visits_rounds<Visitor>::value)
+        unwrapped.round_done(k, number_of_faces);
     };
+    const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
+      unwrapped, attributes};
     const internal::Any_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision{
       scheme, iterations, round_done};
     internal::with_mesh_access(mesh, [&](auto& access) {
       subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                  Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+                  Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
+                  carry);
     });
   }
+}
+
+/// \ingroup PkgPNSubdivision3Functions
+/// does the same without attributes.
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+void subdivide(PolygonMesh& mesh, const Scheme& scheme,
+               const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, scheme, np, internal::No_attributes());
 }
 
 } // namespace PN_subdivision_3

@@ -58,9 +58,15 @@ public:
   void refine()
   {
     One_round round = next_round();
+    refine(round);
+  }
+  void refine(One_round& round, const typename Refiner::Rows_sink* rows_sink = nullptr,
+              const typename Refiner::Child_sink* child_sink = nullptr)
+  {
     const auto on_creases = round.crease_values(for_chunks_);
     Creases<FT> creases = std::move(round.refined_creases());
-    refiner_.refine(round.round(), creases.number_of_slots - round.number_of_vertices());
+    refiner_.refine(round.round(), creases.number_of_slots - round.number_of_vertices(), rows_sink,
+                    child_sink);
     for (const auto& slot : on_creases) refiner_.values()[slot.first] = slot.second;
     creases_ = std::move(creases);
   }

@@ -68,6 +68,11 @@ public:
   const One_round& round() const { return round_; }
   Index number_of_vertices() const { return static_cast<Index>(round_.refined_size().vertices); }
 
+  // what the rows are made of: the level cut open, and the uncut one's round if some rule needs it
+  const Cut_level<FT>& cut() const { return cut_; }
+  const One_round* smooth_round() const { return smooth_round_ ? &*smooth_round_ : nullptr; }
+  const Refined_creases<FT>& refined() const { return refined_; }
+
   // the values on the creases, for each of their slots
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
   {

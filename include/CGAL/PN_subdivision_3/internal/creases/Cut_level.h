@@ -50,6 +50,8 @@ public:
   }
 
   const Level_connectivity& connectivity() const { return cut_; }
+  // of an inner crease edge the second copy, with the face of the half-edge of side 1
+  Index second_copy(Index crease) const { return copy_[crease]; }
 
 private:
   static Level_size size(const Level_connectivity& level, const Creases<FT>& creases)

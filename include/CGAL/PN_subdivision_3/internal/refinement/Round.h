@@ -41,6 +41,8 @@ public:
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
+  // takes (first new vertex, its row and those of the vertices behind it)
+  using Rows_sink = Function_ref<void(Index, const Stencil_block<FT>&)>;
   // takes (first new vertex, values, how many)
   using Sink = Function_ref<void(Index, const Value*, Index)>;
   // takes (new vertices, values, how many)
@@ -65,13 +67,14 @@ public:
   const auto& normal_mask() const { return normal_mask_; }
   unsigned number() const { return number_; }
 
-  // computes the new vertices [begin, end) from the old values, and hands them to the sink block by
-  // block
-  void evaluate(Index begin, Index end, const Stored_value* old, Sink sink) const
+  // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by block. Whoever
+  // averages something else, too, gets the rows of the blocks.
+  void evaluate(Index begin, Index end, const Stored_value* old, Sink sink,
+                const Rows_sink* rows_sink = nullptr) const
   {
     evaluate_blocks(
       begin, end, old, [](Index i) { return i; },
-      [&](Index first, const Value* values, Index n) { sink(first, values, n); });
+      [&](Index first, const Value* values, Index n) { sink(first, values, n); }, rows_sink);
   }
 
   // the new vertices that are listed, to the same bits
@@ -121,7 +124,7 @@ private:
   // the i-th of the new vertices is vertex(i)
   template <class Vertex, class Block_sink>
   void evaluate_blocks(Index begin, Index end, const Stored_value* old, const Vertex& vertex,
-                       const Block_sink& sink) const
+                       const Block_sink& sink, const Rows_sink* rows_sink = nullptr) const
   {
     Stencil_block<FT> rows;
     [[maybe_unused]] Normal_rows normal_rows{};
@@ -129,6 +132,7 @@ private:
     for (Index first = begin; first < end;) {
       const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
       emit(mask_, first, n, vertex, rows);
+      if (rows_sink != nullptr) (*rows_sink)(first, rows);
       if constexpr (has_normal_mask) emit(normal_mask_, first, n, vertex, normal_rows);
       average(rows, normal_rows, old, values.data(), vertex(first));
       sink(first, values.data(), n);
