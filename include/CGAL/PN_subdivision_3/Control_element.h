@@ -33,6 +33,10 @@ struct Control_element
   {
     return a.kind == b.kind && a.index == b.index;
   }
+  friend bool operator<(const Control_element& a, const Control_element& b)
+  {
+    return a.kind != b.kind ? a.kind < b.kind : a.index < b.index;
+  }
   friend bool operator!=(const Control_element& a, const Control_element& b) { return !(a == b); }
 };
 

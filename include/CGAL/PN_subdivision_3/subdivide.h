@@ -101,6 +101,10 @@ their hosts); all property maps remain valid, and all other new elements have de
 stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
 afterwards if you need it.
 
+<b>Attributes.</b> What else the mesh carries is named in `attributes`: values of vertices and corners are averaged
+by the scheme's linear rows, in the same pass as the points, edges and faces pass theirs on. Where elements come from is
+told to the visitor or written into maps. Attributes change no bit of points and normals.
+
 <b>New vertices.</b> Maps of the user's have to take vertices that the mesh gets while it grows: an
 array of fixed size does not. New elements of a `Polyhedron_3` with `Polyhedron_items_with_id_3` have
 no ids yet, so that a map which goes through `vertex->id()` would be written out of its bounds: use
@@ -116,7 +120,8 @@ average for processors with AVX2, which gives the same bits, is left out.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
 were. Beyond it is a property map of the user's whose `put()` throws also while old values are put
-back, and what such a map stores for vertices that exist no longer.
+back, and what such a map stores for vertices that exist no longer. An exception of a visitor's `vertex_created()`,
+`edge_created()` or `face_created()` leaves the refined mesh.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads. The
@@ -132,6 +137,8 @@ back, and what such a map stores for vertices that exist no longer.
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
   below
+\param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`, which is read and
+  changed
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
@@ -184,10 +191,13 @@ back, and what such a map stores for vertices that exist no longer.
     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object whose `round_done(unsigned k, std::size_t number_of_faces)` is
-                          called after the k-th round is computed, also of a mesh without faces; an exception of it cancels the
+    \cgalParamDescription{an object with any of the following members. `round_done(unsigned k, std::size_t number_of_faces)`
+                          is called after the k-th round is computed, also of a mesh without faces; an exception of it cancels the
                           subdivision. It must not look at the mesh, which is being written, and with
-                          `Parallel_tag` it may be called from another thread.}
+                          `Parallel_tag` it may be called from another thread. `vertex_created(v, origin)`, then
+                          `edge_created(e, origin)`, then `face_created(f, parent)` are called for all elements of the
+                          refined mesh in their order, those with an old descriptor included, when the mesh is complete;
+                          `origin` and `parent` are `Control_element`s.}
     \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}
     \cgalParamDefault{no visitor}
   \cgalParamNEnd
@@ -196,7 +206,8 @@ back, and what such a map stores for vertices that exist no longer.
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
   joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
   refine one of the faces, if a point or normal is not finite, if a sharpness is negative or not a
-  number, or if something is sharp and the scheme has no rules for it. The message names the element. These
+  number, if something is sharp and the scheme has no rules for it, if an array of `attributes` does not fit the mesh, or
+  if they need a scheme that splits edges and this one does not (`splits_edges_v`). The message names the element. These
   checks do not depend on `NDEBUG`.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::overflow_error if a new point is out of the range of a floating point type

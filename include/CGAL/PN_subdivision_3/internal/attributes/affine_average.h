@@ -22,7 +22,7 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // origin + sum, where sum = sum w_j (v_j - origin). Where that leaves the range of the numbers (infinite or huge
-// values) plain_sum() counts.
+// values, and what is not a number) plain_sum() counts.
 template <class FT, class Plain_sum>
 FT average_from(const FT& origin, const FT& sum, [[maybe_unused]] const Plain_sum& plain_sum)
 {
@@ -40,15 +40,19 @@ void component_average(const Entry* begin, const Entry* end, std::size_t n,
                        const Component& component, const Result& result)
 {
   for (std::size_t c = 0; c < n; ++c) {
-    const FT origin = component(begin->vertex, c);
+    const FT& origin = component(begin->vertex, c);
     FT sum(0);
     for (const Entry* e = begin + 1; e != end; ++e)
       sum += e->weight * FT(component(e->vertex, c) - origin);
     result(c, average_from<FT>(origin, sum, [&] {
              FT plain(0);
-             for (const Entry* e = begin; e != end; ++e)
-               plain += e->weight * component(e->vertex, c);
-             return plain;
+             bool are_equal = true;
+             for (const Entry* e = begin; e != end; ++e) {
+               const FT& x = component(e->vertex, c);
+               are_equal = are_equal && x == origin;
+               if (e->weight != FT(0)) plain += e->weight * x;
+             }
+             return are_equal ? origin : plain;
            }));
   }
 }
