@@ -236,6 +236,7 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& n
       if constexpr (internal::Visits_rounds<Visitor>::value)
         unwrapped.round_done(k, number_of_faces);
     };
+    if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
     const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
       unwrapped, attributes};
     const internal::Any_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision{

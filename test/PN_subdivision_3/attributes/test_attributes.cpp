@@ -100,7 +100,9 @@ TEST(Attributes, ConstantsKeepTheirBits)
       EXPECT_TRUE(same(l[v].force, 0.1));
     }
     for (auto h : mesh.halfedges())
-      if (!mesh.is_border(h)) EXPECT_TRUE(same(u[h], value)) << u[h] << " " << value;
+      if (!mesh.is_border(h)) {
+        EXPECT_TRUE(same(u[h], value)) << u[h] << " " << value;
+      }
   }
 }
 
@@ -207,8 +209,9 @@ struct Charts
   std::vector<std::vector<Uv>> uv;
 };
 
-// a grid with several charts: three that meet in a point, one of a single face, and a slit that ends inside
-Charts charts_of_grid(bool triangles)
+// a grid with several charts: three that meet in a point, one of a single face, and a slit that ends inside;
+// of quads with two triangles, of quads or of triangles
+Charts charts_of_grid(bool triangles, bool some_triangles = true)
 {
   const std::size_t n = 6;
   Charts c;
@@ -234,7 +237,7 @@ Charts charts_of_grid(bool triangles)
       if (triangles) {
         add_face({f[0], f[1], f[2]}, i, j);
         add_face({f[0], f[2], f[3]}, i, j);
-      } else if (i == 4 && j == 3) { // other polygons
+      } else if (some_triangles && i == 4 && j == 3) { // other polygons
         add_face({f[0], f[1], f[2]}, i, j);
         add_face({f[0], f[2], f[3]}, i, j);
       } else
@@ -331,7 +334,8 @@ TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)
 {
   constexpr bool creases = std::is_same_v<TypeParam, PN::CatmullClark_scheme> ||
                            std::is_same_v<TypeParam, PN::Loop_scheme>;
-  Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3);
+  const Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3,
+                                  !std::is_same_v<TypeParam, PN::Kobbelt_scheme>);
   Mesh mesh = make(c.soup);
   auto uv = add<H, Uv>(mesh, "uv");
   put_uv(c, mesh, uv);
@@ -355,7 +359,8 @@ TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)
 // Linear values: corners of every face are refined as if it were alone.
 TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
 {
-  Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3);
+  const Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3,
+                                  !std::is_same_v<TypeParam, PN::Kobbelt_scheme>);
   Mesh mesh = make(c.soup);
   auto uv = add<H, Uv>(mesh, "uv");
   auto parent = add<Mesh::Face_index, int>(mesh, "parent");
@@ -558,7 +563,9 @@ TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
   PN::subdivide(mesh, PN::DooSabin_scheme(), params::number_of_iterations(2),
                 PN::attributes(PN::vertex_attribute(t), PN::corner_attribute(u)));
   for (auto h : mesh.halfedges())
-    if (!mesh.is_border(h)) EXPECT_EQ(u[h], t[mesh.target(h)]);
+    if (!mesh.is_border(h)) {
+      EXPECT_EQ(u[h], t[mesh.target(h)]);
+    }
 }
 
 // \name Failures
@@ -588,7 +595,7 @@ TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
 {
   const Charts c = charts_of_grid(false);
   const Mesh control = make(c.soup);
-  for (long n : {1L, 2L, 100L, 5000L, 20000L}) {
+  for (long n : {1L, 2L, 100L, 5000L}) {
     Mesh mesh = control;
     auto fragile = add<V, Fragile>(mesh, "fragile");
     auto scalar = add<V, double>(mesh, "scalar");

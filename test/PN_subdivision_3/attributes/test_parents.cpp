@@ -351,11 +351,14 @@ TEST(Parents, ChildrenLieInThemInSqrt3AfterEvenRounds)
     std::map<PN::Control_element, std::size_t> children, parts;
     for (const auto& p : parents.faces) ++children[p];
     for (const auto& c : children)
-      if (is_checked(c.first)) EXPECT_EQ(c.second, rounds == 2 ? 9u : 81u);
+      if (is_checked(c.first)) {
+        EXPECT_EQ(c.second, rounds == 2 ? 9u : 81u);
+      }
     for (const auto& p : parents.edges) ++parts[p];
     for (const auto& c : parts)
-      if (c.first.kind == Kind::edge && is_checked(c.first))
+      if (c.first.kind == Kind::edge && is_checked(c.first)) {
         EXPECT_EQ(c.second, rounds == 2 ? 3u : 9u);
+      }
   }
 }
 

@@ -66,6 +66,16 @@ struct Visits_rounds<Visitor,
   : std::true_type
 {};
 
+template <class Visitor, class Mesh>
+constexpr bool check_visitor()
+{
+  constexpr bool visits = Visits_rounds<Visitor>::value || Visits_vertices<Visitor, Mesh>::value ||
+                          Visits_edges<Visitor, Mesh>::value || Visits_faces<Visitor, Mesh>::value;
+  static_assert(visits, "PN_subdivision_3: the visitor has none of the members round_done(), "
+                        "vertex_created(), edge_created(), face_created()");
+  return visits;
+}
+
 // What a call carries beside points and normals: its attributes, and what its visitor asks for.
 template <class Mesh, class Visitor, class Attributes>
 struct Carrier

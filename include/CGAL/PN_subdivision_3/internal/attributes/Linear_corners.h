@@ -85,9 +85,11 @@ private:
   // g leads to the new vertex of the edge of n = next(h); so do other new half-edges inside the face
   void set_behind(Index g, Index h, Index n, Entry_row<FT>& row) const
   {
+    const bool is_first =
+      (n & 1u) == 0; // in one order on both sides of the edge, for the same bits
     row.clear();
-    row.add(h, FT(1) / FT(2));
-    row.add(n, FT(1) / FT(2));
+    row.add(is_first ? h : n, FT(1) / FT(2));
+    row.add(is_first ? n : h, FT(1) / FT(2));
     set(g, row);
     // round the new vertex, to the other half of the edge
     for (Index x = child_.next_around_target(g);
