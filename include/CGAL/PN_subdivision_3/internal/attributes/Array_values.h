@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
 #include <CGAL/number_utils.h>
 
@@ -122,6 +123,7 @@ public:
     new_ = Values();
   }
 
+  void put_all(Index number) override { put(first_indices(number)); }
   void put(const std::vector<Index>& sources) override
   {
     result_.assign(sources.size() * dimension_, 0);

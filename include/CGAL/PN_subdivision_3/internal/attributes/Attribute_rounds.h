@@ -28,6 +28,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -63,7 +64,7 @@ public:
     slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
     for (auto& values : carried_.vertices) {
       values->begin(slot_vertices);
-      by_rows_.push_back({values.get(), {}});
+      by_rows_.push_back({values.get(), {}, true});
     }
     for (auto& corner : carried_.corners)
       begin_corners(corner, level, slot_vertices, sharpness, names);
@@ -96,6 +97,7 @@ public:
     const Mask* smooth_mask =
       round.smooth_round() == nullptr ? nullptr : &round.smooth_round()->mask();
     const auto& refined = round.refined();
+    charts_take_rows_ = false; // rows are of slots of the creases
     begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, is_last);
     crease_rows_.clear();
     copies_.clear();
@@ -111,8 +113,14 @@ public:
   }
 
   // null if there is nothing to do with the rows, or the child, of a round
-  const Rows_sink* rows() const { return by_rows_.empty() ? nullptr : &rows_sink_; }
-  const Child_sink* child() const { return linear_.empty() ? nullptr : &child_sink_; }
+  const Rows_sink* rows() const
+  {
+    return by_rows_.empty() && smooth_.empty() ? nullptr : &rows_sink_;
+  }
+  const Child_sink* child() const
+  {
+    return linear_.empty() && smooth_.empty() ? nullptr : &child_sink_;
+  }
   // whether put() needs the refined level
   bool needs_refined_level() const { return !carried_.corners.empty(); }
 
@@ -140,9 +148,7 @@ public:
   // puts everything for the elements of the refined mesh, which has been made large enough
   void put(const Level_size& size, const Level_connectivity* refined, const Rules& rules)
   {
-    const std::vector<Index> vertices =
-      carried_.vertices.empty() ? std::vector<Index>() : first_indices(size.vertices);
-    for (auto& values : carried_.vertices) values->put(vertices);
+    for (auto& values : carried_.vertices) values->put_all(static_cast<Index>(size.vertices));
     for (std::size_t i = 0; i < carried_.corners.size(); ++i)
       carried_.corners[i].values->put(values_of_corners(i, *refined));
     if (!carried_.edges.empty()) put_edges(size, rules);
@@ -160,14 +166,17 @@ private:
   {
     Row_values<FT>* values;
     std::vector<Index> kept_vertices;
+    bool is_of_vertices;
   };
   struct On_rows
   {
     void operator()(Index first, const Stencil_block<FT>& rows) const
     {
       for (const By_rows& by_rows : self.by_rows_) by_rows.values->evaluate(first, rows);
+      if (self.charts_take_rows_)
+        for (Smooth_corners<FT>& corners : self.smooth_) corners.evaluate(first, rows);
     }
-    const Attribute_rounds& self;
+    Attribute_rounds& self;
   };
   struct On_child
   {
@@ -176,8 +185,9 @@ private:
       if constexpr (Splits_edges<Host>::value)
         for (Row_values<FT>* values : self.linear_)
           Linear_corners<FT, Host>(*self.host_, *self.level_, child, *values)(self.for_chunks_);
+      for (Smooth_corners<FT>& corners : self.smooth_) self.end_smooth_round_(corners);
     }
-    const Attribute_rounds& self;
+    Attribute_rounds& self;
   };
 
   [[noreturn]] static void refuse(const std::string& what)
@@ -214,19 +224,29 @@ private:
       corner_of_slots.push_back(corner_of_slots[slot_vertices[slot]]);
     values.begin(corner_of_slots);
     by_rows_.push_back(
-      {&values, Host::keeps_vertices ? charts.kept_vertices() : std::vector<Index>()});
+      {&values, Host::keeps_vertices ? charts.kept_vertices() : std::vector<Index>(), false});
     corner_kinds_.push_back({Corner_kind::by_rows, 0});
   }
 
   template <class Scheme, class One_round, class Mask>
-  void begin(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
-             [[maybe_unused]] const Mask* smooth_mask, std::size_t number_of_values, bool is_last)
+  void begin([[maybe_unused]] const Scheme& scheme, const One_round& round,
+             const Level_connectivity& level, [[maybe_unused]] const Mask* smooth_mask,
+             std::size_t number_of_values, bool is_last)
   {
-    for (const By_rows& by_rows : by_rows_) by_rows.values->begin_round(number_of_values);
-    if constexpr (Splits_edges<Host>::value)
-      for (Smooth_corners<FT>& corners : smooth_)
-        corners.refine(scheme, round, level, smooth_mask, for_chunks_);
+    for (const By_rows& by_rows : by_rows_)
+      if (is_last && by_rows.is_of_vertices)
+        by_rows.values->begin_last_round(number_of_values, for_chunks_.has_threads());
+      else
+        by_rows.values->begin_round(number_of_values);
     const Level_size size = round.refined_size();
+    if constexpr (Splits_edges<Host>::value) {
+      for (Smooth_corners<FT>& corners : smooth_)
+        corners.begin_round(level, static_cast<Index>(size.vertices), charts_take_rows_);
+      end_smooth_round_ = [&scheme, &round, &level, smooth_mask,
+                           this](Smooth_corners<FT>& corners) {
+        corners.end_round(scheme, round, level, smooth_mask, for_chunks_);
+      };
+    }
     for (Row_values<FT>* values : linear_)
       values->begin_round(static_cast<std::size_t>(size.halfedges()));
     host_ = &round.host();
@@ -248,11 +268,11 @@ private:
   {
     const auto [kind, rank] = corner_kinds_[i];
     std::vector<Index> values = faced_halfedges(refined);
-    if (kind == Corner_kind::smooth)
-      smooth_[rank].for_each_slot(refined, [&](Index h, Index slot) { values[h] = slot; });
-    else if (kind == Corner_kind::by_rows)
+    if (kind != Corner_kind::linear)
       for (Index& h : values)
         if (h != null) h = refined.target(h);
+    if (kind == Corner_kind::smooth)
+      smooth_[rank].for_each_extra_corner(refined, [&](Index h, Index slot) { values[h] = slot; });
     return values;
   }
 
@@ -299,6 +319,8 @@ private:
   // of the round
   const Host* host_ = nullptr;
   const Level_connectivity* level_ = nullptr;
+  bool charts_take_rows_ = true;
+  std::function<void(Smooth_corners<FT>&)> end_smooth_round_;
   std::vector<std::pair<Index, Entry_row<FT>>> crease_rows_;
   std::vector<std::pair<Index, Index>> copies_;
   const On_rows on_rows_{*this};

@@ -52,12 +52,21 @@ public:
   virtual void begin(const std::vector<Index>& sources) = 0;
 
   virtual void begin_round(std::size_t number_of_values) = 0;
+  // of a round whose value i is put for element i. Values may be put at once, but by several threads only if the
+  // map allows it; put() comes nevertheless.
+  virtual void begin_last_round(std::size_t number_of_values, bool /*has_threads*/)
+  {
+    begin_round(number_of_values);
+  }
   // for the rows from value `first` on; from several threads
   virtual void evaluate(Index first, const Stencil_block<FT>& rows) = 0;
   virtual void evaluate(Index value, const Entry* begin, const Entry* end) = 0;
   // of the new level
   virtual void copy(Index from, Index to) = 0;
   virtual void end_round() = 0;
+
+  // value i for element i
+  virtual void put_all(Index number) = 0;
 
   // put(): element i of the refined mesh gets value sources[i] of the last level, and keeps what it has if that
   // is null.

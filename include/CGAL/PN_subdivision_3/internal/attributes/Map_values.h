@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 
 #include <boost/container/vector.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -175,22 +176,48 @@ public:
   {
     new_.resize(number_of_values, boost::container::default_init);
   }
+  void begin_last_round(std::size_t number_of_values, bool has_threads) override
+  {
+    puts_at_once_ = !has_threads || has_concurrent_put_v<Map>;
+    if (puts_at_once_)
+      map_.begin();
+    else
+      begin_round(number_of_values);
+  }
   void evaluate(Index first, const Stencil_block<FT>& rows) override
   {
-    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
-      new_[first + r] = affine_average<FT, Traits>(rows.begin(r), rows.end(r), old_.data());
+    const auto average = [&](std::size_t r) {
+      return affine_average<FT, Traits>(rows.begin(r), rows.end(r), old_.data());
+    };
+    const std::size_t n = rows.number_of_rows();
+    if (puts_at_once_)
+      for (std::size_t r = 0; r < n; ++r) map_.set(first + Index(r), Traits::to_value(average(r)));
+    else
+      for (std::size_t r = 0; r < n; ++r) new_[first + r] = average(r);
   }
   void evaluate(Index value, const Entry* begin, const Entry* end) override
   {
-    new_[value] = affine_average<FT, Traits>(begin, end, old_.data());
+    const auto average = affine_average<FT, Traits>(begin, end, old_.data());
+    if (puts_at_once_)
+      map_.set(value, Traits::to_value(average));
+    else
+      new_[value] = average;
   }
-  void copy(Index from, Index to) override { new_[to] = new_[from]; }
+  void copy(Index from, Index to) override
+  {
+    if (!puts_at_once_) new_[to] = new_[from];
+  }
   void end_round() override
   {
+    if (puts_at_once_) return;
     old_ = std::move(new_);
     new_ = Values();
   }
 
+  void put_all(Index number) override
+  {
+    if (!puts_at_once_) put(first_indices(number));
+  }
   void put(const std::vector<Index>& sources) override
   {
     map_.begin();
@@ -207,6 +234,7 @@ private:
   Restored map_;
   std::vector<Index> position_; // of a control element among those that are read
   Values old_, new_;
+  bool puts_at_once_ = false;
 };
 
 } // namespace internal

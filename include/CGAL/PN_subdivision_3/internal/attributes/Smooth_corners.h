@@ -18,9 +18,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,31 +43,48 @@ public:
     , kept_vertices_(charts.kept_vertices())
   {}
 
-  // `smooth_mask` is that of the uncut level; null if nothing there is less than infinitely sharp
+  // Takes the rows of the level, as long as they are those of its vertices, and finds out where the charts need
+  // others: where a row reads a vertex on a seam or crease.
+  void begin_round(const Level_connectivity& level, Index number_of_new_vertices, bool takes_rows)
+  {
+    is_special_.assign(level.number_of_vertices(), takes_rows ? 0 : 1);
+    for (const Crease_star& star : creases_.stars) is_special_[star.vertex] = 1;
+    needs_own_row_.assign(number_of_new_vertices, takes_rows ? 0 : 1);
+    refined_.emplace(creases_, level, number_of_new_vertices);
+    values_.begin_round(refined_->creases.number_of_slots);
+  }
+  void evaluate(Index first, const Stencil_block<FT>& rows)
+  {
+    values_.evaluate(first, rows);
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r) {
+      char special = 0;
+      for (const auto* e = rows.begin(r); e != rows.end(r); ++e) special |= is_special_[e->vertex];
+      needs_own_row_[first + r] = special;
+    }
+  }
+
+  // Ends a round. `smooth_mask` is that of the uncut level; null if nothing there is less than infinitely sharp.
   template <class Scheme, class One_round, class Mask>
-  void refine(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
-              const Mask* smooth_mask, const For_chunks& for_chunks)
+  void end_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+                 const Mask* smooth_mask, const For_chunks& for_chunks)
   {
     const Cut_level<FT> cut(level, creases_);
     const Mask mask = scheme.template mask<FT>(cut.connectivity(), round.number());
-    const auto vertices = static_cast<Index>(round.refined_size().vertices);
-    Refined_creases<FT> refined(creases_, level, vertices);
-    values_.begin_round(refined.creases.number_of_slots);
-    evaluate(round.host(), mask, vertices, for_chunks);
-    Crease_rows<FT, Mask> rows(level, cut, creases_, refined, mask, smooth_mask, &is_seam_);
+    evaluate_own_rows(round.host(), mask, for_chunks);
+    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, &is_seam_);
     rows.for_each([&](Index slot, const Entry_row<FT>& row) {
       values_.evaluate(slot, row.begin(), row.end());
     });
     keep_values(values_, kept_vertices_);
     values_.end_round();
-    creases_ = std::move(refined.creases);
+    creases_ = std::move(refined_->creases);
   }
 
-  // of every half-edge of the refined level that has a face
+  // of the half-edges of the refined level with a face whose slot is not their target
   template <class Function>
-  void for_each_slot(const Level_connectivity& refined, const Function& f) const
+  void for_each_extra_corner(const Level_connectivity& refined, const Function& f) const
   {
-    for_each_corner(refined, Cut_level<FT>(refined, creases_).connectivity(), f);
+    internal::for_each_extra_corner(refined, creases_, f);
   }
 
   static void keep_values(Row_values<FT>& values, const std::vector<Index>& vertices)
@@ -81,22 +99,18 @@ public:
 
 private:
   template <class Host, class Mask>
-  void evaluate(const Host& host, const Mask& mask, Index vertices,
-                const For_chunks& for_chunks) const
+  void evaluate_own_rows(const Host& host, const Mask& mask, const For_chunks& for_chunks) const
   {
-    using Rows = Stencil_block<FT>;
     const Caller_precision<FT> precision;
-    for_chunks(vertices, [&](Index begin, Index end) {
+    for_chunks(static_cast<Index>(needs_own_row_.size()), [&](Index begin, Index end) {
       const typename Caller_precision<FT>::In_this_thread scope(precision);
-      Rows rows;
-      for (Index v = begin; v < end;) {
-        rows.clear();
-        const Index first = v;
-        for (; v < end && rows.number_of_rows() < Rows::maximum_number_of_rows; ++v) {
-          host.stencil(mask, v, rows.row());
-          rows.close_row();
-        }
-        values_.evaluate(first, rows);
+      Stencil_block<FT> row;
+      for (Index v = begin; v < end; ++v) {
+        if (needs_own_row_[v] == 0) continue;
+        row.clear();
+        host.stencil(mask, v, row.row());
+        row.close_row();
+        values_.evaluate(v, row);
       }
     });
   }
@@ -105,6 +119,10 @@ private:
   Creases<FT> creases_;
   std::vector<bool> is_seam_; // by control edges
   std::vector<Index> kept_vertices_;
+  // of a round
+  std::vector<char> is_special_;    // of the old vertices
+  std::vector<char> needs_own_row_; // of the new ones
+  std::optional<Refined_creases<FT>> refined_;
 };
 
 } // namespace internal
