@@ -16,7 +16,6 @@
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
