@@ -303,7 +303,8 @@ struct Cut_open
   Mesh::Property_map<V, bool> stays;
 };
 
-// the faces as polygons in the plane, from their least corner on, in units of 1e-9
+// The faces as polygons in the plane, from their least corner on, in units of 1e-7. Nothing is near the bounds of
+// rounding: coordinates are multiples of 1 / (10 2^n).
 template <class Uv_of>
 std::multiset<std::vector<std::pair<long, long>>> polygons(const Mesh& mesh, const Uv_of& uv_of)
 {
@@ -312,7 +313,7 @@ std::multiset<std::vector<std::pair<long, long>>> polygons(const Mesh& mesh, con
     std::vector<std::pair<long, long>> p;
     for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
       const Uv uv = uv_of(h);
-      p.emplace_back(std::lround(1e9 * uv[0] + 0.25), std::lround(1e9 * uv[1] + 0.25));
+      p.emplace_back(std::lround(1e7 * uv[0] + 0.3), std::lround(1e7 * uv[1] + 0.3));
     }
     std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
     result.insert(p);
