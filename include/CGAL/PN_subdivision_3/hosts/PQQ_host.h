@@ -132,7 +132,8 @@ private:
       // vertex
       const Index n = level_.next(h);
       const Index quad = numbering_.quad(f, first_corner, corner++);
-      const Index next_spoke = n == first ? first_spoke : 2 * numbering_.spoke(first_corner, corner);
+      const Index next_spoke =
+        n == first ? first_spoke : 2 * numbering_.spoke(first_corner, corner);
       const Index in = split_.second_half(h), out = split_.first_half(n);
       const Index back = Level_connectivity::opposite(spoke);
       child.set_next(in, out);

@@ -90,7 +90,8 @@ public:
   Parent parent_of_face(Index child) const
   {
     if (child < faces_) return {Parent::Kind::face, child};
-    if (child < faces_ + interior_edges_) return {Parent::Kind::edge, edges_.element(child - faces_)};
+    if (child < faces_ + interior_edges_)
+      return {Parent::Kind::edge, edges_.element(child - faces_)};
     return {Parent::Kind::vertex, vertices_.element(child - faces_ - interior_edges_)};
   }
 

@@ -65,7 +65,8 @@ public:
   template <class Host>
   static Kinds needed(Kinds wanted)
   {
-    if (!wanted.any() || !Splits_edges<Host>::value) return {wanted.any(), wanted.any(), wanted.any()};
+    if (!wanted.any() || !Splits_edges<Host>::value)
+      return {wanted.any(), wanted.any(), wanted.any()};
     wanted.edges = wanted.edges || wanted.vertices;
     wanted.faces = true;
     return wanted;

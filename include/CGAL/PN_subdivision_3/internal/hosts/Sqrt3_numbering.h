@@ -74,8 +74,8 @@ public:
     if (child < edges_) return {Parent::Kind::edge, child};
     const Index i = child - edges_;
     if (i < 3 * faces_) return {Parent::Kind::face, i / 3, i % 3};
-    const auto next = std::upper_bound(border_faces_before_.begin(), border_faces_before_.end(),
-                                       i - 3 * faces_);
+    const auto next =
+      std::upper_bound(border_faces_before_.begin(), border_faces_before_.end(), i - 3 * faces_);
     return {Parent::Kind::face, static_cast<Index>(next - border_faces_before_.begin() - 1), 3};
   }
   Parent parent_of_face(Index child) const
