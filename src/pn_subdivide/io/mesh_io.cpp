@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <new>
 
 namespace pn_subdivide {
 namespace {
@@ -134,6 +135,8 @@ Mesh_data read_mesh(const Mesh_file& file)
 {
   try {
     return format_of(file).read(file_content(file.name));
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error(file.title("standard input") + ": " + e.what());
   }
@@ -150,6 +153,8 @@ void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
     Output_file out(file.name);
     format_of(file).write(out, mesh, encoding);
     out.commit();
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error(file.title("standard output") + ": " + e.what());
   }
