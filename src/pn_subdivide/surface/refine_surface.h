@@ -13,6 +13,8 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <CGAL/PN_subdivision_3/attributes.h>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -24,6 +26,7 @@ struct Refinement
   unsigned levels = 1;
   unsigned threads = 1;
   std::optional<Crease_maps> creases;
+  CGAL::PN_subdivision_3::Attribute_table* attributes = nullptr;
   std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
 };
 

@@ -139,6 +139,16 @@ bool needs_triangles(const std::string& scheme)
     make_scheme("--scheme", scheme, {}));
 }
 
+bool keeps_edges(const std::string& scheme)
+{
+  return std::visit(
+    [](const auto& s) {
+      using Host = typename std::decay_t<decltype(s)>::Host;
+      return !std::is_same_v<Host, PN::DQQ_host> && !std::is_same_v<Host, PN::Sqrt3_host>;
+    },
+    make_scheme("--scheme", scheme, {}));
+}
+
 std::string creasing_scheme_names()
 {
   std::vector<std::string> names;

@@ -743,7 +743,7 @@ TEST(Soup, EqualPointsAreMergedIntoTheFirst)
   mesh.normals = {{0, 0, 2}, {0, 0, 1}, {0, 3, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 5}, {0, 0, 2}};
   mesh.add_face(std::vector<int>{0, 1, 2});
   mesh.add_face(std::vector<int>{3, 4, 5});
-  EXPECT_EQ(merge_equal_points(mesh), 3u);
+  EXPECT_EQ(merge_equal_points(mesh).merged_vertices, 3u);
   EXPECT_EQ(mesh.points.size(), 4u);
   EXPECT_EQ(faces_of(mesh), (Faces{{0, 1, 2}, {1, 3, 2}}));
   EXPECT_EQ(mesh.normals[0], triple(0, 0, 2)); // equal normals stay as they are
