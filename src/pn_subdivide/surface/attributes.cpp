@@ -70,7 +70,7 @@ Carried_attributes::Carried_attributes(const Surface& surface, Attributes attrib
     table_.vertices.emplace_back();
     table_.vertices.back().values = std::move(column.values);
   }
-  table_.wants_face_parents = !attributes_.of_faces.empty();
+  table_.has_face_parents = !attributes_.of_faces.empty();
   if (attributes_.texture.empty()) return;
 
   CGAL::PN_subdivision_3::Attribute_array texture;
