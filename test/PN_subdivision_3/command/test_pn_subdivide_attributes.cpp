@@ -9,6 +9,7 @@
 // What files say besides points, normals and faces: read, written to the last bit, converted, and
 // refused where it is damaged.
 
+#include "Command_test.h"
 #include "Temporary_folder.h"
 
 #include "io/Error.h"
@@ -25,6 +26,7 @@
 #include <filesystem>
 #include <limits>
 #include <random>
+#include <type_traits>
 
 using namespace pn_subdivide;
 
@@ -339,7 +341,8 @@ TEST_F(Pn_subdivide_attributes, PlyKeepsWhatIsNotANumber)
   const Mesh_data mesh = read(
     "a.ply", ply_head + "property double q\n" + ply_faces +
                "property float w\nend_header\n0 0 0 nan\n1 0 0 inf\n0 1 0 -inf\n3 0 1 2 nan\n");
-  EXPECT_EQ(bits(values(mesh.attributes.of_vertices, "q")), bits(Numbers{not_a_number, infinity, -infinity}));
+  EXPECT_EQ(bits(values(mesh.attributes.of_vertices, "q")),
+            bits(Numbers{not_a_number, infinity, -infinity}));
   for (const Encoding encoding : {Encoding::binary, Encoding::text})
     expect_same(written_and_read("b.ply", mesh, encoding).attributes, mesh.attributes);
 }
@@ -653,4 +656,353 @@ TEST_F(Pn_subdivide_attributes, MergedPoints)
   EXPECT_EQ(find_column(with_seam.attributes.of_vertices, "s"), nullptr);
   EXPECT_EQ(flat(with_seam.attributes.texture),
             (Numbers{0, 0, 0, 1, 0, 0, 1, 1, 0, 5, 0, 0, 6, 1, 0, 7, 1, 0}));
+}
+
+// --- damaged files ---
+
+namespace {
+
+bool are_consistent(const Mesh_data& mesh)
+{
+  const Attributes& a = mesh.attributes;
+  const auto all_have = [](const Columns& columns, std::size_t size) {
+    return std::all_of(columns.begin(), columns.end(),
+                       [size](const Column& column) { return column.values.size() == size; });
+  };
+  return all_have(a.of_vertices, mesh.points.size()) &&
+         all_have(a.of_faces, mesh.number_of_faces()) &&
+         (a.texture.empty() || a.texture.size() == mesh.number_of_corners());
+}
+
+} // namespace
+
+// Whatever is in a file, it is read or refused by one line, and what is read can be written.
+TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
+{
+  std::string ply = ply_with_every_type("ascii"), binary = ply_with_every_type("binary_big_endian");
+  for_each_number([&](auto x) {
+    ply += std::to_string(x) + " ";
+    binary += raw(x, true);
+  });
+  const std::pair<std::string, std::string> files[] = {
+    {"a.obj", obj},
+    {"a.ply", ply},
+    {"a.ply", binary},
+    {"a.off", "STCOFF\n3 2 0\n0 0 0 255 0 7 128 0.5 1\n1 0 0 0 0 0 0.25 0\n0 1 0 0 0\n"
+              "3 0 1 2 0.5 0.5 1\n3 0 2 1\n"}};
+  std::mt19937 random(3);
+  const std::string characters = "0123456789.-+eE/ \n#nvtgfusx\xff";
+  int read_files = 0, refused_files = 0;
+  for (const auto& [name, content] : files)
+    for (int i = 0; i < 500; ++i) {
+      std::string damaged = content;
+      for (int k = 0; k <= i % 3; ++k)
+        damaged[random() % damaged.size()] = characters[random() % characters.size()];
+      folder.write(name, damaged);
+      try {
+        const Mesh_data mesh = read_mesh(folder.file(name));
+        ASSERT_TRUE(are_consistent(mesh)) << damaged;
+        ++read_files;
+        for (const char* format : {"b.obj", "b.off", "b.ply", "b.vtp"}) {
+          not_held_by(format, mesh);
+          if (i % 20 == 0) write_mesh(folder.file(format), mesh, Encoding::text);
+        }
+      } catch (const Error& e) {
+        ++refused_files;
+        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+      }
+    }
+  EXPECT_GT(read_files, 400);
+  EXPECT_GT(refused_files, 400);
+}
+
+// --- the command ---
+
+namespace {
+
+class Pn_subdivide_carries : public Command_test
+{
+protected:
+  Outcome surface(const std::string& input, const std::string& output,
+                  const std::string& options = "") const
+  {
+    return run("surface '" + input + "' '" + output + "' " + options);
+  }
+
+  // The mesh of the output, which is a PLY file.
+  Mesh_data refined(const std::string& input, const std::string& options) const
+  {
+    const std::string output = folder.file("refined.ply");
+    const Outcome outcome = surface(input, output, "--quiet " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return read_mesh(output);
+  }
+
+  static std::string data(const std::string& name) { return PN_DATA_DIR "/" + name; }
+};
+
+// A patch of 4 x 3 quads over the plane, each split in two if triangles are wanted, with a constant,
+// x + 2 y + 3 z, bytes, a color of 0 and 255, an id for each face, and for each a chart of its own:
+// its texture points are (10 id + i, i * i) for its i-th corner.
+Mesh_data marked_patch(bool triangles, bool with_charts)
+{
+  std::vector<Triple> points;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 5; ++i) points.push_back({double(i), double(j), (i * i + j) / 8.});
+  std::vector<std::vector<int>> faces;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int v = 5 * j + i;
+      if (triangles) {
+        faces.push_back({v, v + 1, v + 6});
+        faces.push_back({v, v + 6, v + 5});
+      } else {
+        faces.push_back({v, v + 1, v + 6, v + 5});
+      }
+    }
+  Mesh_data mesh;
+  mesh.points = points;
+  Columns& columns = mesh.attributes.of_vertices;
+  for (const char* name : {"constant", "linear", "byte", "red", "green", "blue"})
+    columns.push_back({name, Scalar_type::uint8, {}, {}});
+  columns[0].type = columns[1].type = Scalar_type::float64;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Triple& p = points[v];
+    const Numbers row = {0.1,         p[0] + 2 * p[1] + 3 * p[2], double(v), v % 2 * 255., 255,
+                         v % 3 * 127.};
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k].values.push_back(row[k]);
+  }
+  mesh.attributes.of_faces.push_back({"id", Scalar_type::uint32, {}, {}});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    mesh.add_face(faces[f]);
+    mesh.attributes.of_faces[0].values.push_back(4294967295. - double(f));
+    for (std::size_t i = 0; i < faces[f].size() && with_charts; ++i)
+      mesh.attributes.texture.push_back({10. * double(f) + double(i), double(i * i), 0});
+  }
+  return mesh;
+}
+
+double texture_area(const Mesh_data& mesh)
+{
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const std::size_t first = mesh.first_corner(f), n = std::size_t(mesh.face(f).size());
+    double of_face = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Texture_point& a = mesh.attributes.texture[first + i];
+      const Texture_point& b = mesh.attributes.texture[first + (i + 1) % n];
+      of_face += (a[0] * b[1] - a[1] * b[0]) / 2;
+    }
+    area += std::abs(of_face);
+  }
+  return area;
+}
+
+} // namespace
+
+TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
+{
+  const std::string input = folder.write("a.obj", obj);
+  const Attributes attributes = read_mesh(input).attributes;
+  for (const char* output : {"b.obj", "b.ply"})
+    for (const char* options : {"", " --ascii", " --normals none"}) {
+      const Outcome outcome =
+        surface(input, folder.file(output), std::string("--quiet --levels 0") + options);
+      EXPECT_EQ(outcome.code, 0);
+      EXPECT_EQ(outcome.err, "");
+      expect_same(read_mesh(folder.file(output)).attributes, attributes);
+    }
+}
+
+TEST_F(Pn_subdivide_carries, EverySchemeCarriesThem)
+{
+  for (const std::string scheme : {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly",
+                                   "kobbelt", "modified-catmull-clark", "modified-loop"}) {
+    const bool triangles =
+      scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" || scheme == "modified-loop";
+    const bool keeps_edges = scheme != "doo-sabin" && scheme != "sqrt3";
+    const Mesh_data control = marked_patch(triangles, keeps_edges);
+    write_mesh(folder.file("patch.ply"), control, Encoding::binary);
+    Numbers ids = control.attributes.of_faces[0].values;
+    std::sort(ids.begin(), ids.end());
+    for (const char* options : {" --linear", "", " --threads 2"}) {
+      SCOPED_TRACE(scheme + options);
+      const Mesh_data mesh =
+        refined(folder.file("patch.ply"), "--levels 2 --scheme " + scheme + options);
+      const Attributes& a = mesh.attributes;
+      ASSERT_TRUE(are_consistent(mesh));
+      ASSERT_EQ(a.of_vertices.size(), 6u);
+      EXPECT_EQ(values(a.of_vertices, "constant"), Numbers(mesh.points.size(), 0.1));
+      EXPECT_EQ(values(a.of_vertices, "green"), Numbers(mesh.points.size(), 255));
+      EXPECT_EQ(a.of_vertices[2].type, Scalar_type::uint8);
+      for (std::size_t v = 0; v < mesh.points.size() && options == std::string(" --linear"); ++v) {
+        const Triple& p = mesh.points[v];
+        EXPECT_NEAR(values(a.of_vertices, "linear")[v], p[0] + 2 * p[1] + 3 * p[2], 1e-14);
+      }
+      Numbers found = values(a.of_faces, "id");
+      std::sort(found.begin(), found.end());
+      found.erase(std::unique(found.begin(), found.end()), found.end());
+      EXPECT_EQ(found, ids);
+      // each face is in the chart of the face that it comes from
+      ASSERT_EQ(a.texture.empty(), !keeps_edges);
+      for (std::size_t f = 0; f < mesh.number_of_faces() && keeps_edges; ++f)
+        for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i) {
+          const double u = a.texture[mesh.first_corner(f) + i][0];
+          const double first = 10 * (4294967295. - values(a.of_faces, "id")[f]);
+          EXPECT_TRUE(first <= u && u <= first + 3) << f;
+        }
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_carries, BytesAreRounded)
+{
+  const std::string input = folder.write(
+    "a.off", "COFF\n4 1 0\n0 0 0 0 0 0\n1 0 0 255 1 0\n1 1 0 0 0 0\n0 1 0 0 0 2\n4 0 1 2 3\n");
+  const Mesh_data mesh = refined(input, "--linear --scheme catmull-clark --border curve");
+  const auto count = [&](const std::string& name, double x) {
+    const Numbers& n = values(mesh.attributes.of_vertices, name);
+    return std::count(n.begin(), n.end(), x);
+  };
+  EXPECT_EQ(count("red", 128), 2); // 127.5 at two edges
+  EXPECT_EQ(count("red", 64), 1);  // 63.75 at the face
+  EXPECT_EQ(count("red", 191), 1); // 191.25 at the vertex
+  EXPECT_EQ(count("red", 32), 2);  // 31.875 beside it
+  EXPECT_EQ(count("green", 1), 3); // 0.75, 0.5, 0.5
+  EXPECT_EQ(count("blue", 2), 1);  // 1.5
+}
+
+TEST_F(Pn_subdivide_carries, TheTextureOfTheVaseKeepsItsArea)
+{
+  const Mesh_data control = read_mesh(data("vase.obj"));
+  const double area = texture_area(control);
+  EXPECT_NEAR(area, 0.6 + 0.09, 1e-12); // the side and the bottom
+  for (const char* options : {"", " --linear", " --scheme kobbelt", " --triangulate",
+                              " --triangulate --scheme butterfly"}) {
+    SCOPED_TRACE(options);
+    const Mesh_data mesh = refined(data("vase.obj"), std::string("--levels 3") + options);
+    const Attributes& a = mesh.attributes;
+    EXPECT_NEAR(texture_area(mesh), area, 0.01 * area);
+    EXPECT_TRUE(std::none_of(a.texture.begin(), a.texture.end(), is_none));
+    EXPECT_EQ(find_column(a.of_faces, "group")->words, (Names{"side", "bottom"}));
+    const Numbers& group = values(a.of_faces, "group");
+    EXPECT_EQ(std::count(group.begin(), group.end(), 1.) * 9,
+              std::count(group.begin(), group.end(), 0.) * 1.125);
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i)
+        EXPECT_EQ(a.texture[mesh.first_corner(f) + i][1] < 0.32, group[f] == 1);
+  }
+}
+
+TEST_F(Pn_subdivide_carries, NotANumberSpreadsAndNothingElse)
+{
+  std::string text = ply_head;
+  text.replace(text.find("vertex 3"), 8, "vertex 6");
+  const std::string input = folder.write(
+    "a.ply",
+    text + "property double q\n" +
+      "element face 2\nproperty list uchar int "
+      "vertex_indices\nend_header\n0 0 0 nan\n1 0 0 1\n2 0 0 1\n0 1 0 1\n1 1 0 1\n2 1 0 1\n4 0 "
+      "1 4 3\n4 1 2 5 4\n");
+  const Mesh_data mesh = refined(input, "--levels 1 --scheme catmull-clark");
+  const Numbers& q = values(mesh.attributes.of_vertices, "q");
+  EXPECT_TRUE(std::isnan(q[0]));
+  EXPECT_EQ(q[2], 1); // it does not touch the face
+  EXPECT_EQ(q[5], 1);
+}
+
+TEST_F(Pn_subdivide_carries, WhatIsLostIsSaidOnce)
+{
+  const std::string input = folder.write("a.obj", obj);
+  const std::string off = folder.file("b.off");
+  EXPECT_EQ(surface(input, off, "--quiet --levels 0").err,
+            "warning: " + off +
+              ": not written, off files cannot hold it: texture coordinates, objects, groups, "
+              "materials, smoothing groups and names of material files\n");
+  EXPECT_EQ(surface(input, off, "--quiet --levels 0 --drop-attributes").err, "");
+  EXPECT_EQ(surface(input, folder.file("b.ply"), "--quiet --drop-attributes").err, "");
+  EXPECT_TRUE(read_mesh(folder.file("b.ply")).attributes.empty());
+
+  // a seam would tear where edges are not kept
+  for (const std::string scheme : {"doo-sabin", "sqrt3"}) {
+    const Outcome outcome = surface(input, folder.file("b.ply"), "--quiet --scheme " + scheme);
+    EXPECT_EQ(outcome.err, "warning: " + input +
+                             ": not carried over to the result: texture coordinates, because they "
+                             "have seams and " +
+                             scheme + " keeps no edges\n");
+    const Attributes a = read_mesh(folder.file("b.ply")).attributes;
+    EXPECT_TRUE(a.texture.empty());
+    EXPECT_EQ(find_column(a.of_faces, "material")->words.size(), 2u);
+  }
+  const Outcome averaged =
+    surface(folder.write("a.ply", ply_head + "property short label\n" + ply_faces +
+                                    "end_header\n0 0 0 1\n1 0 0 2\n0 1 0 4\n3 0 1 2\n"),
+            folder.file("b.ply"));
+  EXPECT_EQ(averaged.code, 0);
+  EXPECT_NE(averaged.err.find("whole numbers of vertices are averaged and rounded: 'label'"),
+            std::string::npos);
+}
+
+TEST_F(Pn_subdivide_carries, CurvatureTakesThePlaceOfColors)
+{
+  const std::string input = folder.file("patch.ply"), output = folder.file("b.ply");
+  write_mesh(input, marked_patch(false, true), Encoding::binary);
+  const Outcome outcome = surface(input, output, "--quiet --curvature mean");
+  if (outcome.code == 2) GTEST_SKIP() << outcome.err; // built without Eigen
+  EXPECT_EQ(outcome.err, "warning: " + output +
+                           ": the file's colors or values of vertices give way to those of the "
+                           "curvature\n");
+  const Columns columns = read_mesh(output).attributes.of_vertices;
+  Names names;
+  for (const Column& column : columns) names.push_back(column.name);
+  EXPECT_EQ(names, (Names{"mean_curvature", "red", "green", "blue", "constant", "linear", "byte"}));
+}
+
+TEST_F(Pn_subdivide_carries, BadAttributesFailWithOneLineAndLeaveTheOutput)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+  const std::string output = folder.write("o.ply", "old");
+  for (const char* rest : {"f 1/1 2/2 3/1\n", "vt nan 0\nf 1 2 3\n", "v 0 0 0 2 0 0\nf 1 2 3\n"}) {
+    const std::string input = folder.write("a.obj", points + rest);
+    expect_one_line(surface(input, output), 1, "line 5: ");
+    EXPECT_EQ(Temporary_folder::content(output), "old");
+    EXPECT_EQ(surface(input, folder.file("p.ply"), "--drop-attributes").code, 0);
+  }
+}
+
+TEST_F(Pn_subdivide_carries, MaterialFilesAreFoundFromTheOutput)
+{
+  std::filesystem::create_directories(folder.file("deep/er"));
+  const std::string input = folder.write("a.obj", obj), output = folder.file("deep/er/b.obj");
+  ASSERT_EQ(surface(input, output, "--levels 0").code, 0);
+  EXPECT_EQ(read_mesh(output).attributes.material_files[0], "../../house.mtl");
+}
+
+TEST_F(Pn_subdivide_carries, SplitFacesAndMergedPoints)
+{
+  const std::string input = folder.file("patch.ply");
+  const Mesh_data quads = marked_patch(false, true);
+  write_mesh(input, quads, Encoding::binary);
+  const Mesh_data mesh = refined(input, "--levels 0 --triangulate");
+  ASSERT_EQ(mesh.number_of_faces(), 24u);
+  ASSERT_TRUE(are_consistent(mesh));
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto parent = std::size_t(4294967295. - mesh.attributes.of_faces[0].values[f]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Texture_point& t = mesh.attributes.texture[mesh.first_corner(f) + i];
+      const auto corner = std::size_t(t[0] - 10. * double(parent));
+      ASSERT_LT(corner, 4u);
+      EXPECT_EQ(quads.face(parent).begin()[corner], mesh.face(f).begin()[i]);
+    }
+  }
+
+  const std::string twice = folder.write(
+    "a.off", "COFF\n4 2 0\n0 0 0 1 1 1\n1 0 0 2 2 2\n0 1 0 3 3 3\n0 0 0 9 1 1\n3 0 1 2\n3 3 2 1\n");
+  const Outcome outcome =
+    surface(twice, folder.file("b.off"), "--quiet --levels 0 --merge-points --normals none");
+  EXPECT_EQ(outcome.err,
+            "warning: " + twice +
+              ": merged vertices had different values of 'red'; those of the first are "
+              "kept\n");
 }
