@@ -8,6 +8,9 @@
 
 #include "surface/attributes.h"
 
+#include "io/Text_reader.h"
+#include "surface/surface_schemes.h"
+
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -85,14 +88,21 @@ Carried_attributes::Carried_attributes(const Surface& surface, Attributes attrib
   attributes_.texture = {};
 }
 
-bool Carried_attributes::has_seams(const Surface& surface) const
+void Carried_attributes::suit(const Surface& surface, const std::string& scheme,
+                              const std::string& input, Report& report)
 {
-  return !table_.corners.empty() && CGAL::PN_subdivision_3::has_seam(surface, table_.corners[0]);
-}
-
-void Carried_attributes::drop_texture()
-{
-  table_.corners.clear();
+  if (!table_.corners.empty() && !keeps_edges(scheme) &&
+      CGAL::PN_subdivision_3::has_seam(surface, table_.corners[0])) {
+    table_.corners.clear();
+    report.warn(input +
+                ": not carried over to the result: texture coordinates, because they have "
+                "seams and " +
+                scheme + " keeps no edges");
+  }
+  const std::vector<std::string> integers = averaged_integers();
+  if (!integers.empty())
+    report.note(input +
+                ": whole numbers of vertices are averaged and rounded: " + enumeration(integers));
 }
 
 std::vector<std::string> Carried_attributes::averaged_integers() const
@@ -102,7 +112,7 @@ std::vector<std::string> Carried_attributes::averaged_integers() const
   for (const Column& column : attributes_.of_vertices)
     if (traits(column.type).is_integer &&
         std::find(color.begin(), color.end(), &column) == color.end())
-      names.push_back(column.name);
+      names.push_back("'" + Text_reader::printable(column.name) + "'");
   return names;
 }
 

@@ -10,11 +10,13 @@
 #define PN_SUBDIVIDE_SURFACE_ATTRIBUTES_H
 
 #include "io/Attributes.h"
+#include "io/Report.h"
 #include "surface/Surface.h"
 
 #include <CGAL/PN_subdivision_3/attributes.h>
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,12 +49,10 @@ public:
   // To be refined along with the mesh.
   Table& table() { return table_; }
 
-  // Do the texture coordinates have seams or gaps?
-  bool has_seams(const Surface& surface) const;
-  void drop_texture();
-
-  // Names of integers of vertices that are averaged, but for those of colors.
-  std::vector<std::string> averaged_integers() const;
+  // Drops texture coordinates with seams or gaps, with a warning, if the scheme keeps no edges. Notes
+  // which integers are averaged.
+  void suit(const Surface& surface, const std::string& scheme, const std::string& input,
+            Report& report);
 
   // Those of the refined mesh. Integers are rounded, colors stay in range.
   Attributes take(const Surface& refined);
@@ -60,6 +60,7 @@ public:
 private:
   using Range = std::pair<double, double>;
 
+  std::vector<std::string> averaged_integers() const; // but for those of colors
   void take_texture(const Surface& refined);
 
   Attributes attributes_;     // without the numbers that are in the table

@@ -164,27 +164,6 @@ void announce_long_work(Surface& surface, const Surface_options& options,
   report.progress(scheme.scheme + text);
 }
 
-// Texture coordinates with seams need edges that stay edges.
-Carried_attributes carried(const Surface& surface, Attributes attributes, const Plan& plan,
-                           const Scheme_choice& scheme, Report& report)
-{
-  Carried_attributes result(surface, std::move(attributes));
-  const std::string input = plan.input.title("standard input");
-  if (!keeps_edges(scheme.scheme) && result.has_seams(surface)) {
-    result.drop_texture();
-    report.warn(input +
-                ": not carried over to the result: texture coordinates, because they have "
-                "seams and " +
-                scheme.scheme + " keeps no edges");
-  }
-  std::vector<std::string> names;
-  for (const std::string& name : result.averaged_integers()) names.push_back("'" + name + "'");
-  if (!names.empty())
-    report.note(input +
-                ": whole numbers of vertices are averaged and rounded: " + enumeration(names));
-  return result;
-}
-
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, Report& report)
@@ -199,10 +178,11 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   if (creases.any() || creases.border != Border::surface)
     rounds.creases = add_creases(surface, creases);
   if (options.levels > 0) {
-    Carried_attributes carrier = carried(surface, std::move(attributes), plan, scheme, report);
-    rounds.attributes = &carrier.table();
+    Carried_attributes carried(surface, std::move(attributes));
+    carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
+    rounds.attributes = &carried.table();
     refine_surface(surface, scheme, rounds);
-    attributes = carrier.take(surface);
+    attributes = carried.take(surface);
   }
   if (options.limit.is_used()) move_to_limits(surface, plan, options, scheme, report);
   std::optional<Curvature_values> curvature;

@@ -694,7 +694,7 @@ TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
   const std::string characters = "0123456789.-+eE/ \n#nvtgfusx\xff";
   int read_files = 0, refused_files = 0;
   for (const auto& [name, content] : files)
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < 300; ++i) {
       std::string damaged = content;
       for (int k = 0; k <= i % 3; ++k)
         damaged[random() % damaged.size()] = characters[random() % characters.size()];
@@ -712,8 +712,8 @@ TEST_F(Pn_subdivide_attributes, DamagedFilesAreReadOrRefused)
         EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
       }
     }
-  EXPECT_GT(read_files, 400);
-  EXPECT_GT(refused_files, 400);
+  EXPECT_GT(read_files, 200);
+  EXPECT_GT(refused_files, 200);
 }
 
 // --- the command ---
