@@ -895,6 +895,51 @@ TEST_F(Pn_subdivide_carries, TheTextureOfTheVaseKeepsItsArea)
   }
 }
 
+// Both have the rules of borders whose vertices with one face are corners.
+TEST_F(Pn_subdivide_carries, ALinearTextureStaysLinear)
+{
+  Mesh_data control = marked_patch(false, false);
+  for (std::size_t f = 0; f < control.number_of_faces(); ++f)
+    for (const Mesh_data::Index v : control.face(f)) {
+      const Triple& p = control.points[v];
+      control.attributes.texture.push_back({p[0] + 2 * p[1], p[2] - p[0], 0});
+    }
+  write_mesh(folder.file("patch.ply"), control, Encoding::binary);
+  const Mesh_data mesh = refined(folder.file("patch.ply"),
+                                 "--levels 3 --linear --scheme catmull-clark --border corners");
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i) {
+      const Triple& p = mesh.points[mesh.face(f).begin()[i]];
+      const Texture_point& t = mesh.attributes.texture[mesh.first_corner(f) + i];
+      EXPECT_NEAR(t[0], p[0] + 2 * p[1], 1e-14);
+      EXPECT_NEAR(t[1], p[2] - p[0], 1e-14);
+    }
+}
+
+// On the cut of the side the two texture points of a vertex are a width apart, as on the control mesh.
+TEST_F(Pn_subdivide_carries, TheSeamOfTheVaseDoesNotTear)
+{
+  const Mesh_data mesh = refined(data("vase.obj"), "--levels 3");
+  std::vector<Texture_point> first(mesh.points.size(), {-1, 0, 0});
+  std::size_t on_cut = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < std::size_t(mesh.face(f).size()); ++i) {
+      const Texture_point& t = mesh.attributes.texture[mesh.first_corner(f) + i];
+      Texture_point& at_vertex = first[mesh.face(f).begin()[i]];
+      if (t[1] < 0.32) continue; // the bottom
+      if (at_vertex[0] < 0) at_vertex = t;
+      EXPECT_NEAR(t[1], at_vertex[1], 1e-15);
+      const double distance = std::abs(t[0] - at_vertex[0]);
+      if (distance > 0.5) {
+        EXPECT_EQ(distance, 1);
+        ++on_cut;
+      } else {
+        EXPECT_NEAR(distance, 0, 1e-15);
+      }
+    }
+  EXPECT_EQ(on_cut, 6u * 8 * 2); // two corners at each vertex but the ends, which have one
+}
+
 TEST_F(Pn_subdivide_carries, NotANumberSpreadsAndNothingElse)
 {
   std::string text = ply_head;
