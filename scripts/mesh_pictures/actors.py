@@ -67,10 +67,10 @@ def checker(mesh: vtkPolyData, squares: int) -> vtkTexture:
     pixels = 64 * squares  # many, because they are blurred
     row = np.arange(pixels) * squares // pixels
     dark = (row[:, None] + row[None, :]) % 2 == 1
-    colours = np.where(dark.ravel()[:, None], (70, 96, 150), (245, 240, 225)).astype(np.uint8)
+    colors = np.where(dark.ravel()[:, None], (70, 96, 150), (245, 240, 225)).astype(np.uint8)
     image = vtkImageData()
     image.SetDimensions(pixels, pixels, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(colours, deep=True))
+    image.GetPointData().SetScalars(numpy_to_vtk(colors, deep=True))
     texture = vtkTexture()
     texture.SetInputData(image)
     texture.InterpolateOn()
