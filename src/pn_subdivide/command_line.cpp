@@ -195,6 +195,9 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     ->capture_default_str();
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   add_repair_options(surface, options);
+  surface.add_flag("--drop-attributes", options.drop_attributes,
+                   "Points, faces and normals only: texture coordinates, colors, materials, groups "
+                   "and other properties are not read");
   surface.add_flag("--ascii", options.ascii, "PLY and VTP as text");
   add_quiet(surface, options.quiet);
 }

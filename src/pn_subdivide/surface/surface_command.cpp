@@ -10,8 +10,10 @@
 
 #include "io/Error.h"
 #include "io/Report.h"
+#include "io/file_references.h"
 #include "io/mesh_io.h"
 #include "surface/Bounding_box.h"
+#include "surface/attributes.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
 #include "surface/expected_time.h"
@@ -123,7 +125,11 @@ Refinement refinement(const Surface_options& options, unsigned threads, const Re
 
 void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, Report& report)
 {
-  report.note(set_curvature(mesh, *plan.curvature, std::move(values)).description(*plan.curvature));
+  const Curvature_range range = set_curvature(mesh, *plan.curvature, std::move(values));
+  report.note(range.description(*plan.curvature));
+  if (range.replaces_attributes)
+    report.warn(plan.output.title("standard output") +
+                ": the file's colors or values of vertices give way to those of the curvature");
 }
 
 void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
@@ -138,7 +144,7 @@ void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& o
 
 void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
 {
-  const std::size_t split = triangulate(surface);
+  const std::size_t split = triangulate(surface).split_faces;
   if (split > 0)
     report.note(output.title("standard output") + ": " + std::to_string(split) +
                 (split == 1 ? " face" : " faces") + " split into triangles, as " + output.format +
@@ -165,12 +171,19 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   const bool must_split = !holds_polygons(plan.output);
   if (options.levels == 0 && !options.limit.is_used() && !plan.curvature && !must_split) return;
   Surface surface = make_surface(mesh);
+  Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
   announce_long_work(surface, options, scheme, report);
   Refinement rounds = refinement(options, plan.threads, report);
   if (creases.any() || creases.border != Border::surface)
     rounds.creases = add_creases(surface, creases);
-  if (options.levels > 0) refine_surface(surface, scheme, rounds);
+  if (options.levels > 0) {
+    Carried_attributes carried(surface, std::move(attributes));
+    carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
+    rounds.attributes = &carried.table();
+    refine_surface(surface, scheme, rounds);
+    attributes = carried.take(surface);
+  }
   if (options.limit.is_used()) move_to_limits(surface, plan, options, scheme, report);
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
@@ -181,6 +194,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   }
   if (must_split) split_for_output(surface, plan.output, report);
   mesh = to_mesh_data(surface);
+  mesh.attributes = std::move(attributes);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
 }
 
@@ -220,6 +234,14 @@ void warn_of_lost_normals(const Mesh_data& mesh, const Plan& plan, Report& repor
   report.warn(plan.output.title("standard output") +
               ": vertices on creases have several normals, " + plan.output.format +
               " files hold one, which is their normalized sum; .obj holds all");
+}
+
+void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& report)
+{
+  const std::vector<std::string> names = not_held(plan.output, mesh);
+  if (!names.empty())
+    report.warn(plan.output.title("standard output") + ": not written, " + plan.output.format +
+                " files cannot hold it: " + enumeration(names));
 }
 
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
@@ -273,6 +295,8 @@ void run_surface_command(const Surface_options& options)
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   warn_of_lost_normals(mesh, plan, report);
+  warn_of_lost_attributes(mesh, plan, report);
+  move_file_references(mesh.attributes, plan.input, plan.output);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
   report.print_warnings();

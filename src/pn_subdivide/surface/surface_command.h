@@ -32,6 +32,7 @@ struct Surface_options
   Limit_choice limit;
   Verify_options verify;
   bool merge_points = false, repair = false, triangulate = false;
+  bool drop_attributes = false;
   bool ascii = false, quiet = false;
 };
 
