@@ -76,6 +76,9 @@ struct Limit_interpolation_report
   /// the largest distance that remains: in mode `slide` between a point and the limit surface, along
   /// the normal; in mode `limit_points` between a point and its limit point.
   double residual = 0;
+  /// `prescribe_limit_data()`: the largest angle between a prescribed normal and that of the surface, in
+  /// radians.
+  double normal_residual = 0;
   /// an estimate of the error of `residual` that comes from evaluating the limit points.
   double error = 0;
   /// what was asked for.

@@ -29,10 +29,11 @@ namespace internal {
 // matrix m of the linear limit points, sped up by Anderson's method over the last four differences. A
 // vertex whose n turns away from M by more than 45 degrees, or if that fails half of all, those that
 // are furthest off, return to n = M and leave the system.
-template <int dimension, class Source>
+template <int dimension, int tangents>
 class Control_normal_solution
 {
 public:
+  using Source = Limit_source<dimension, tangents>;
   using Data = Interpolation_data<dimension>;
 
   Control_normal_solution(const Data& data, Source& source)
@@ -209,6 +210,33 @@ private:
   std::size_t left_out_ = 0;
   unsigned steps_ = 0;
 };
+
+// Control normals, and what it took to find them.
+template <int dimension>
+struct Solved_normals
+{
+  Vectors<dimension> normals;
+  std::size_t left_out = 0;
+  unsigned steps = 0;
+
+  void note(Limit_interpolation_report& report) const
+  {
+    report.left_out = left_out;
+    report.steps += steps;
+  }
+};
+
+template <int dimension, int tangents>
+Solved_normals<dimension> solved_or_given(bool solves, const Interpolation_data<dimension>& data,
+                                          Limit_source<dimension, tangents>& source)
+{
+  if (!solves) return {data.normals};
+  Control_normal_solution<dimension, tangents> solution(data, source);
+  Solved_normals<dimension> result{solution(data.max_steps)};
+  result.left_out = solution.left_out();
+  result.steps = solution.steps();
+  return result;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

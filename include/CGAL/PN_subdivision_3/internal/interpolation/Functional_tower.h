@@ -58,8 +58,9 @@ struct Ring_rule
 struct Limit_precision
 {
   double tolerance = 0; // absolute
-  unsigned max_depth = 0;
-  bool with_blocks = true; // not only the limits themselves
+  unsigned min_depth = 0, max_depth = 0;
+  bool with_blocks = true;        // not only the limits themselves
+  bool with_second_forms = false; // of the surface
 };
 
 // The limit of a ring and the tangents there, for fixed normals as linear functions of the points of
@@ -86,18 +87,18 @@ public:
     if (levels_.empty()) levels_.resize(1);
     levels_[0] = ring;
     error_ = 0;
-    depth_ = 0;
     limit_ = limit_at(0);
     double last_step = 0;
     const unsigned max_depth = is_exact_at_once() ? 0 : precision.max_depth;
-    for (depth_ = 0; depth_ < max_depth;) {
+    depth_ = 0;
+    while (depth_ < max_depth) {
       const Value last = limit_;
       refine(++depth_);
       limit_ = limit_at(depth_);
       const double step = distance(limit_.point, last.point);
       error_ = rule.error_factor * (std::max)(step, rule.error_ratio * last_step);
       last_step = step;
-      if (error_ <= precision.tolerance) break;
+      if (error_ <= precision.tolerance && depth_ >= precision.min_depth) break;
     }
     if (!precision.with_blocks) return;
     set_functionals();
@@ -106,6 +107,8 @@ public:
 
   const Value& limit() const { return limit_; }
   double error() const { return error_; }
+  // the ring at the top
+  const std::vector<Value>& top() const { return levels_[depth_]; }
   unsigned depth() const { return depth_; }
   // of place p at the base of the tower
   const Block& block(std::size_t p) const { return blocks_[p]; }

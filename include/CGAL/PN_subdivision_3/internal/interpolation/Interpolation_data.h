@@ -34,6 +34,7 @@ struct Interpolation_data
 
   Vectors<dimension> points;       // of all vertices
   Vectors<dimension> normals;      // likewise; unit vectors or zero
+  Vectors<dimension> binormals;    // likewise, of curves in space only
   std::vector<Index> vertices;     // those to be interpolated
   std::vector<char> is_at_border;  // of all vertices
   std::vector<double> edge_length; // likewise, the mean
@@ -71,6 +72,30 @@ std::vector<Point_normal<double, dimension>> to_values(const Vectors<dimension>&
     if (takes_normals) values[v].normal = to_coordinates<dimension>(normals[v]);
   }
   return values;
+}
+
+// the largest side of the box of the points
+template <int dimension>
+double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
+{
+  if (points.empty()) return 0;
+  Eigen_vector<dimension> least = points[0], greatest = points[0];
+  for (const Eigen_vector<dimension>& p : points) {
+    least = least.cwiseMin(p);
+    greatest = greatest.cwiseMax(p);
+  }
+  return (greatest - least).maxCoeff();
+}
+
+// takes vertices without a normal off those to be interpolated; how many
+template <int dimension>
+std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
+{
+  const auto has_none = [&](auto v) { return data.normals[v].isZero(0); };
+  const std::size_t before = data.vertices.size();
+  data.vertices.erase(std::remove_if(data.vertices.begin(), data.vertices.end(), has_none),
+                      data.vertices.end());
+  return before - data.vertices.size();
 }
 
 // The numbers of the unknowns: those of some vertices.

@@ -44,6 +44,10 @@ struct Limit_functionals
   Index center = 0;
   Vector control_normal = Vector::Zero(); // of the limit
   Vector limit_point = Vector::Zero();    // of the points that it was evaluated for
+  // Of the limit surface as a map of vectors: its normal turns by -second_form x towards a point at x.
+  // Zero where it is not known.
+  Eigen::Matrix<double, dimension, dimension> second_form =
+    Eigen::Matrix<double, dimension, dimension>::Zero();
   double error = 0;                       // estimated, of the limit point
   unsigned depth = 0;
   bool has_tangents = false;
@@ -95,6 +99,29 @@ private:
     }
   }
 };
+
+// Where limit functionals come from: a mesh with a scheme, or a polygon with a mask. What solves for
+// control points knows no more of either.
+template <int dimension, int tangents>
+class Limit_source
+{
+public:
+  using Index = std::uint32_t;
+  using Functionals = Limit_functionals<dimension, tangents>;
+  using Values = std::vector<Point_normal<double, dimension>>;
+
+  Limit_source() = default;
+  Limit_source(const Limit_source&) = delete;
+  Limit_source& operator=(const Limit_source&) = delete;
+  virtual ~Limit_source() = default;
+
+  // at some vertices, none twice, of the control points and normals `values`
+  virtual std::vector<Functionals> operator()(const Values& values,
+                                              const std::vector<Index>& vertices,
+                                              const Limit_precision& precision) = 0;
+};
+
+using Surface_limits = Limit_source<3, 2>;
 
 } // namespace internal
 } // namespace PN_subdivision_3

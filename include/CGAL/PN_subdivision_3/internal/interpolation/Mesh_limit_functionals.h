@@ -11,8 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/second_form.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -33,13 +35,14 @@ namespace internal {
 // The limit functionals at vertices of a control mesh. As in Limit_evaluation, the faces around
 // vertices whose neighborhood is not settled are cut out and refined until it is; the functionals are
 // then pulled back through these rounds too. A linear scheme is one of zero normals.
-template <class Scheme, int tangents>
-class Mesh_limit_functionals
+template <class Scheme>
+class Mesh_limit_functionals final : public Surface_limits
 {
 public:
   using Index = Level_connectivity::Index;
   using Value = Point_normal<double, 3>;
-  using Functionals = Limit_functionals<3, tangents>;
+  using typename Surface_limits::Functionals;
+  using typename Surface_limits::Values;
 
   Mesh_limit_functionals(const Scheme& scheme, const Level_connectivity& level,
                          const For_chunks& for_chunks)
@@ -51,10 +54,8 @@ public:
 
   const Level_connectivity& level() const { return level_; }
 
-  // of some vertices, none twice
-  std::vector<Functionals> operator()(const std::vector<Value>& values,
-                                      const std::vector<Index>& vertices,
-                                      const Limit_precision& precision)
+  std::vector<Functionals> operator()(const Values& values, const std::vector<Index>& vertices,
+                                      const Limit_precision& precision) override
   {
     precision_ = precision;
     std::vector<Functionals> result(vertices.size());
@@ -70,8 +71,8 @@ private:
   using One_round = Round<Scheme, Average>;
   using Kind = typename Limit_classes<Scheme, double>::Kind;
   using Neighborhood = Limit_neighborhood<Scheme>;
-  using Tower = Functional_tower<3, tangents>;
-  using Entry = typename Functionals::Entry;
+  using Tower = Functional_tower<3, 2>;
+  using Entry = Functionals::Entry;
 
   static constexpr unsigned most_rounds = 6;
 
@@ -175,7 +176,9 @@ private:
     f.control_normal = to_eigen<3>(tower.limit().normal);
     f.error = tower.error();
     f.depth += tower.depth();
-    f.has_tangents = tangents > 0 && !kind.rule.tangents.empty();
+    f.has_tangents = !kind.rule.tangents.empty();
+    if (precision_.with_second_forms)
+      f.second_form = second_form(stage.level, v, *kind.kind->ring_class, tower);
     if (!precision_.with_blocks) return;
     std::vector<double> weights(ring.size(), 0.);
     for (const auto& e : kind.rule.limit) weights[e.vertex] += e.weight;
@@ -211,6 +214,28 @@ private:
       }
     }
     return result;
+  }
+
+  // by the jet at regular vertices, by the slopes of the control normals where the ring matrix has no
+  // part of second order that would last
+  Eigen::Matrix3d second_form(const Level_connectivity& level, Index v,
+                              const typename Limit_classes<Scheme, double>::Class& ring_class,
+                              const Tower& tower) const
+  {
+    static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
+    static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
+    constexpr bool is_quads = Scheme::Host::refined_degree == 4;
+    if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
+        Average::is_zero(tower.limit().normal))
+      return Eigen::Matrix3d::Zero();
+    if (Neighborhood::is_spline && level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
+      return internal::second_form(Regular_jet<double>(is_quads ? 4 : 3)
+                                     .surface_jet(is_quads ? quads : triangles, tower.top().data()));
+    const double lambda2 = ring_class.lambda() * ring_class.lambda();
+    const Ring_geometry geometry(tower.top(), tower.limit(), ring_class.tangents());
+    if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
+      return Eigen::Matrix3d::Zero();
+    return internal::second_form(geometry.extraordinary_jet());
   }
 
   static void set_isolated(const Stage& stage, Index v, Functionals& f)

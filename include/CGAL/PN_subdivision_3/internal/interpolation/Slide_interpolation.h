@@ -25,13 +25,15 @@ namespace internal {
 // nu_v of the limit surface shall lie on one PN arc,
 //   w_v = (M_v + nu_v) . (P_v - L_v) / ((M_v + nu_v) . nu_v) = 0.
 // In each step nu is taken as it is, and w is linear in s. Where that does not converge, and on borders,
-// the limit control normal is taken for nu: then w is linear.
-//
-// Source makes functionals of (values, vertices, precision).
-template <int dimension, class Source>
+// the limit control normal is taken for nu: then w is linear. A curve in space slides along its binormal
+// too, along which L_v shall not be away from P_v.
+template <int dimension, int tangents>
 class Slide_interpolation
 {
 public:
+  static constexpr int freedom = dimension - tangents; // of a control point
+
+  using Source = Limit_source<dimension, tangents>;
   using Data = Interpolation_data<dimension>;
   using Result = Interpolation_result<dimension>;
 
@@ -48,6 +50,7 @@ public:
     result.normals = data_.normals;
     report_.tolerance = data_.tolerance;
     best_.points = data_.points;
+    set_directions();
     evaluate_at(best_);
     if (!(best_.residual <= data_.tolerance)) solve();
     check();
@@ -60,6 +63,7 @@ public:
 private:
   using Vector = Eigen_vector<dimension>;
   using Functionals = typename Source::Functionals;
+  using Directions = Eigen::Matrix<double, dimension, freedom>;
 
   static constexpr unsigned most_steps = 12;
 
@@ -74,6 +78,17 @@ private:
     functionals_ = source_(to_values<dimension>(iterate.points, data_.normals, data_.takes_normals),
                            data_.vertices, data_.precision());
     iterate.residual = residual(iterate.points);
+  }
+
+  // in which the control points slide
+  void set_directions()
+  {
+    for (const auto v : data_.vertices) {
+      Directions d;
+      d.col(0) = data_.normals[v];
+      if constexpr (freedom == 2) d.col(1) = data_.binormals[v];
+      directions_.push_back(d);
+    }
   }
 
   void solve()
@@ -106,7 +121,7 @@ private:
       Iterate next = best_;
       for (std::size_t i = 0; i < data_.vertices.size(); ++i) {
         const auto v = data_.vertices[i];
-        next.points[v] += s[static_cast<Eigen::Index>(i)] * data_.normals[v];
+        next.points[v] += directions_[i] * s.template segment<freedom>(row(i));
       }
       next.residual = residual(next.points);
       if (!(next.residual < best_.residual)) return;
@@ -115,8 +130,10 @@ private:
     }
   }
 
-  // (M + nu) / ((M + nu) . nu)
-  Vector direction(std::size_t i, const Vectors<dimension>& p) const
+  static Eigen::Index row(std::size_t i) { return freedom * static_cast<Eigen::Index>(i); }
+
+  // What P - L shall be perpendicular to: (M + nu) / ((M + nu) . nu), and a binormal.
+  Directions conditions(std::size_t i, const Vectors<dimension>& p) const
   {
     const auto v = data_.vertices[i];
     const Functionals& f = functionals_[i];
@@ -127,40 +144,51 @@ private:
                         : f.surface_normal(p, m);
     if (m.dot(nu) < 0) m = -m;
     const Vector sum = m + nu;
-    return sum / (std::max)(sum.dot(nu), 1e-3);
+    Directions d;
+    d.col(0) = sum / (std::max)(sum.dot(nu), 1e-3);
+    if constexpr (freedom == 2) {
+      const Vector b = f.has_tangents ? Vector(nu.cross(f.tangent(0, p))) : Vector(Vector::Zero());
+      d.col(1) = b.norm() > 0 ? Vector(b.normalized()) : Vector(directions_[i].col(1));
+    }
+    return d;
   }
 
-  double w(std::size_t i, const Vectors<dimension>& p) const
+  Eigen::Matrix<double, freedom, 1> w(std::size_t i, const Vectors<dimension>& p) const
   {
-    return direction(i, p).dot(data_.points[data_.vertices[i]] - functionals_[i].limit(p));
+    return conditions(i, p).transpose() *
+           (data_.points[data_.vertices[i]] - functionals_[i].limit(p));
   }
   double residual(const Vectors<dimension>& p) const
   {
     double largest = 0;
     for (std::size_t i = 0; i < functionals_.size(); ++i)
-      largest = (std::max)(largest, finite_or_infinite(std::abs(w(i, p))));
+      largest = (std::max)(largest, finite_or_infinite(w(i, p).norm()));
     return largest;
   }
 
   Eigen::VectorXd step(const Limit_matrix& matrix, const Vectors<dimension>& p) const
   {
-    const auto n = static_cast<Eigen::Index>(functionals_.size());
+    const Eigen::Index n = row(functionals_.size());
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd b(n);
     for (std::size_t i = 0; i < functionals_.size(); ++i) {
-      const Vector r = direction(i, p);
-      b[static_cast<Eigen::Index>(i)] =
-        r.dot(data_.points[data_.vertices[i]] - functionals_[i].limit(p));
+      const Directions c = conditions(i, p);
+      b.template segment<freedom>(row(i)) =
+        c.transpose() * (data_.points[data_.vertices[i]] - functionals_[i].limit(p));
       for (const auto& e : functionals_[i].entries) {
         const int j = unknowns_[e.vertex];
         if (j < 0) continue;
-        const Vector pulled = e.block.template topRows<dimension>().transpose() * r;
-        entries.emplace_back(static_cast<int>(i), j, pulled.dot(data_.normals[e.vertex]));
+        const Eigen::Matrix<double, freedom, freedom> part =
+          c.transpose() * e.block.template topRows<dimension>() *
+          directions_[static_cast<std::size_t>(j)];
+        for (int r = 0; r < freedom; ++r)
+          for (int k = 0; k < freedom; ++k)
+            entries.emplace_back(static_cast<int>(row(i)) + r, freedom * j + k, part(r, k));
       }
     }
     Row_matrix a(n, n);
     a.setFromTriplets(entries.begin(), entries.end());
-    return solve_limit_system(a, b, matrix, 1, 1e-3);
+    return solve_limit_system(a, b, matrix, freedom, 1e-3);
   }
 
   // The functionals are those of the depths that were right for the data: now with those that are right
@@ -192,6 +220,7 @@ private:
   Source& source_;
   Unknowns unknowns_;
   std::vector<Functionals> functionals_;
+  std::vector<Directions> directions_; // of the vertices that are interpolated
   Iterate best_;
   Limit_interpolation_report report_;
 };

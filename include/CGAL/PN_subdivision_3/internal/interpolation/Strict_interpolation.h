@@ -23,12 +23,11 @@ namespace internal {
 
 // Control points whose limit points are the given points, for given control normals: the limit points
 // L = C p are linear in them.
-//
-// Source makes functionals of (values, vertices, precision).
-template <int dimension, class Source>
+template <int dimension, int tangents>
 class Strict_interpolation
 {
 public:
+  using Source = Limit_source<dimension, tangents>;
   using Data = Interpolation_data<dimension>;
   using Result = Interpolation_result<dimension>;
 

@@ -83,17 +83,6 @@ inline void estimate_missing_normals(const Level_connectivity& level,
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }
 
-inline double box_size(const Vectors<3>& points)
-{
-  if (points.empty()) return 0;
-  Eigen_vector<3> least = points[0], greatest = points[0];
-  for (const Eigen_vector<3>& p : points) {
-    least = least.cwiseMin(p);
-    greatest = greatest.cwiseMax(p);
-  }
-  return (greatest - least).maxCoeff();
-}
-
 // where the border is, and how long the edges are
 inline void set_surroundings(const Level_connectivity& level, Interpolation_data<3>& data)
 {
