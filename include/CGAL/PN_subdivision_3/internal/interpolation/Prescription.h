@@ -100,9 +100,20 @@ private:
     return to_values<3>(points, data_.normals, data_.takes_normals);
   }
 
+  // Surface normals converge by lambda^2 a round only, and there are few of these vertices.
+  Limit_precision precision() const
+  {
+    constexpr unsigned depth_of_normals = 24;
+    Limit_precision p = data_.precision();
+    const auto has_normal = [](const Prescribed_vertex& v) { return v.normal.has_value(); };
+    if (std::any_of(prescribed_.begin(), prescribed_.end(), has_normal))
+      p.min_depth = p.max_depth = (std::max)(p.max_depth, depth_of_normals);
+    return p;
+  }
+
   void evaluate(const Vectors<3>& points)
   {
-    functionals_ = source_(values(points), vertices_, data_.precision());
+    functionals_ = source_(values(points), vertices_, precision());
     // the two are of different kinds: by how much they miss what is asked
     residual_ = point_residual(points) / (std::max)(data_.tolerance, 1e-300) +
                 normal_residual(points) / normal_tolerance;
