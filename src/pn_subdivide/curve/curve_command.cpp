@@ -71,7 +71,7 @@ Curve_rule parse_rule(const Curve_options& options)
   return rule;
 }
 
-std::optional<Interpolation_mode> parse_interpolation(const Curve_options& options,
+std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
                                                       const Curve_rule& rule)
 {
   const std::optional<Interpolation_mode> mode = parse_interpolation(options.interpolate);
@@ -239,7 +239,7 @@ void run_curve_command(const Curve_options& options)
 {
   Report report(options.quiet);
   const Curve_rule rule = parse_rule(options);
-  const std::optional<Interpolation_mode> interpolation = parse_interpolation(options, rule);
+  const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);

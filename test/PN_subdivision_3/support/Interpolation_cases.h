@@ -34,9 +34,19 @@ using Report = PN::Limit_interpolation_report;
 // the distance of a point from a surface, to first order
 using Distance = std::function<double(const Vector&)>;
 
+inline Vector ellipsoid_axes()
+{
+  return {1.5, 1, 0.8L};
+}
+inline sampled_surfaces::Sample on_ellipsoid(const Vector& direction)
+{
+  const Vector axes = ellipsoid_axes();
+  const Vector p = axes.cwiseProduct(direction.normalized());
+  return {p, p.cwiseQuotient(axes).cwiseQuotient(axes)};
+}
 inline double to_ellipsoid(const Vector& p)
 {
-  const Vector axes(1.5, 1, 0.7);
+  const Vector axes = ellipsoid_axes();
   const Vector q = p.cwiseQuotient(axes);
   return double((q.squaredNorm() - 1) / (2 * q.cwiseQuotient(axes).norm()));
 }
@@ -57,7 +67,7 @@ inline Control_mesh ellipsoid_quads(int n)
       Vector d;
       for (std::size_t k = 0; k < 3; ++k)
         d[Eigen::Index(k)] = std::tan(sampled_surfaces::pi / 4 * (2 * Real(c[k]) / n - 1));
-      sampled_surfaces::add(mesh, sampled_surfaces::on_ellipsoid(d));
+      sampled_surfaces::add(mesh, on_ellipsoid(d));
     }
     return found.first->second;
   };
@@ -80,7 +90,7 @@ inline Control_mesh ellipsoid_quads(int n)
 
 inline Control_mesh ellipsoid_triangles(int rounds)
 {
-  return sampled_surfaces::scattered(rounds, 0, 1, sampled_surfaces::on_ellipsoid);
+  return sampled_surfaces::scattered(rounds, 0, 1, on_ellipsoid);
 }
 
 inline Control_mesh torus(int n)
