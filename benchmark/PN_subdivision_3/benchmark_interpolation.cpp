@@ -37,10 +37,9 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
   PN::Limit_interpolation_report report;
   for ([[maybe_unused]] auto _ : state) {
     Mesh mesh = data;
-    const auto map =
-      mesh.property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-    report = PN::interpolate_limit_points(mesh, scheme, options,
-                                          CGAL::parameters::vertex_normal_map(map));
+    const auto map = mesh.property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+    report =
+      PN::interpolate_limit_points(mesh, scheme, options, CGAL::parameters::vertex_normal_map(map));
   }
   if (!report.is_within_tolerance()) state.SkipWithError("the tolerance is missed");
   state.counters["points"] = double(data.number_of_vertices());

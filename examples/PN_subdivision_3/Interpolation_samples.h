@@ -55,7 +55,8 @@ inline Shape ellipsoid(int n = 8)
       double d[3];
       for (int i = 0; i < 3; ++i) {
         const bool is_inner = k[i] != 0 && k[i] != n;
-        const double moved = k[i] + (is_inner ? 0.2 * noise(k[i], k[(i + 1) % 3], k[(i + 2) % 3]) : 0);
+        const double moved =
+          k[i] + (is_inner ? 0.2 * noise(k[i], k[(i + 1) % 3], k[(i + 2) % 3]) : 0);
         d[i] = std::tan(CGAL_PI / 4 * (2 * moved / n - 1));
       }
       const double length = std::hypot(d[0], d[1], d[2]);

@@ -72,7 +72,8 @@ bool interpolate(const Shape& shape, const std::string& folder)
   const auto run = [&](const std::string& title, const std::string& name, const auto& s) {
     Mesh net = samples;
     const Normals map = net.property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-    const auto report = PN::interpolate_limit_points(net, s, options, params::vertex_normal_map(map));
+    const auto report =
+      PN::interpolate_limit_points(net, s, options, params::vertex_normal_map(map));
     return show(title, folder + "/" + shape.name + "_" + name + ".vtp", shape, net, map, s, report);
   };
   options.mode = PN::Limit_interpolation_mode::limit_points;

@@ -68,9 +68,9 @@ struct Design
 
   void solve(const std::string& title)
   {
-    const PN::Limit_interpolation_report report =
-      PN::prescribe_limit_data(mesh, scheme, points_of_limit, normals_of_limit,
-                               PN::Limit_prescription_options(), params::vertex_normal_map(normals));
+    const PN::Limit_interpolation_report report = PN::prescribe_limit_data(
+      mesh, scheme, points_of_limit, normals_of_limit, PN::Limit_prescription_options(),
+      params::vertex_normal_map(normals));
     std::cout << title << ": points off by " << report.residual << ", normals by "
               << report.normal_residual << " radians, " << report.steps << " solve" << std::endl;
   }
@@ -84,7 +84,8 @@ struct Design
     PN::Limit_options options;
     options.surface_normals = true;
     PN::move_to_limit(fine.mesh, scheme, options, params::vertex_normal_map(map));
-    return CGAL::IO::write_polygon_mesh(file, fine.mesh, params::stream_precision(17).vertex_normal_map(map));
+    return CGAL::IO::write_polygon_mesh(file, fine.mesh,
+                                        params::stream_precision(17).vertex_normal_map(map));
   }
 };
 

@@ -172,8 +172,9 @@ void add_limit_options(CLI::App& command, Limit_choice& limit)
 void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const std::string& what)
 {
   command.add_option("--interpolate", mode,
-                     what + " passes through the points: slide (the fairest; exact on spheres, "
-                            "cylinders and circles) or points (each point is the limit of its own)");
+                     what +
+                       " passes through the points: slide (the fairest; exact on spheres, "
+                       "cylinders and circles) or points (each point is the limit of its own)");
 }
 
 void add_surface_command(CLI::App& app, Surface_options& options)

@@ -52,8 +52,9 @@ Curve_limit curve_limit_of(const Mask& mask)
   }
   if (interpolates) return Curve_limit::of_the_points;
   if (is_cubic && mask.first_index() <= -2 && last >= 2) return Curve_limit::cubic;
-  throw std::invalid_argument("PN_subdivision_3: interpolation is not known for this mask: take the "
-                              "cubic B-spline, or a mask that interpolates");
+  throw std::invalid_argument(
+    "PN_subdivision_3: interpolation is not known for this mask: take the "
+    "cubic B-spline, or a mask that interpolates");
 }
 
 template <class Mask>
@@ -213,8 +214,7 @@ auto interpolate_curve(
     data.tolerance = options.tolerance * internal::box_size(data.points);
     data.max_depth = (std::max)(1u, options.max_depth);
     data.max_steps = options.max_steps;
-    const auto solution =
-      internal::interpolate_polygon(end == Curve_end::closed, options, data);
+    const auto solution = internal::interpolate_polygon(end == Curve_end::closed, options, data);
     report = solution.report;
     for (std::size_t i = 0; i < result.size(); ++i) {
       if (solution.points[i] != data.points[i])

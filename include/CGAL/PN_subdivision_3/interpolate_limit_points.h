@@ -124,8 +124,8 @@ Limit_interpolation_report interpolate_limit_points(
     data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
     data.max_steps = options.max_steps;
     const internal::Vectors<3> old_normals = data.normals;
-    internal::Mesh_limit_functionals<Scheme> source(
-      scheme, level, internal::For_chunks::with(Concurrency_tag()));
+    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
+                                                    internal::For_chunks::with(Concurrency_tag()));
     const auto result =
       internal::interpolate_mesh(level, internal::normal_estimate(scheme), options, data, source);
     report = result.report;
@@ -181,8 +181,8 @@ void natural_normals(const PolygonMesh& mesh, const Scheme& scheme, VertexNormal
     for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
       if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
     data.tolerance = 1e-9 * internal::box_size(data.points);
-    internal::Mesh_limit_functionals<Scheme> source(
-      scheme, level, internal::For_chunks::with(Concurrency_tag()));
+    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
+                                                    internal::For_chunks::with(Concurrency_tag()));
     internal::Natural_normals natural(data, source);
     natural();
     for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {

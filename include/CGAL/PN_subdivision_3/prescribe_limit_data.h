@@ -60,10 +60,9 @@ Eigen_vector<3> prescribed_unit(const Eigen_vector<3>& x, const Name& name)
 }
 
 template <class Access, class Map>
-std::optional<Eigen_vector<3>> prescribed_at([[maybe_unused]] const Access& access,
-                                             [[maybe_unused]] const Map& map,
-                                             [[maybe_unused]] Level_connectivity::Index v,
-                                             [[maybe_unused]] const char* what)
+std::optional<Eigen_vector<3>>
+prescribed_at([[maybe_unused]] const Access& access, [[maybe_unused]] const Map& map,
+              [[maybe_unused]] Level_connectivity::Index v, [[maybe_unused]] const char* what)
 {
   if constexpr (!std::is_same_v<Map, Nothing_prescribed>) {
     const auto& value = get(map, access.vertex(v));
@@ -162,13 +161,13 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPo
     const auto prescribed = internal::read_prescribed(access, level, points, normals);
     data.tolerance = options.tolerance * internal::box_size(data.points);
     data.max_depth = (std::max)(1u, options.max_depth);
-    internal::Mesh_limit_functionals<Scheme> source(
-      scheme, level, internal::For_chunks::with(Concurrency_tag()));
+    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
+                                                    internal::For_chunks::with(Concurrency_tag()));
     internal::Prescription prescription(level, data, source, prescribed);
     if (const auto v = prescription.vertex_without_tangents())
-      throw std::invalid_argument("PN_subdivision_3: a normal is prescribed at " +
-                                  access.vertex_name(*v) +
-                                  ", where the scheme tells of no tangent plane: prescribe none there");
+      throw std::invalid_argument(
+        "PN_subdivision_3: a normal is prescribed at " + access.vertex_name(*v) +
+        ", where the scheme tells of no tangent plane: prescribe none there");
     const auto result = prescription(options.rings);
     report = result.report;
     internal::write_control_net<FT>(access, point_map, internal::No_normal_map(), data.points,

@@ -72,7 +72,7 @@ Curve_rule parse_rule(const Curve_options& options)
 }
 
 std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
-                                                      const Curve_rule& rule)
+                                                   const Curve_rule& rule)
 {
   const std::optional<Interpolation_mode> mode = parse_interpolation(options.interpolate);
   if (mode) require_interpolation(options.scheme, rule);
@@ -149,8 +149,7 @@ void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
   if (!corners.empty()) part_rule.end = PN::Curve_end::reflect;
   Interpolation_report whole;
   whole.tolerance = HUGE_VAL;
-  for (Curve_data& part : parts)
-    whole = joined(whole, interpolate_curve(part, part_rule, mode));
+  for (Curve_data& part : parts) whole = joined(whole, interpolate_curve(part, part_rule, mode));
   report.note(description(whole));
   const std::string text = warning(whole);
   if (!text.empty()) report.warn(title + ": " + text);

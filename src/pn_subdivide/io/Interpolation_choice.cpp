@@ -40,17 +40,19 @@ std::string warning(const Interpolation_report& report)
                   "the limit passes the points at a distance of up to %.2g (tolerance %.2g)",
                   report.residual, report.tolerance);
   else if (report.left_out > 0)
-    std::snprintf(text, sizeof text, "%zu %s left out of the interpolation: no normal is known there",
-                  report.left_out, report.left_out == 1 ? "vertex is" : "vertices are");
+    std::snprintf(text, sizeof text,
+                  "%zu %s left out of the interpolation: no normal is known there", report.left_out,
+                  report.left_out == 1 ? "vertex is" : "vertices are");
   else if (report.slip_of_edge > 0.25)
     std::snprintf(text, sizeof text,
                   "the mesh is coarse for its normals: limit points are up to %.2f edges away from "
                   "theirs; --interpolate points keeps them",
                   report.slip_of_edge);
   else if (report.normal_angle > 60)
-    std::snprintf(text, sizeof text,
-                  "the mesh is coarse for its normals: those of neighbors are up to %.0f degrees apart",
-                  report.normal_angle);
+    std::snprintf(
+      text, sizeof text,
+      "the mesh is coarse for its normals: those of neighbors are up to %.0f degrees apart",
+      report.normal_angle);
   return text;
 }
 

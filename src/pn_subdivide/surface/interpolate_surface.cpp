@@ -30,8 +30,9 @@ void require_interpolation(const Scheme_choice& choice)
                       " cannot be made to pass through points; take catmull-clark, loop or their "
                       "modified forms");
   if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    throw Usage_error("--interpolate and --normal-scheme exclude each other: interpolation is for one "
-                      "scheme of points and normals");
+    throw Usage_error(
+      "--interpolate and --normal-scheme exclude each other: interpolation is for one "
+      "scheme of points and normals");
 }
 
 Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,

@@ -243,8 +243,9 @@ void require_interpolation_without_creases(const Creases& creases, const Plan& p
 {
   if (!plan.interpolation) return;
   if (creases.any())
-    throw Error("--interpolate: surfaces with sharp edges cannot be made to pass through points; leave "
-                "it out, or take --sharp none");
+    throw Error(
+      "--interpolate: surfaces with sharp edges cannot be made to pass through points; leave "
+      "it out, or take --sharp none");
   if (creases.border != Border::surface)
     throw Usage_error("--interpolate is known with --border surface only");
 }

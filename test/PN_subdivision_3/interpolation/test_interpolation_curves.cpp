@@ -87,9 +87,8 @@ TEST(Interpolating_curves, CirclesAreTheirOwnPolygons)
     // linear interpolation is far off
     const auto linear = PN::interpolate_curve(data, PN::linear(cubic), end);
     double off = 0;
-    for (const auto& [p, n] :
-         PN::subdivide_curve(linear.first, PN::linear(cubic), end,
-                             CGAL::parameters::number_of_iterations(6)))
+    for (const auto& [p, n] : PN::subdivide_curve(linear.first, PN::linear(cubic), end,
+                                                  CGAL::parameters::number_of_iterations(6)))
       off = (std::max)(off, std::abs(std::hypot(p.x(), p.y()) - 1));
     EXPECT_GT(off, 1e-2);
   }
@@ -106,15 +105,14 @@ TEST(Interpolating_curves, StrictLimitsAreThePoints)
 {
   const Curve_2 data = ellipse(12, 2, 1);
   for (const auto end : {PN::Curve_end::closed, PN::Curve_end::reflect})
-    for (const auto normals : {PN::Limit_interpolation_normals::given,
-                               PN::Limit_interpolation_normals::solved}) {
+    for (const auto normals :
+         {PN::Limit_interpolation_normals::given, PN::Limit_interpolation_normals::solved}) {
       Options options = strict();
       options.normals = normals;
       const auto [net, report] = PN::interpolate_curve(data, cubic, end, options);
       EXPECT_TRUE(report.is_within_tolerance());
       for (std::size_t i = 0; i < data.size(); ++i)
-        EXPECT_LE(CGAL::squared_distance(limit_by_rounds(net, cubic, end, i), data[i].first),
-                  1e-22)
+        EXPECT_LE(CGAL::squared_distance(limit_by_rounds(net, cubic, end, i), data[i].first), 1e-22)
           << i;
     }
 }
@@ -136,9 +134,8 @@ TEST(Interpolating_curves, LinearIsClassicInterpolation)
       matrix(i, (i + 1) % n) = matrix(i, (i + n - 1) % n) = 1. / 6;
     }
     const Eigen::MatrixXd expected = matrix.partialPivLu().solve(b);
-    const auto [net, report] =
-      PN::interpolate_curve(data, PN::linear(cubic),
-                            closed ? PN::Curve_end::closed : PN::Curve_end::reflect, strict());
+    const auto [net, report] = PN::interpolate_curve(
+      data, PN::linear(cubic), closed ? PN::Curve_end::closed : PN::Curve_end::reflect, strict());
     EXPECT_EQ(report.steps, 1u);
     for (Eigen::Index i = 0; i < n; ++i) {
       EXPECT_NEAR(net[std::size_t(i)].first.x(), expected(i, 0), 1e-13);
@@ -163,9 +160,8 @@ TEST(Interpolating_curves, SlideIsCloseToUnevenSamples)
       EXPECT_TRUE(report.is_within_tolerance());
       EXPECT_FALSE(report.fallback);
       double largest = 0;
-      for (const auto& [p, normal] :
-           PN::subdivide_curve(net, mask, PN::Curve_end::closed,
-                               CGAL::parameters::number_of_iterations(9)))
+      for (const auto& [p, normal] : PN::subdivide_curve(net, mask, PN::Curve_end::closed,
+                                                         CGAL::parameters::number_of_iterations(9)))
         largest = (std::max)(largest, distance_from_ellipse(p, 2, 1));
       return largest;
     };
@@ -194,8 +190,8 @@ TEST(Interpolating_curves, InSpaceFromPointsAlone)
   for (const Point_3& p : data) {
     double nearest = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < curve.size(); ++i)
-      nearest = (std::min)(nearest, CGAL::squared_distance(
-                                      p, Kernel::Segment_3(curve[i].first, curve[i + 1].first)));
+      nearest = (std::min)(
+        nearest, CGAL::squared_distance(p, Kernel::Segment_3(curve[i].first, curve[i + 1].first)));
     EXPECT_LE(std::sqrt(nearest), 1e-4);
   }
 }

@@ -143,9 +143,9 @@ TEST(Interpolation_input, SharpEdgesAreRefusedByName)
   const auto sharp = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
   sharp[Surface_mesh::Edge_index(3)] = true;
   try {
-    PN::interpolate_limit_points(mesh, scheme, Options(),
-                                 CGAL::parameters::vertex_normal_map(normal_map(mesh))
-                                   .edge_is_constrained_map(sharp));
+    PN::interpolate_limit_points(
+      mesh, scheme, Options(),
+      CGAL::parameters::vertex_normal_map(normal_map(mesh)).edge_is_constrained_map(sharp));
     ADD_FAILURE() << "a sharp edge is taken for a smooth one";
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("edge"), std::string::npos) << e.what();
@@ -212,10 +212,9 @@ void expect_same_net(const Control_mesh& data)
     const auto& n = normals[*v++];
     map[w] = typename K::Vector_3(n.x(), n.y(), n.z());
   }
-  const Report report =
-    PN::interpolate_limit_points(other, scheme, strict(),
-                                 CGAL::parameters::vertex_normal_map(
-                                   boost::make_assoc_property_map(map)));
+  const Report report = PN::interpolate_limit_points(
+    other, scheme, strict(),
+    CGAL::parameters::vertex_normal_map(boost::make_assoc_property_map(map)));
   EXPECT_EQ(report.steps, expected.report.steps);
   v = mesh.vertices().begin();
   const auto points = get(CGAL::vertex_point, other);
@@ -229,8 +228,8 @@ void expect_same_net(const Control_mesh& data)
 TEST(Interpolation_input, OtherMeshesAndNumbers)
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  const Control_mesh data = sampled_surfaces::patch(3, 3, 0.2, test_meshes::Cells::mixed, 5,
-                                                    sampled_surfaces::on_waves);
+  const Control_mesh data =
+    sampled_surfaces::patch(3, 3, 0.2, test_meshes::Cells::mixed, 5, sampled_surfaces::on_waves);
   expect_same_net<CGAL::Polyhedron_3<Kernel>, Kernel>(data);
   expect_same_net<CGAL::Surface_mesh<Exact::Point_3>, Exact>(data);
 }

@@ -112,8 +112,8 @@ TEST(Prescribed_limit_data, NormalsAreTurned)
 {
   expect_turned(ellipsoid_quads(6), PN::modified_CatmullClark_scheme(), {0, 40});
   expect_turned(ellipsoid_triangles(2), PN::modified_Loop_scheme(), {0, 100}); // valence 5 and 6
-  Control_mesh mixed = sampled_surfaces::patch(8, 8, 0.1, Cells::mixed, 5,
-                                               sampled_surfaces::on_waves);
+  Control_mesh mixed =
+    sampled_surfaces::patch(8, 8, 0.1, Cells::mixed, 5, sampled_surfaces::on_waves);
   expect_turned(mixed, PN::CatmullClark_scheme(), {40});
 }
 

@@ -47,8 +47,8 @@ TEST(Interpolation, StrictLimitsAreThePoints)
   expect_limits<Modified_CatmullClark_description>(ellipsoid_quads(3), 1e-11);
   expect_limits<Modified_Loop_description>(ellipsoid_triangles(1), 1e-11);
   // a border, polygons, irregular vertices next to each other
-  Control_mesh mixed = sampled_surfaces::patch(4, 4, 0.2, Cells::mixed, 5,
-                                               sampled_surfaces::on_waves);
+  Control_mesh mixed =
+    sampled_surfaces::patch(4, 4, 0.2, Cells::mixed, 5, sampled_surfaces::on_waves);
   expect_limits<CatmullClark_description>(mixed, 1e-11);
   expect_limits<Modified_CatmullClark_description>(mixed, 1e-11);
 }
@@ -62,8 +62,8 @@ TEST(Interpolation, OneAverageIsNotTheLimit)
   const Limits fine = limit_cases::limits(mesh, quad_scheme, limit_cases::close(1e-13));
   double largest = 0;
   for (std::size_t v = 0; v < fine.at.size(); ++v)
-    largest = (std::max)(
-      largest, std::sqrt(CGAL::squared_distance(coarse.at[v].point, fine.at[v].point)));
+    largest =
+      (std::max)(largest, std::sqrt(CGAL::squared_distance(coarse.at[v].point, fine.at[v].point)));
   EXPECT_GT(largest, 1e-5);
 }
 
@@ -83,8 +83,8 @@ TEST(Interpolation, SpheresAndCylindersAreTheirOwnNets)
   std::mt19937 generator(4);
   const auto u = sampled_surfaces::uneven(9, 0.3L, generator);
   expect_no_solve(sampled_surfaces::cylinder(u, u, 3, Cells::quads), quad_scheme);
-  expect_no_solve(
-    sampled_surfaces::patch(4, 4, 0.2, Cells::mixed, 5, sampled_surfaces::cap(0.5L)), quad_scheme);
+  expect_no_solve(sampled_surfaces::patch(4, 4, 0.2, Cells::mixed, 5, sampled_surfaces::cap(0.5L)),
+                  quad_scheme);
 }
 
 TEST(Interpolation, SolvedNormalsKeepSpheres)
@@ -144,8 +144,8 @@ TEST(Interpolation, SlideNeedsTheSurfaceNormal)
   Surface_mesh mesh = to_surface_mesh(data);
   PN::internal::with_mesh_access(mesh, [&](auto& access) {
     const auto level = PN::internal::checked_level(access);
-    auto control = PN::internal::read_points_and_normals<double>(
-      access, quad_scheme, level, mesh.points(), normal_map(mesh));
+    auto control = PN::internal::read_points_and_normals<double>(access, quad_scheme, level,
+                                                                 mesh.points(), normal_map(mesh));
     PN::internal::set_surroundings(level, control);
     control.is_at_border.assign(control.points.size(), 1);
     control.tolerance = 1e-12;
@@ -266,12 +266,14 @@ TEST(Interpolation, InterpolatorySchemesReturnTheNet)
 
 TEST(Interpolation, IsTheSameWithThreads)
 {
-  const Control_mesh data = torus(50); // more than one chunk
+  const Control_mesh data = torus(46); // more than one chunk
+  Options options = strict();
+  options.tolerance = 1e-5;
   Surface_mesh one = to_surface_mesh(data), many = one;
-  PN::interpolate_limit_points(one, quad_scheme, Options(),
+  PN::interpolate_limit_points(one, quad_scheme, options,
                                CGAL::parameters::vertex_normal_map(normal_map(one)));
   PN::interpolate_limit_points<CGAL::Parallel_if_available_tag>(
-    many, quad_scheme, Options(), CGAL::parameters::vertex_normal_map(normal_map(many)));
+    many, quad_scheme, options, CGAL::parameters::vertex_normal_map(normal_map(many)));
   for (auto v : one.vertices()) EXPECT_EQ(one.point(v), many.point(v));
 }
 

@@ -104,8 +104,7 @@ inline Control_mesh torus(int n)
 inline Vector moved(const Vector& p, Real scale)
 {
   const Vector axis = Vector(1, 2, -0.5L).normalized();
-  const Eigen::Matrix<Real, 3, 3> turn =
-    Eigen::AngleAxis<Real>(0.7L, axis).toRotationMatrix();
+  const Eigen::Matrix<Real, 3, 3> turn = Eigen::AngleAxis<Real>(0.7L, axis).toRotationMatrix();
   return scale * (turn * p) + (scale == 0 ? Vector(Vector::Zero()) : Vector(0.3L, -0.2L, 0.5L));
 }
 

@@ -49,7 +49,8 @@ public:
     for (const auto v : data_.vertices)
       if (data_.normals[v].squaredNorm() > 0.5) active_.push_back(v);
     left_out_ = data_.vertices.size() - active_.size();
-    while (!active_.empty() && steps_ < max_steps && !iterate(normals, max_steps)) {}
+    while (!active_.empty() && steps_ < max_steps && !iterate(normals, max_steps)) {
+    }
     return normals;
   }
 
@@ -143,16 +144,14 @@ private:
     Data part;
     part.vertices = active_;
     part.is_at_border = data_.is_at_border;
-    return internal::make_limit_matrix(part, functionals_,
-                                       Unknowns(active_, data_.points.size()));
+    return internal::make_limit_matrix(part, functionals_, Unknowns(active_, data_.points.size()));
   }
 
   Eigen::VectorXd to_vector(const Vectors<dimension>& normals) const
   {
     Eigen::VectorXd x(dimension * static_cast<Eigen::Index>(active_.size()));
     for (std::size_t i = 0; i < active_.size(); ++i)
-      x.template segment<dimension>(dimension * static_cast<Eigen::Index>(i)) =
-        normals[active_[i]];
+      x.template segment<dimension>(dimension * static_cast<Eigen::Index>(i)) = normals[active_[i]];
     return x;
   }
   void set(Vectors<dimension>& normals, const Eigen::VectorXd& x) const

@@ -78,8 +78,7 @@ private:
     }
     tower.run(rule, relative, precision);
     f.center = ring[0];
-    f.limit_point =
-      to_eigen<dimension>(tower.limit().point) + to_eigen<dimension>(center.point);
+    f.limit_point = to_eigen<dimension>(tower.limit().point) + to_eigen<dimension>(center.point);
     f.control_normal = to_eigen<dimension>(tower.limit().normal);
     f.error = tower.error();
     f.depth = tower.depth();

@@ -127,10 +127,7 @@ private:
     return average_(row.data(), row.data() + row.size(), normal_row.data(),
                     normal_row.data() + normal_row.size(), old);
   }
-  Value limit_at(unsigned depth) const
-  {
-    return average(rule_->limit, rule_->normal_limit, depth);
-  }
+  Value limit_at(unsigned depth) const { return average(rule_->limit, rule_->normal_limit, depth); }
   void refine(unsigned depth)
   {
     if (levels_.size() <= depth) levels_.resize(depth + 1);

@@ -61,9 +61,8 @@ struct Interpolation_result
 };
 
 template <int dimension>
-std::vector<Point_normal<double, dimension>> to_values(const Vectors<dimension>& points,
-                                                       const Vectors<dimension>& normals,
-                                                       bool takes_normals)
+std::vector<Point_normal<double, dimension>>
+to_values(const Vectors<dimension>& points, const Vectors<dimension>& normals, bool takes_normals)
 {
   std::vector<Point_normal<double, dimension>> values(points.size());
   for (std::size_t v = 0; v < values.size(); ++v) {

@@ -48,7 +48,7 @@ struct Limit_functionals
   // Zero where it is not known.
   Eigen::Matrix<double, dimension, dimension> second_form =
     Eigen::Matrix<double, dimension, dimension>::Zero();
-  double error = 0;                       // estimated, of the limit point
+  double error = 0; // estimated, of the limit point
   unsigned depth = 0;
   bool has_tangents = false;
 
@@ -65,7 +65,8 @@ struct Limit_functionals
   {
     Vector sum = Vector::Zero();
     for (const Entry& e : entries)
-      sum += e.block.template middleRows<dimension>(dimension * (1 + a)) * (p[e.vertex] - p[center]);
+      sum +=
+        e.block.template middleRows<dimension>(dimension * (1 + a)) * (p[e.vertex] - p[center]);
     return sum;
   }
 

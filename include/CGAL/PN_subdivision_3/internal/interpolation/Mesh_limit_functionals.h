@@ -134,8 +134,9 @@ private:
     });
     if (unsettled.empty()) return;
     if (depth == most_rounds)
-      throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices: "
-                                  "it has no limit masks");
+      throw std::invalid_argument(
+        "PN_subdivision_3: the scheme does not settle about its vertices: "
+        "it has no limit masks");
     const Sub_level cut(stage.level, unsettled, Neighborhood::cut_rings);
     const One_round round(scheme_, cut.level(), next_round);
     const auto [fine, fine_values] = refined(stage, cut, round);
@@ -171,8 +172,7 @@ private:
       for (std::size_t c = 0; c < 3; ++c) values.back().point[c] -= stage.values[v].point[c];
     }
     tower.run(kind.rule, values, precision_);
-    f.limit_point =
-      to_eigen<3>(tower.limit().point) + to_eigen<3>(stage.values[v].point);
+    f.limit_point = to_eigen<3>(tower.limit().point) + to_eigen<3>(stage.values[v].point);
     f.control_normal = to_eigen<3>(tower.limit().normal);
     f.error = tower.error();
     f.depth += tower.depth();
@@ -228,9 +228,11 @@ private:
     if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
         Average::is_zero(tower.limit().normal))
       return Eigen::Matrix3d::Zero();
-    if (Neighborhood::is_spline && level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
-      return internal::second_form(Regular_jet<double>(is_quads ? 4 : 3)
-                                     .surface_jet(is_quads ? quads : triangles, tower.top().data()));
+    if (Neighborhood::is_spline &&
+        level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
+      return internal::second_form(
+        Regular_jet<double>(is_quads ? 4 : 3)
+          .surface_jet(is_quads ? quads : triangles, tower.top().data()));
     const double lambda2 = ring_class.lambda() * ring_class.lambda();
     const Ring_geometry geometry(tower.top(), tower.limit(), ring_class.tangents());
     if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())

@@ -59,8 +59,8 @@ private:
     Limit_precision precision = data_.precision();
     precision.with_second_forms = true;
     precision.min_depth = (std::min)(8u, precision.max_depth); // second forms of irregular vertices
-    const auto functionals = source_(to_values<3>(points, data_.normals, data_.takes_normals),
-                                     data_.vertices, precision);
+    const auto functionals =
+      source_(to_values<3>(points, data_.normals, data_.takes_normals), data_.vertices, precision);
     Vectors<3> next = data_.normals;
     for (std::size_t i = 0; i < functionals.size(); ++i) {
       const auto v = data_.vertices[i];

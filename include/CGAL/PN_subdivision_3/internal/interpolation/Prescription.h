@@ -39,8 +39,8 @@ class Prescription
 public:
   using Functionals = Surface_limits::Functionals;
 
-  Prescription(const Level_connectivity& level, const Interpolation_data<3>& data, Surface_limits& source,
-               const std::vector<Prescribed_vertex>& prescribed)
+  Prescription(const Level_connectivity& level, const Interpolation_data<3>& data,
+               Surface_limits& source, const std::vector<Prescribed_vertex>& prescribed)
     : level_(level)
     , data_(data)
     , source_(source)
@@ -125,9 +125,9 @@ private:
     double largest = 0;
     for (std::size_t i = 0; i < prescribed_.size(); ++i)
       if (prescribed_[i].point)
-        largest =
-          (std::max)(largest, finite_or_infinite(
-                                (*prescribed_[i].point - functionals_[i].limit(points)).norm()));
+        largest = (std::max)(
+          largest,
+          finite_or_infinite((*prescribed_[i].point - functionals_[i].limit(points)).norm()));
     return largest;
   }
   double normal_residual(const Vectors<3>& points) const
@@ -137,7 +137,8 @@ private:
       if (prescribed_[i].normal) {
         const Vector& m = *prescribed_[i].normal;
         const Vector nu = functionals_[i].surface_normal(points, m);
-        largest = (std::max)(largest, finite_or_infinite(std::atan2(m.cross(nu).norm(), m.dot(nu))));
+        largest =
+          (std::max)(largest, finite_or_infinite(std::atan2(m.cross(nu).norm(), m.dot(nu))));
       }
     return largest;
   }
@@ -165,9 +166,9 @@ private:
         for (int k = 0; k < 3; ++k)
           all.push_back(scaled(functionals_[i], 0, Vector::Unit(k), scales_.emplace_back()));
       if (prescribed_[i].normal)
-          for (int a = 0; a < 2; ++a)
-            all.push_back(scaled(functionals_[i], 3 * (1 + a), *prescribed_[i].normal,
-                                 scales_.emplace_back()));
+        for (int a = 0; a < 2; ++a)
+          all.push_back(
+            scaled(functionals_[i], 3 * (1 + a), *prescribed_[i].normal, scales_.emplace_back()));
     }
     return all;
   }
@@ -182,9 +183,9 @@ private:
         for (int k = 0; k < 3; ++k) d.push_back(scales_[d.size()] * x[k]);
       }
       if (prescribed_[i].normal)
-          for (int a = 0; a < 2; ++a)
-            d.push_back(-scales_[d.size()] *
-                        prescribed_[i].normal->dot(functionals_[i].tangent(a, points)));
+        for (int a = 0; a < 2; ++a)
+          d.push_back(-scales_[d.size()] *
+                      prescribed_[i].normal->dot(functionals_[i].tangent(a, points)));
     }
     return d;
   }

@@ -72,8 +72,7 @@ public:
   {
     const auto n = static_cast<Eigen::Index>(3 * free_.size());
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n + static_cast<Eigen::Index>(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i)
-      b[n + static_cast<Eigen::Index>(i)] = values[i];
+    for (std::size_t i = 0; i < values.size(); ++i) b[n + static_cast<Eigen::Index>(i)] = values[i];
     const Eigen::VectorXd x = factor_.solve(b);
     if (!x.allFinite()) return false;
     for (std::size_t i = 0; i < free_.size(); ++i)

@@ -91,9 +91,9 @@ private:
   {
     double largest = 0;
     for (std::size_t i = 0; i < functionals_.size(); ++i)
-      largest =
-        (std::max)(largest, finite_or_infinite(
-                              (data_.points[data_.vertices[i]] - functionals_[i].limit(p)).norm()));
+      largest = (std::max)(
+        largest,
+        finite_or_infinite((data_.points[data_.vertices[i]] - functionals_[i].limit(p)).norm()));
     return largest;
   }
 

@@ -33,14 +33,15 @@ namespace internal {
 template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
-  static_assert(are_used_v<Interpolation_parameters, NamedParameters>,
-                "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
-                "vertex_point_map, vertex_normal_map, geom_traits, edge_is_constrained_map, "
-                "vertex_is_constrained_map");
-  static_assert(Scheme::Host::keeps_vertices &&
-                  !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
-                "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
-                "Loop, or their modified forms");
+  static_assert(
+    are_used_v<Interpolation_parameters, NamedParameters>,
+    "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
+    "vertex_point_map, vertex_normal_map, geom_traits, edge_is_constrained_map, "
+    "vertex_is_constrained_map");
+  static_assert(
+    Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
+    "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
+    "Loop, or their modified forms");
 }
 
 inline void check_tolerance(double tolerance)
@@ -56,9 +57,10 @@ void check_interpolation_options(const Options& options)
   check_tolerance(options.tolerance);
   if (options.mode == Limit_interpolation_mode::slide &&
       options.free == Limit_interpolation_free::smooth)
-    throw std::invalid_argument("PN_subdivision_3: control points slide where they are interpolated "
-                                "only: take Limit_interpolation_free::fixed, or the mode "
-                                "limit_points");
+    throw std::invalid_argument(
+      "PN_subdivision_3: control points slide where they are interpolated "
+      "only: take Limit_interpolation_free::fixed, or the mode "
+      "limit_points");
 }
 
 // Points and normals of a mesh, and what is around the vertices; refuses what is sharp.
@@ -115,10 +117,9 @@ Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
     return interpolate_by_sliding(level, estimate, data, source);
   const bool solves = options.normals == Limit_interpolation_normals::solved && data.takes_normals;
   Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
-  auto result =
-    options.free == Limit_interpolation_free::smooth
-      ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
-      : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
+  auto result = options.free == Limit_interpolation_free::smooth
+                  ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
+                  : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
   control_normals.note(result.report);
   return result;
 }

@@ -39,9 +39,10 @@ void refuse_sharp_elements(const Scheme& scheme, const Access& access,
 {
   using Index = Level_connectivity::Index;
   const auto refuse = [](const std::string& element) {
-    throw std::invalid_argument("PN_subdivision_3: " + element +
-                                " is sharp, but interpolation is for surfaces without creases: make "
-                                "all edges and vertices smooth");
+    throw std::invalid_argument(
+      "PN_subdivision_3: " + element +
+      " is sharp, but interpolation is for surfaces without creases: make "
+      "all edges and vertices smooth");
   };
   const Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
   const Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
@@ -60,8 +61,8 @@ Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme
                                               const Level_connectivity& level, Point_map points,
                                               Normal_map normals)
 {
-  const auto values = read_values<PN_average<FT, 3>>(access, level, points, normals,
-                                                     normal_estimate(scheme));
+  const auto values =
+    read_values<PN_average<FT, 3>>(access, level, points, normals, normal_estimate(scheme));
   Interpolation_data<3> data;
   for (const auto& value : values) {
     data.points.push_back(to_eigen<3>(to_double_3(value.point)));
