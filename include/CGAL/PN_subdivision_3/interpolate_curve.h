@@ -190,7 +190,8 @@ auto interpolate_curve(
   const Limit_interpolation_options<VertexMap>& options = Limit_interpolation_options<VertexMap>(),
   const NamedParameters& np = parameters::default_values())
 {
-  static_assert(!internal::Has_own_normal_mask<Mask>::value,
+  static_assert(!internal::Has_own_normal_mask<Mask>::value &&
+                  !internal::Is_level_dependent<Mask>::value,
                 "PN_subdivision_3: interpolation is for one mask of points and normals");
   using Points = internal::Curve_points<Range, NamedParameters>;
   constexpr int dimension = Points::dimension;

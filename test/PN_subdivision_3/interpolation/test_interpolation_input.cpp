@@ -75,15 +75,26 @@ TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
     EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
     expect_finite(net);
   }
+  // one that is not on a sphere
+  Surface_mesh brick = cube;
+  for (auto v : brick.vertices()) {
+    const auto& p = brick.point(v);
+    brick.point(v) = Kernel::Point_3(p.x(), 1.2 * p.y(), 1.5 * p.z());
+  }
+  PN::estimate_control_normals(brick, normal_map(brick));
+  const Report report = PN::interpolate_limit_points(
+    brick, scheme, strict(), CGAL::parameters::vertex_normal_map(normal_map(brick)));
+  EXPECT_GT(report.steps, 0u);
+  EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
+  expect_finite(brick);
   // alternating data: linear interpolation cannot do it, and says so
   for (auto v : cube.vertices()) {
     const auto& p = cube.point(v);
     const double sign = p.x() * p.y() * p.z() > 0 ? 1.1 : 0.9;
     cube.point(v) = Kernel::Point_3(sign * p.x(), sign * p.y(), sign * p.z());
   }
-  const Surface_mesh data = cube;
-  const Report report = PN::interpolate_limit_points(cube, PN::linear(scheme), strict());
-  EXPECT_FALSE(report.is_within_tolerance());
+  const Report impossible = PN::interpolate_limit_points(cube, PN::linear(scheme), strict());
+  EXPECT_FALSE(impossible.is_within_tolerance());
   expect_finite(cube);
 }
 

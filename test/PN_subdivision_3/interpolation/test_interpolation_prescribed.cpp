@@ -148,7 +148,7 @@ TEST(Prescribed_limit_data, PlanesAlongABorder)
                  Vector(0, 0, sampled_surfaces::on_waves(Real(x), -1).point[2]);
         };
         const Vector t = (at(q.x() + h) - at(q.x() - h)).normalized();
-        const Kernel::Vector_3 tangent(double(t[0]), double(t[1]), double(t[2]));
+        const Kernel::Vector_3 tangent{double(t[0]), double(t[1]), double(t[2])};
         const Kernel::Vector_3 n = before.at[v].surface_normal;
         const Kernel::Vector_3 across = CGAL::cross_product(tangent, n);
         const double a = 25 * degree;
