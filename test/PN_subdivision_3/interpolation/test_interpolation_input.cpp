@@ -232,7 +232,7 @@ void expect_same_net(const Control_mesh& data)
   for (auto w : vertices(other)) {
     const auto& p = expected.mesh.point(*v++);
     const auto& q = get(points, w);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(CGAL::to_double(q[k]), p[k], 1e-15);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(CGAL::to_double(q[k]), p[k], 1e-13);
   }
 }
 
