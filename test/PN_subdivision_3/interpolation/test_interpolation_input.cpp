@@ -14,6 +14,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/centroid.h>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,7 @@ double distance_from_data(Surface_mesh& net, const Control_mesh& data)
 TEST(Interpolation_input, IsFiniteAndNoWorseThanTheData)
 {
   for (Control_mesh data : meshes_for<CatmullClark_description>()) {
+    if (data.points.size() > 30) continue; // all kinds of connectivity are among the small ones
     for (const int kind : {0, 1, 2, 3}) {
       if (kind == 0) test_meshes::set_wild_normals(data, 5);
       if (kind == 1) data.normals.assign(data.points.size(), {0, 0, 0});
@@ -87,11 +89,13 @@ TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
   EXPECT_GT(report.steps, 0u);
   EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
   expect_finite(brick);
-  // alternating data: linear interpolation cannot do it, and says so
+  // moved by that vector: linear interpolation cannot do it, and says so
+  const Kernel::Point_3 middle =
+    CGAL::centroid(cube.points().begin(), cube.points().end(), CGAL::Dimension_tag<0>());
   for (auto v : cube.vertices()) {
-    const auto& p = cube.point(v);
-    const double sign = p.x() * p.y() * p.z() > 0 ? 1.1 : 0.9;
-    cube.point(v) = Kernel::Point_3(sign * p.x(), sign * p.y(), sign * p.z());
+    const Kernel::Vector_3 d = cube.point(v) - middle;
+    const double sign = d.x() * d.y() * d.z() > 0 ? 0.1 : -0.1;
+    cube.point(v) = cube.point(v) + sign * Kernel::Vector_3(1, 1, 1);
   }
   const Report impossible = PN::interpolate_limit_points(cube, PN::linear(scheme), strict());
   EXPECT_FALSE(impossible.is_within_tolerance());
@@ -216,21 +220,22 @@ void expect_same_net(const Control_mesh& data)
   Surface_mesh mesh = to_surface_mesh(data);
   const auto normals = normal_map(mesh);
   Mesh other;
-  CGAL::copy_face_graph(mesh, other);
-  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, typename K::Vector_3> map;
-  auto v = mesh.vertices().begin();
-  for (auto w : vertices(other)) {
-    const auto& n = normals[*v++];
+  using Other_vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  std::vector<std::pair<Surface_mesh::Vertex_index, Other_vertex>> pairs;
+  CGAL::copy_face_graph(
+    mesh, other, CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
+  std::map<Other_vertex, typename K::Vector_3> map;
+  for (const auto& [v, w] : pairs) {
+    const auto& n = normals[v];
     map[w] = typename K::Vector_3(n.x(), n.y(), n.z());
   }
   const Report report = PN::interpolate_limit_points(
     other, scheme, strict(),
     CGAL::parameters::vertex_normal_map(boost::make_assoc_property_map(map)));
   EXPECT_EQ(report.steps, expected.report.steps);
-  v = mesh.vertices().begin();
   const auto points = get(CGAL::vertex_point, other);
-  for (auto w : vertices(other)) {
-    const auto& p = expected.mesh.point(*v++);
+  for (const auto& [v, w] : pairs) {
+    const auto& p = expected.mesh.point(v);
     const auto& q = get(points, w);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(CGAL::to_double(q[k]), p[k], 1e-13);
   }

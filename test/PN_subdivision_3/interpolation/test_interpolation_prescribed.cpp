@@ -143,7 +143,7 @@ TEST(Prescribed_limit_data, PlanesAlongABorder)
         ASSERT_TRUE(before.at[v].has_surface_normal);
         // the border curve stays, hence the plane turns about its tangent
         const double h = 1e-3;
-        const auto at = [&](double x) {
+        const auto at = [&](double x) -> Vector {
           return limit_cases::to_vector(Kernel::Point_3(x, -1, 0)) +
                  Vector(0, 0, sampled_surfaces::on_waves(Real(x), -1).point[2]);
         };
