@@ -35,8 +35,9 @@ namespace {
 // The surface of a control net after two rounds, on its limit; its error and curvature.
 template <class Scheme>
 bool show(const std::string& title, const std::string& file, const Shape& shape, Mesh mesh,
-          Normals normals, const Scheme& scheme, const PN::Limit_interpolation_report& report)
+          const Scheme& scheme, const PN::Limit_interpolation_report& report)
 {
+  const Normals normals = mesh.property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   PN::subdivide(mesh, scheme, params::number_of_iterations(2).vertex_normal_map(normals));
   using Limit = PN::Limit_point<Kernel>;
   const auto limits = mesh.add_property_map<Mesh::Vertex_index, Limit>("v:limit").first;
@@ -74,7 +75,7 @@ bool interpolate(const Shape& shape, const std::string& folder)
     const Normals map = net.property_map<Mesh::Vertex_index, Vector>("v:normal").first;
     const auto report =
       PN::interpolate_limit_points(net, s, options, params::vertex_normal_map(map));
-    return show(title, folder + "/" + shape.name + "_" + name + ".vtp", shape, net, map, s, report);
+    return show(title, folder + "/" + shape.name + "_" + name + ".vtp", shape, net, s, report);
   };
   options.mode = PN::Limit_interpolation_mode::limit_points;
   bool good = run("linear", "linear", PN::linear(scheme));
