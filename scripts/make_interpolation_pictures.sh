@@ -23,7 +23,7 @@ captions=(--caption "linear" --caption "PN, limit points" --caption "PN, slide")
 for shape in ellipsoid torus; do
   surfaces+=("$work/${shape}"_{linear,points,slide}.vtp)
 done
-range=(--range 1e-3)
+range=(--range 3e-3)
 scripts/render.py --output "$folder/interpolation_error.png" --columns 3 --tile 300 \
                   --scalars error "${range[@]}" "${captions[@]}" "${captions[@]}" "${surfaces[@]}"
 scripts/render.py --output "$folder/interpolation_curvature.png" --columns 3 --tile 300 \
@@ -34,7 +34,7 @@ scripts/render.py --output "$folder/prescribed_nose.png" --columns 2 --tile 420 
 
 # both patches in one mesh
 join() { # name
-  python3 - "$work/left_$1.ply" "$work/right_$1.ply" "$work/joined_$1.ply" <<'PYTHON'
+  /usr/bin/python3 - "$work/left_$1.ply" "$work/right_$1.ply" "$work/joined_$1.ply" <<'PYTHON'
 import sys
 from pathlib import Path
 
