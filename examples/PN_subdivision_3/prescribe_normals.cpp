@@ -140,7 +140,9 @@ bool join_patches(const std::string& folder)
     for (const Vertex v : design.mesh.vertices()) {
       const Point& p = design.mesh.point(v);
       const bool is_end = p.y() < 0.1 || p.y() > 1.9; // a corner has no tangent plane
-      if (p.x() == 0 && !is_end) design.normals_of_limit[v] = Vector(0, 0, 1);
+      if (p.x() != 0 || is_end) continue;
+      design.points_of_limit[v] = p; // where the other patch passes, too
+      design.normals_of_limit[v] = Vector(0, 0, 1);
     }
     design.solve(name + " patch");
     good = design.write(folder + "/" + name + "_after.ply") && good;

@@ -158,7 +158,7 @@ TEST(Prescribed_limit_data, PlanesAlongABorder)
       EXPECT_EQ(chosen, 7u);
       const Report report = p.solve(scheme);
       EXPECT_LE(report.normal_residual, 1e-10 * degree);
-      p.expect_met(scheme);
+      p.expect_met(scheme, 2e-5); // 15 rounds of evaluation, in which the error halves on borders
     };
     const Control_mesh control =
       sampled_surfaces::patch(8, 8, 0, cells, 5, sampled_surfaces::on_waves);
