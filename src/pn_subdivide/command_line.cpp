@@ -169,6 +169,14 @@ void add_limit_options(CLI::App& command, Limit_choice& limit)
                    "Write the normals of the limit surface instead of the control normals");
 }
 
+void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const std::string& what)
+{
+  command.add_option("--interpolate", mode,
+                     what +
+                       " passes through the points: slide (the fairest; exact on spheres, "
+                       "cylinders and circles) or points (each point is the limit of its own)");
+}
+
 void add_surface_command(CLI::App& app, Surface_options& options)
 {
   CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
@@ -186,6 +194,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
                      "cylinder:X,Y,Z,DX,DY,DZ");
   add_crease_options(surface, options.creases);
+  add_interpolate(surface, options.interpolate, "The limit surface");
   add_limit_options(surface, options.limit);
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
@@ -224,6 +233,7 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("--sharp", options.sharp,
                    "File with the numbers of the vertices, from 0 on, that are corners (primal "
                    "schemes)");
+  add_interpolate(curve, options.interpolate, "The limit curve (bspline:3)");
   curve.add_option("--comb", options.comb,
                    "Draw curve, control polygon, control normals and curvature comb into this "
                    "SVG file");
