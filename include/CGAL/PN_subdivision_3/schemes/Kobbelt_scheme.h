@@ -146,11 +146,11 @@ private:
 
   // without the source of h
   template <class Stencil>
-  void add_plain_edge(Index h, const FT& near, const FT& far, Stencil& s) const
+  void add_plain_edge(Index h, const FT& beside, const FT& beyond, Stencil& s) const
   {
-    s.add(level_.target(h), near);
-    s.add(plain_continuation(h), far);
-    s.add(plain_continuation(opposite(h)), far);
+    s.add(level_.target(h), beside);
+    s.add(plain_continuation(h), beyond);
+    s.add(plain_continuation(opposite(h)), beyond);
   }
   Index plain_continuation(Index h) const
   {
@@ -160,14 +160,14 @@ private:
   template <class Stencil>
   void add_plain_strip(Index h, Stencil& s) const
   {
-    const FT near = beta_ * beta_, mixed = alpha_ * beta_, far = alpha_ * alpha_;
+    const FT inner = beta_ * beta_, mixed = alpha_ * beta_, outer = alpha_ * alpha_;
     const Index ends[2] = {h, beyond_next(h)};
     for (int i = 0; i < 2; ++i) {
       const Index next = beyond_next(opposite(ends[i]));
-      if (i != 0) s.add(level_.source(ends[i]), near);
-      add_plain_edge(ends[i], near, mixed, s);
+      if (i != 0) s.add(level_.source(ends[i]), inner);
+      add_plain_edge(ends[i], inner, mixed, s);
       s.add(level_.source(next), mixed);
-      add_plain_edge(next, mixed, far, s);
+      add_plain_edge(next, mixed, outer, s);
     }
     s.add(level_.source(h), face_rest_);
   }
@@ -175,11 +175,11 @@ private:
   // what the entries of such a row leave, added in their order
   FT rest_of_face_row() const
   {
-    const FT near = beta_ * beta_, mixed = alpha_ * beta_, far = alpha_ * alpha_;
+    const FT inner = beta_ * beta_, mixed = alpha_ * beta_, outer = alpha_ * alpha_;
     FT sum(0);
     for (int i = 0; i < 2; ++i) {
-      if (i != 0) sum += near;
-      for (const FT& w : {near, mixed, mixed, mixed, mixed, far, far}) sum += w;
+      if (i != 0) sum += inner;
+      for (const FT& w : {inner, mixed, mixed, mixed, mixed, outer, outer}) sum += w;
     }
     return FT(1) - sum;
   }
