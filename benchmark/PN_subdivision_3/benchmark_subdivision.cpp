@@ -427,6 +427,11 @@ void add_attributes()
     for (auto v : mesh.vertices()) map[v] = mesh.point(v).x();
     return map;
   };
+  // the maps of a mesh grow with it, carried or not
+  add_job("/3-maps-that-stay", [scalar](Mesh& mesh) {
+    for (const char* name : {"a", "b", "c"}) scalar(mesh, name);
+    return PN::attributes();
+  });
   add_job("/1-scalar",
           [scalar](Mesh& mesh) { return PN::attributes(PN::vertex_attribute(scalar(mesh, "a"))); });
   add_job("/3-scalars", [scalar](Mesh& mesh) {

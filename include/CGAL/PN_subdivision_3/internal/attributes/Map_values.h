@@ -186,14 +186,12 @@ public:
   }
   void evaluate(Index first, const Stencil_block<FT>& rows) override
   {
-    const auto average = [&](std::size_t r) {
-      return affine_average<FT, Traits>(rows.begin(r), rows.end(r), old_.data());
-    };
-    const std::size_t n = rows.number_of_rows();
     if (puts_at_once_)
-      for (std::size_t r = 0; r < n; ++r) map_.set(first + Index(r), Traits::to_value(average(r)));
+      averages(rows, [&](std::size_t r, const Sum& x) {
+        map_.set(first + Index(r), Traits::to_value(x));
+      });
     else
-      for (std::size_t r = 0; r < n; ++r) new_[first + r] = average(r);
+      averages(rows, [&](std::size_t r, const Sum& x) { new_[first + r] = x; });
   }
   void evaluate(Index value, const Entry* begin, const Entry* end) override
   {
@@ -229,7 +227,19 @@ public:
 private:
   using Restored = Restored_map<Access, Map, Keys>;
   using Traits = Attribute_traits<typename Restored::T, FT>;
-  using Values = boost::container::vector<typename Traits::Sum>;
+  using Sum = typename Traits::Sum;
+  using Values = boost::container::vector<Sum>;
+
+  template <class Result>
+  void averages(const Stencil_block<FT>& rows, const Result& result) const
+  {
+    const std::size_t n = rows.number_of_rows();
+    if constexpr (std::is_same_v<Sum, std::array<FT, 1>> && std::is_floating_point_v<FT>)
+      if (rows.uniform_length() > 1)
+        return scalar_averages<FT>(rows.begin(0), rows.uniform_length(), n, old_.data(), result);
+    for (std::size_t r = 0; r < n; ++r)
+      result(r, affine_average<FT, Traits>(rows.begin(r), rows.end(r), old_.data()));
+  }
 
   Restored map_;
   std::vector<Index> position_; // of a control element among those that are read

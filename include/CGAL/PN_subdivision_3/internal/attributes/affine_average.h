@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,6 +35,21 @@ FT average_from(const FT& origin, const FT& sum, [[maybe_unused]] const Plain_su
     return origin + sum;
 }
 
+// where differences leave the range of the numbers
+template <class FT, class Entry, class Value>
+FT plain_average(const Entry* begin, const Entry* end, const Value& value)
+{
+  const FT& origin = value(begin->vertex);
+  FT sum(0);
+  bool are_equal = true;
+  for (const Entry* e = begin; e != end; ++e) {
+    const FT& x = value(e->vertex);
+    are_equal = are_equal && x == origin;
+    if (e->weight != FT(0)) sum += e->weight * x;
+  }
+  return are_equal ? origin : sum;
+}
+
 // The average of a row for n components; component(v, c) is component c of value v.
 template <class FT, class Entry, class Component, class Result>
 void component_average(const Entry* begin, const Entry* end, std::size_t n,
@@ -45,14 +61,8 @@ void component_average(const Entry* begin, const Entry* end, std::size_t n,
     for (const Entry* e = begin + 1; e != end; ++e)
       sum += e->weight * FT(component(e->vertex, c) - origin);
     result(c, average_from<FT>(origin, sum, [&] {
-             FT plain(0);
-             bool are_equal = true;
-             for (const Entry* e = begin; e != end; ++e) {
-               const FT& x = component(e->vertex, c);
-               are_equal = are_equal && x == origin;
-               if (e->weight != FT(0)) plain += e->weight * x;
-             }
-             return are_equal ? origin : plain;
+             return plain_average<FT>(begin, end,
+                                      [&](auto v) -> const FT& { return component(v, c); });
            }));
   }
 }
@@ -77,6 +87,34 @@ typename Traits::Sum affine_average(const Entry* begin, const Entry* end,
     for (const Entry* e = begin + 2; e != end; ++e)
       sum = Sum(sum + Traits::difference(e->weight, old[e->vertex], origin));
     return Sum(origin + sum);
+  }
+}
+
+// The averages of rows of the same length, as affine_average() gives them: a few at once, since one is a
+// chain of additions that waits for each.
+template <class FT, class Entry, class Result>
+void scalar_averages(const Entry* first, std::size_t length, std::size_t number,
+                     const std::array<FT, 1>* old, const Result& result)
+{
+  constexpr std::size_t together = 8;
+  for (std::size_t begin = 0; begin < number; begin += together) {
+    const std::size_t n = (std::min)(together, number - begin);
+    const Entry* const rows = first + begin * length;
+    FT origin[together], sum[together];
+    for (std::size_t r = 0; r < together; ++r) {
+      origin[r] = old[rows[(r < n ? r : 0) * length].vertex][0];
+      sum[r] = FT(0);
+    }
+    for (std::size_t j = 1; j < length; ++j)
+      for (std::size_t r = 0; r < together; ++r) {
+        const Entry& e = rows[(r < n ? r : 0) * length + j];
+        sum[r] += e.weight * FT(old[e.vertex][0] - origin[r]);
+      }
+    for (std::size_t r = 0; r < n; ++r)
+      result(begin + r, std::array<FT, 1>{average_from<FT>(origin[r], sum[r], [&] {
+               return plain_average<FT>(rows + r * length, rows + (r + 1) * length,
+                                        [&](auto v) -> const FT& { return old[v][0]; });
+             })});
   }
 }
 
