@@ -79,11 +79,12 @@ public:
                         const Rows_sink* rows_sink = nullptr) const
   {
     Values refined(number_of_values, boost::container::default_init);
-    evaluate(round, 0, static_cast<Index>(round.refined_size().vertices),
-             [&](Index first, const Value* values, Index number) {
-               std::copy(values, values + number, refined.begin() + first);
-             },
-             rows_sink);
+    evaluate(
+      round, 0, static_cast<Index>(round.refined_size().vertices),
+      [&](Index first, const Value* values, Index number) {
+        std::copy(values, values + number, refined.begin() + first);
+      },
+      rows_sink);
     return refined;
   }
 
