@@ -250,7 +250,7 @@ so that the tolerance may be missed.
 \returns what was reached. A tolerance that cannot be met is no error.
 
 \throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, and if
-  the scheme has no limit masks; nothing has been written then
+  the scheme has no limit masks or `with_border()` makes creases; nothing has been written then
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 \cost linear in the size of the mesh, for each round about its vertices

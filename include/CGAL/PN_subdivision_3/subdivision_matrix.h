@@ -10,8 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <Eigen/SparseCore>
@@ -87,20 +86,6 @@ private:
   std::vector<Entry> row_;
 };
 
-// the matrix has no rows for creases
-template <class Scheme, class Access>
-void refuse_crease_borders(const Scheme& scheme, const Level_connectivity& level,
-                           const Access& access)
-{
-  if (Border_of<Scheme>::get(scheme) == Border::surface) return;
-  for (Level_connectivity::Index e = 0; e < level.number_of_edges(); ++e)
-    if (level.is_border_edge(e))
-      throw std::invalid_argument("PN_subdivision_3: with_border() makes " +
-                                  Edge_of_mesh::name(access, e) +
-                                  " a crease, for which a matrix has no rows: take the scheme "
-                                  "without it");
-}
-
 } // namespace internal
 
 /*!
@@ -142,7 +127,7 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
   internal::with_mesh_access(mesh, [&](const auto& access) {
     const Level_connectivity level = internal::checked_level(access);
     internal::check_scheme(scheme, level, access);
-    internal::refuse_crease_borders(scheme, level, access);
+    internal::refuse_crease_borders(scheme, access, level, "a matrix has no rows");
     const typename Scheme::Host host(level, round);
     const auto mask = scheme.template mask<FT>(level, round);
     const std::uint64_t size = Scheme::Host::refined_size(level.size(), round).vertices;

@@ -208,6 +208,34 @@ TEST(Limit_input, BadInputIsRefusedByName)
   refuses(quads, PN::CatmullClark_scheme(), PN::Limit_options(), "the normal of vertex 4");
 }
 
+TEST(Limit_input, BordersThatAreCreasesAreRefused)
+{
+  Surface_mesh quads = to_surface_mesh(test_meshes::star(5, 2, Cells::quads));
+  test_meshes::Control_mesh torus = test_meshes::grid(5, 6, true, true, Cells::quads);
+  test_meshes::set_uneven_normals(torus, 1);
+  const Surface_mesh closed = to_surface_mesh(torus);
+  const PN::CatmullClark_scheme scheme;
+  const auto points = [](const Surface_mesh& mesh) {
+    return std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end());
+  };
+  const auto before = points(quads);
+  try {
+    PN::move_to_limit(quads, PN::with_border(scheme, PN::Border::curve));
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("with_border() makes the edge of half-edge"),
+              std::string::npos)
+      << e.what();
+  }
+  EXPECT_EQ(points(quads), before);
+  // what is no crease is taken
+  Surface_mesh same = closed, other = closed;
+  PN::move_to_limit(same, scheme);
+  PN::move_to_limit(other, PN::with_border(scheme, PN::Border::curve));
+  EXPECT_EQ(points(same), points(other));
+  EXPECT_NO_THROW(PN::move_to_limit(quads, PN::with_border(scheme, PN::Border::surface)));
+}
+
 // --- valences ---
 
 // Linear cost for plain schemes, quadratic for modified ones as in their rounds; points on a sphere.

@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <array>
@@ -43,7 +44,9 @@ public:
 
   void operator()(const For_chunks& for_chunks) const
   {
+    const Caller_precision<FT> precision;
     for_chunks(level_.number_of_faces(), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread scope(precision);
       Entry_row<FT> row;
       for (Index f = begin; f < end; ++f) face(f, row);
     });

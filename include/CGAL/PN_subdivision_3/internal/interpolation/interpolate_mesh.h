@@ -71,8 +71,8 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   check_scheme(scheme, level, access);
-  refuse_sharp_elements(scheme, access, level, Parameters::edge_constraint_map(np),
-                        Parameters::vertex_constraint_map(np));
+  refuse_interpolated_creases(scheme, access, level, Parameters::edge_constraint_map(np),
+                              Parameters::vertex_constraint_map(np));
   Interpolation_data<3> data = read_points_and_normals<FT>(
     access, scheme, level, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
   data.takes_normals = is_pn_v<Scheme>;

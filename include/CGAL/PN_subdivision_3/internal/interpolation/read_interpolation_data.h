@@ -12,10 +12,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -33,26 +32,17 @@ namespace internal {
 
 // Refuses what is sharp in a mesh, by its name.
 template <class Scheme, class Access, class Edge_map, class Vertex_map>
-void refuse_sharp_elements(const Scheme& scheme, const Access& access,
-                           const Level_connectivity& level, Edge_map edge_map,
-                           Vertex_map vertex_map)
+void refuse_interpolated_creases(const Scheme& scheme, const Access& access,
+                                 const Level_connectivity& level, Edge_map edge_map,
+                                 Vertex_map vertex_map)
 {
-  using Index = Level_connectivity::Index;
-  const auto refuse = [](const std::string& element) {
-    throw std::invalid_argument(
-      "PN_subdivision_3: " + element +
-      " is sharp, but interpolation is for surfaces without creases: make "
-      "all edges and vertices smooth");
-  };
-  const Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
-  const Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
-                                                        level.number_of_vertices());
-  const bool has_sharp_border = Border_of<Scheme>::get(scheme) != Border::surface;
-  for (Index e = 0; e < level.number_of_edges(); ++e)
-    if (edges.sharpness(e) > 0 || (has_sharp_border && level.is_border_edge(e)))
-      refuse(Edge_of_mesh::name(access, e));
-  for (Index v = 0; v < level.number_of_vertices(); ++v)
-    if (vertices.sharpness(v) > 0) refuse(access.vertex_name(v));
+  refuse_sharp_elements(scheme, access, level, edge_map, vertex_map,
+                        [](const std::string& element) {
+                          throw std::invalid_argument(
+                            "PN_subdivision_3: " + element +
+                            " is sharp, but interpolation is for surfaces without creases: make "
+                            "all edges and vertices smooth");
+                        });
 }
 
 // Points and normals of a mesh in double. Without a map the normals are estimated.

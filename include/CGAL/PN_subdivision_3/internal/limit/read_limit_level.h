@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -31,6 +32,7 @@ auto read_limit_level(const Access& access, const Scheme& scheme, Point_map poin
   Valued_level<typename Average::Value> result;
   result.level = checked_level(access);
   check_scheme(scheme, result.level, access);
+  refuse_crease_borders(scheme, access, result.level, "there are no limit points");
   result.values =
     read_values<Average>(access, result.level, points, normals, normal_estimate(scheme));
   return result;

@@ -39,19 +39,14 @@ struct Scheme_name<Scheme, std::enable_if_t<(sizeof(typename Scheme::Adapted_sch
   : Scheme_name<typename Scheme::Adapted_scheme>
 {};
 
-// Refuses what is sharp in a mesh, by its name, for a scheme that has no rules for it.
-template <class Scheme, class Access, class Edge_map, class Vertex_map>
-void refuse_creases(const Scheme& scheme, const Access& access, Edge_map edge_map,
-                    Vertex_map vertex_map)
+// Calls refuse(name) for the edges and vertices of a mesh that are sharp, by a map or by the border of the
+// scheme.
+template <class Scheme, class Access, class Edge_map, class Vertex_map, class Refuse>
+void refuse_sharp_elements(const Scheme& scheme, const Access& access,
+                           const Level_connectivity& level, Edge_map edge_map,
+                           Vertex_map vertex_map, const Refuse& refuse)
 {
   using Index = Level_connectivity::Index;
-  const auto refuse = [](const std::string& element) {
-    throw std::invalid_argument("PN_subdivision_3: " + element + " is sharp, but " +
-                                Scheme_name<Scheme>::get() +
-                                " has no rules for creases: take Catmull-Clark or Loop, or their "
-                                "modified forms");
-  };
-  const Level_connectivity level = checked_level(access);
   const Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
   const Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
                                                         level.number_of_vertices());
@@ -61,6 +56,33 @@ void refuse_creases(const Scheme& scheme, const Access& access, Edge_map edge_ma
       refuse(Edge_of_mesh::name(access, e));
   for (Index v = 0; v < level.number_of_vertices(); ++v)
     if (vertices.sharpness(v) > 0) refuse(access.vertex_name(v));
+}
+
+// for a scheme that has no rules for it
+template <class Scheme, class Access, class Edge_map, class Vertex_map>
+void refuse_creases(const Scheme& scheme, const Access& access, Edge_map edge_map,
+                    Vertex_map vertex_map)
+{
+  refuse_sharp_elements(
+    scheme, access, checked_level(access), edge_map, vertex_map, [](const std::string& element) {
+      throw std::invalid_argument("PN_subdivision_3: " + element + " is sharp, but " +
+                                  Scheme_name<Scheme>::get() +
+                                  " has no rules for creases: take Catmull-Clark or Loop, or their "
+                                  "modified forms");
+    });
+}
+
+// for what knows surfaces without creases only
+template <class Scheme, class Access>
+void refuse_crease_borders(const Scheme& scheme, const Access& access,
+                           const Level_connectivity& level, const std::string& what)
+{
+  refuse_sharp_elements(scheme, access, level, No_constraint_map(), No_constraint_map(),
+                        [&](const std::string& element) {
+                          throw std::invalid_argument("PN_subdivision_3: with_border() makes " +
+                                                      element + " a crease, for which " + what +
+                                                      ": take the scheme without it");
+                        });
 }
 
 } // namespace internal
