@@ -135,6 +135,8 @@ normals (-g, 1) give u, g and w = z - g&middot;u/2, which the PN rule refines li
 order; the derivatives of the splines of u, g and w are combined by the product rule to those of z =
 w + g&middot;u/2.
 
+Of a scheme that changes its rules in some round, those of the later rounds are measured.
+
 An object may be used for any number of control nets, also by several threads at once.
 
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin, whose rules at regular

@@ -164,6 +164,75 @@ TEST(Separated_vertex, HasNoNeighborOfValenceTwo)
   expect_modified_about<Quads>(star(2, 2, Cells::quads), 0, {});
 }
 
+// --- the policy: rounds and valences ---
+
+TYPED_TEST(Modified_scheme, IsTheUnmodifiedOneBeforeItsFirstRound)
+{
+  using Modified = typename TypeParam::Modified;
+  const Surface_mesh mesh = to_surface_mesh(star(7, 2, TypeParam::cells));
+  const Eigen::MatrixXd plain = PN::subdivision_matrix(mesh, TypeParam::unmodified()),
+                        modified = PN::subdivision_matrix(mesh, Modified());
+  ASSERT_NE(plain, modified);
+  for (const unsigned first : {1u, 2u, 5u})
+    for (const unsigned round : {1u, 2u, 3u, 4u, 5u, 6u})
+      EXPECT_EQ(PN::subdivision_matrix(mesh, Modified(.5, first), round).toDense(),
+                round < first ? plain : modified)
+        << first << ", " << round;
+  EXPECT_EQ(Modified(.5, 3).first_round(), 3u);
+  EXPECT_THROW(Modified(.5, 0), std::invalid_argument);
+}
+
+// Plain first rounds and the modified ones after them, call by call and in one call.
+TYPED_TEST(Modified_scheme, CountsTheRoundsOfOneCall)
+{
+  using Modified = typename TypeParam::Modified;
+  Control_mesh control = star(5, 2, TypeParam::cells);
+  test_meshes::set_uneven_normals(control, 3);
+  const auto rounds = [](Surface_mesh& mesh, const auto& scheme, unsigned n) {
+    PN::subdivide(mesh, scheme,
+                  CGAL::parameters::number_of_iterations(n).vertex_normal_map(normal_map(mesh)));
+  };
+  Surface_mesh one_call = to_surface_mesh(control), two_calls = to_surface_mesh(control),
+               restarted = to_surface_mesh(control);
+  rounds(one_call, Modified(.5, 3), 4);
+  rounds(two_calls, TypeParam::unmodified(), 2);
+  rounds(two_calls, Modified(), 2);
+  EXPECT_TRUE(is_within(difference_by_index(result_of(one_call), result_of(two_calls)), 0));
+  for (int i = 0; i < 4; ++i) rounds(restarted, Modified(.5, 3), 1);
+  EXPECT_FALSE(is_within(difference_by_index(result_of(one_call), result_of(restarted)), 1e-6));
+}
+
+TYPED_TEST(Modified_scheme, LeavesValencesOfBoundedCurvatureAloneIfAsked)
+{
+  using Modified = typename TypeParam::Modified;
+  const auto left_alone =
+    TypeParam::groups == 2 ? std::set<int>{3} : std::set<int>{4, 5}; // as in the paper
+  for (const int n : {3, 4, 5, 6, 7, 9}) {
+    if (n == TypeParam::regular_valence) continue;
+    const Matrix m = ring_matrix<TypeParam>(n, Modified(.3, 1, PN::Tuned_valences::diverging));
+    const Matrix expected = left_alone.count(n) != 0
+                              ? ring_matrix<TypeParam>(n, TypeParam::unmodified())
+                              : ring_matrix<TypeParam>(n, Modified(.3));
+    EXPECT_EQ(m, expected) << n;
+    EXPECT_NE(ring_matrix<TypeParam>(n, TypeParam::unmodified()),
+              ring_matrix<TypeParam>(n, Modified(.3)));
+  }
+  const Modified paper = Modified::of_the_paper();
+  EXPECT_EQ(paper.first_round(), 2u);
+  EXPECT_EQ(paper.valences(), PN::Tuned_valences::diverging);
+}
+
+// A vertex that is left alone keeps its neighbors from being separated all the same.
+TEST(Modified_CatmullClark, SeparatesVerticesAlsoFromThoseLeftAlone)
+{
+  Control_mesh control = test_meshes::in_quads(test_meshes::bipyramid(7));
+  test_meshes::set_uneven_normals(control, 1);
+  const Surface_mesh mesh = to_surface_mesh(control);
+  EXPECT_EQ(
+    PN::subdivision_matrix(mesh, PN::CatmullClark_scheme()).toDense(),
+    PN::subdivision_matrix(mesh, PN::modified_CatmullClark_scheme::of_the_paper(), 2).toDense());
+}
+
 // --- weights ---
 
 TYPED_TEST(Modified_scheme, EqualsTheReferenceForAllCapsAndValences)
