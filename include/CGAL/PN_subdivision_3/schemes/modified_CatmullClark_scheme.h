@@ -222,6 +222,9 @@ public:
   FT face_part_of_vertex(Index h, Index n) const { return plain_.face_part_of_vertex(h, n); }
   FT face_part_of_edge(Index h) const { return plain_.face_part_of_edge(h); }
 
+  /// the vertices with rules of their own, in ascending order.
+  std::vector<Index> separated_vertices() const { return separated_.vertices(); }
+
 private:
   // The weights of e_d and f_d; v has the rest.
   struct Ring_weights

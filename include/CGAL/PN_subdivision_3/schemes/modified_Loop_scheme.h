@@ -100,6 +100,9 @@ public:
     s.add_rest(level_.target(h));
   }
 
+  /// the vertices with rules of their own, in ascending order.
+  std::vector<Index> separated_vertices() const { return separated_.vertices(); }
+
 private:
   struct Weights
   {

@@ -217,10 +217,11 @@ private:
     result.level.set_uniform_degree(Scheme::Host::refined_degree);
     round.host().connect(result.level, for_chunks_);
     result.values.resize(round.refined_size().vertices);
+    const auto transfers = round.transfers(values.data(), for_chunks_);
     const Caller_precision<FT> precision;
     for_chunks_(result.level.number_of_vertices(), [&](Index begin, Index end) {
       const typename Caller_precision<FT>::In_this_thread same(precision);
-      round.evaluate(begin, end, values.data(), [&](Index v, const Value* refined, Index n) {
+      round.evaluate(begin, end, values.data(), transfers, [&](Index v, const Value* refined, Index n) {
         std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
       });
     });

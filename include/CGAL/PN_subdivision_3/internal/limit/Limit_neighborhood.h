@@ -14,6 +14,8 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
@@ -78,6 +80,13 @@ struct Limit_neighborhood<Sqrt3_scheme>
   static constexpr unsigned cut_rings = (std::numeric_limits<unsigned>::max)();
   static constexpr bool is_spline = false;
 };
+
+template <>
+struct Limit_neighborhood<ct_CatmullClark_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+{};
+template <>
+struct Limit_neighborhood<ct_Loop_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+{};
 
 template <class Scheme>
 struct Limit_neighborhood<Linear_scheme<Scheme>> : Limit_neighborhood<Scheme>

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_RING_GEOMETRY_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
@@ -68,15 +69,21 @@ public:
   }
 
   // The curvatures of the limit, where the parts of second order that the ring matrix carries on by
-  // itself die out: what remains is the derivative of the slopes of the control normals.
+  // itself die out: what remains is the derivative of the slopes of the control normals. `part` is what
+  // they will still get by transfer.
   // \pre is_regular()
-  Curvatures<double> extraordinary_curvatures() const
+  Curvatures<double> extraordinary_curvatures(const Quadratic_part<double>* part = nullptr) const
   {
     std::array<Pair<double>, 2> h;
     for (std::size_t c = 0; c < 2; ++c)
       h[c] = solve(size_, masked([&](const Value& v) { return frame_.slope(v.normal)[c]; }));
     const double a = slope_[0], b = slope_[1], s = 1 + a * a + b * b;
-    const double xx = h[0][0], xy = (h[0][1] + h[1][0]) / 2, yy = h[1][1];
+    double xx = h[0][0], xy = (h[0][1] + h[1][0]) / 2, yy = h[1][1];
+    if (part != nullptr) {
+      xx += (*part)(frame_.e1(), frame_.e1());
+      xy += (*part)(frame_.e1(), frame_.e2());
+      yy += (*part)(frame_.e2(), frame_.e2());
+    }
     const double trace = ((1 + b * b) * xx - 2 * a * b * xy + (1 + a * a) * yy) / s;
     return {(xx * yy - xy * xy) / (s * s), -trace / (2 * std::sqrt(s))};
   }

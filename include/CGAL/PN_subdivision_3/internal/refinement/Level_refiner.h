@@ -39,6 +39,7 @@ public:
   using One_round = Round<Scheme, Average>;
   using Value = typename One_round::Value;
   using Sink = typename One_round::Sink;
+  using Transfers = typename One_round::Transfers;
   using Stored_value = typename One_round::Stored_value;
   using Values = boost::container::vector<Stored_value>;
 
@@ -73,7 +74,7 @@ public:
   Values refined_values(const One_round& round, std::size_t number_of_values) const
   {
     Values refined(number_of_values, boost::container::default_init);
-    evaluate(round, 0, static_cast<Index>(round.refined_size().vertices),
+    evaluate(round, transfers(round), 0, static_cast<Index>(round.refined_size().vertices),
              [&](Index first, const Value* values, Index number) {
                std::copy(values, values + number, refined.begin() + first);
              });
@@ -91,14 +92,21 @@ public:
     ++rounds_done_;
   }
 
+  // to be found once for each round
+  Transfers transfers(const One_round& round) const
+  {
+    return round.transfers(values_.data(), for_chunks_);
+  }
+
   // The new vertices [begin, end) of a round. The sink gets a few neighboring ones with every call,
   // which come from several threads if for_chunks does.
-  void evaluate(const One_round& round, Index begin, Index end, Sink sink) const
+  void evaluate(const One_round& round, const Transfers& transfers, Index begin, Index end,
+                Sink sink) const
   {
     const Precision precision;
     for_chunks_(end - begin, [&](Index first, Index last) {
       const typename Precision::In_this_thread scope(precision);
-      round.evaluate(begin + first, begin + last, values_.data(), sink);
+      round.evaluate(begin + first, begin + last, values_.data(), transfers, sink);
     });
   }
 

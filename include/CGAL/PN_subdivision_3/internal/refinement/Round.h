@@ -13,6 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -42,6 +44,7 @@ public:
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
+  static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
   // takes (first new vertex, values, how many)
   using Sink = Function_ref<void(Index, const Value*, Index)>;
   // takes (new vertices, values, how many)
@@ -59,11 +62,11 @@ public:
   // the level of the host may be cut open to that of the mask after the host has been made
   Round(const Scheme& scheme, Host&& host, const Level_size& refined_size,
         const Level_connectivity& mask_level, unsigned number)
-    : host_(std::move(host))
+    : mask_level_(mask_level)
+    , host_(std::move(host))
     , mask_(scheme.template mask<FT>(mask_level, number))
     , normal_mask_(make_normal_mask(scheme, mask_level, number))
     , size_(refined_size)
-    , number_of_old_vertices_(mask_level.number_of_vertices())
     , number_(number)
   {}
 
@@ -79,14 +82,18 @@ public:
 
   // computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block
-  void evaluate(Index begin, Index end, const Stored_value* old, Sink sink) const
+  void evaluate(Index begin, Index end, const Stored_value* old, const Transfers& transfers,
+                Sink sink) const
   {
     evaluate_blocks(
       begin, end, old, [](Index i) { return i; },
-      [&](Index first, const Value* values, Index n) { sink(first, values, n); });
+      [&](Index first, Value* values, Index n) {
+        transfers.put(first, n, values);
+        sink(first, values, n);
+      });
   }
 
-  // the new vertices that are listed, to the same bits
+  // the new vertices that are listed, to the same bits; as the rows have them, without transfers
   void evaluate(const Index* begin, const Index* end, const Stored_value* old, List_sink sink) const
   {
     evaluate_blocks(
@@ -166,7 +173,7 @@ private:
   {
     FT sum(0), sizes(0);
     for (const Entry* e = begin; e != end; ++e) {
-      if (e->vertex >= number_of_old_vertices_) return false;
+      if (e->vertex >= mask_level_.number_of_vertices()) return false;
       sum += e->weight;
       sizes += CGAL::abs(e->weight);
     }
@@ -222,7 +229,6 @@ private:
   Mask mask_;
   Normal_mask normal_mask_;
   Level_size size_;
-  Index number_of_old_vertices_;
   unsigned number_;
   std::vector<Index> of_others_;
 };

@@ -85,6 +85,15 @@ public:
     if (separated.empty()) valence_.clear();
   }
 
+  // in ascending order
+  std::vector<Index> vertices() const
+  {
+    std::vector<Index> result;
+    for (Index v = 0; v < valence_.size(); ++v)
+      if (valence_[v] != 0) result.push_back(v);
+    return result;
+  }
+
   // the weights about v, null if it is not separated
   const Weights* at(Index v) const
   {
