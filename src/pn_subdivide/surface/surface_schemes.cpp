@@ -66,9 +66,18 @@ S with_parameter(const Scheme_choice& choice)
   }
 }
 
-void require_same_host(const Scheme_choice& choice, const Scheme& scheme,
-                       const Scheme& normal_scheme)
+void require_that_they_go_together(const Scheme_choice& choice, const Scheme& scheme,
+                                   const Scheme& normal_scheme)
 {
+  if (choice.scheme == *choice.normal_scheme) return;
+  for (const Scheme* const s : {&scheme, &normal_scheme})
+    std::visit(
+      [&](const auto& t) {
+        if (Transfers_curvature<std::decay_t<decltype(t)>>::value)
+          throw Usage_error("--normal-scheme: " + std::string(t.name()) +
+                            " refines points and normals together and goes with no other scheme");
+      },
+      *s);
   const bool same = std::visit(
     [](const auto& s, const auto& t) {
       return have_same_host<std::decay_t<decltype(s)>, std::decay_t<decltype(t)>>;
@@ -167,8 +176,8 @@ void require_surface_schemes(const Scheme_choice& choice)
   if (choice.scheme.empty()) return;
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   if (choice.normal_scheme)
-    require_same_host(choice, scheme,
-                      make_scheme("--normal-scheme", *choice.normal_scheme, choice));
+    require_that_they_go_together(choice, scheme,
+                                  make_scheme("--normal-scheme", *choice.normal_scheme, choice));
 }
 
 bool needs_triangles(const std::string& scheme)

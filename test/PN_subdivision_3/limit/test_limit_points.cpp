@@ -20,9 +20,10 @@ using reference::Vector;
 using test_meshes::Cells;
 using test_meshes::Control_mesh;
 
-using Primal_schemes = testing::Types<CatmullClark_description, Loop_description, Sqrt3_description,
-                                      Butterfly_description, Kobbelt_description,
-                                      Modified_CatmullClark_description, Modified_Loop_description>;
+using Primal_schemes =
+  testing::Types<CatmullClark_description, Loop_description, Sqrt3_description,
+                 Butterfly_description, Kobbelt_description, Modified_CatmullClark_description,
+                 Modified_Loop_description, Ct_CatmullClark_description, Ct_Loop_description>;
 
 template <class Description>
 class Limit_points : public testing::Test
@@ -74,7 +75,7 @@ reference::Limit brute_force(const Control_mesh& control, int v, bool linear)
   }
   return reference::limit_by_rounds(
     patch, [](const auto& list, unsigned round) { return Description::refine(list, round); },
-    rounds, rings, linear);
+    &Description::finish_round, rounds, rings, linear);
 }
 
 TYPED_TEST(Limit_points, EqualBruteForce)
