@@ -59,10 +59,10 @@ inline Exact_curvature exact_curvature(const Graph& graph, double x, double y)
 // over the rings 0 to 9
 struct Fairness
 {
-  double variation = 0;      // the integral of |grad H|^2
-  double squared_error = 0;  // of the mean curvature, summed over the vertices of the rings
-  double squared_scale = 0;  // of H^2 + |K|, so
-  double gaussian = 0;       // the mean over ring 9
+  double variation = 0;     // the integral of |grad H|^2
+  double squared_error = 0; // of the mean curvature, summed over the vertices of the rings
+  double squared_scale = 0; // of H^2 + |K|, so
+  double gaussian = 0;      // the mean over ring 9
   double relative_error() const { return std::sqrt(squared_error / squared_scale); }
 };
 
@@ -123,12 +123,13 @@ private:
     double sum = 0;
     for (const auto& [sector, corners] : finest_.faces())
       for (std::size_t k = 2; k < corners.size(); ++k) {
-        const std::array<Index, 3> v = {finest_.vertex(sector, corners[0][0], corners[0][1]),
-                                        finest_.vertex(sector, corners[k - 1][0], corners[k - 1][1]),
-                                        finest_.vertex(sector, corners[k][0], corners[k][1])};
+        const std::array<Index, 3> v = {
+          finest_.vertex(sector, corners[0][0], corners[0][1]),
+          finest_.vertex(sector, corners[k - 1][0], corners[k - 1][1]),
+          finest_.vertex(sector, corners[k][0], corners[k][1])};
         if (is_in_ring(v[0]) && is_in_ring(v[1]) && is_in_ring(v[2]))
-          sum += variation(fine, v,
-                           {mean[number_[v[0]]], mean[number_[v[1]]], mean[number_[v[2]]]});
+          sum +=
+            variation(fine, v, {mean[number_[v[0]]], mean[number_[v[1]]], mean[number_[v[2]]]});
       }
     return sum;
   }

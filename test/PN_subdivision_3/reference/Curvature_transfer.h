@@ -117,8 +117,8 @@ inline void transfer_curvature(const Left_eigenvectors& left, const std::vector<
   Eigen::Matrix<Real, 2, 2> tangents;
   Eigen::Matrix<Real, 2, 1> heights;
   for (int part = 0; part < 2; ++part) {
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1> t =
-      part == 0 ? left.tangent.real() : left.tangent.imag();
+    Eigen::Matrix<Real, Eigen::Dynamic, 1> t = left.tangent.real();
+    if (part == 1) t = left.tangent.imag();
     tangents.row(part) << of(t, u.col(0)), of(t, u.col(1));
     heights[part] = of(t, w);
   }
