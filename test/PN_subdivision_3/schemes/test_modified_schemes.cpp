@@ -233,6 +233,51 @@ TEST(Modified_CatmullClark, SeparatesVerticesAlsoFromThoseLeftAlone)
     PN::subdivision_matrix(mesh, PN::modified_CatmullClark_scheme::of_the_paper(), 2).toDense());
 }
 
+// --- transfer of curvature on meshes with creases ---
+
+// Far from a crease all is as without it; a vertex on one has no ring of its own.
+TEST(Transfer_of_curvature, IsTheSameBesideCreases)
+{
+  for (const bool quads : {true, false}) {
+    Control_mesh control = star(5, 4, quads ? Cells::quads : Cells::triangles);
+    test_meshes::set_uneven_normals(control, 9);
+    const auto refined = [&](bool creased, unsigned rounds, bool at_the_vertex) {
+      Surface_mesh mesh = to_surface_mesh(control);
+      auto sharp = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+      const auto middle = Surface_mesh::Vertex_index(0);
+      if (creased)
+        for (const auto e : mesh.edges()) {
+          const bool is_at = mesh.vertex(e, 0) == middle || mesh.vertex(e, 1) == middle;
+          const bool is_outer =
+            mesh.is_border(mesh.vertex(e, 0)) != mesh.is_border(mesh.vertex(e, 1));
+          sharp[e] = at_the_vertex ? is_at : is_outer;
+        }
+      const auto np = CGAL::parameters::number_of_iterations(rounds)
+                        .vertex_normal_map(normal_map(mesh))
+                        .edge_is_constrained_map(sharp);
+      if (quads)
+        PN::subdivide(mesh, PN::ct_CatmullClark_scheme(), np);
+      else
+        PN::subdivide(mesh, PN::ct_Loop_scheme(), np);
+      return result_of(mesh).values;
+    };
+    const auto plain = refined(false, 2, false), beside = refined(true, 2, false),
+               through = refined(true, 2, true);
+    const auto star_mesh = test_meshes::face_list(control);
+    // new values next to the middle: the vertex and its first edges
+    EXPECT_EQ(plain.points[0], beside.points[0]);
+    EXPECT_EQ(plain.normals[0], beside.normals[0]);
+    for (const int u : star_mesh.ring(0)) {
+      EXPECT_EQ(plain.points[std::size_t(u)], beside.points[std::size_t(u)]) << u;
+      EXPECT_EQ(plain.normals[std::size_t(u)], beside.normals[std::size_t(u)]) << u;
+    }
+    EXPECT_NE(plain.points[0], through.points[0]);
+    // at the vertex the rules are those of a corner, and nothing is transferred
+    EXPECT_EQ(through.points[0],
+              reference::Vector(control.points[0][0], control.points[0][1], control.points[0][2]));
+  }
+}
+
 // --- weights ---
 
 TYPED_TEST(Modified_scheme, EqualsTheReferenceForAllCapsAndValences)

@@ -50,6 +50,8 @@ struct Scheme_description
   static constexpr double growth = 4;
   // where all normals are equal it is its linear twin
   static constexpr bool is_linear_for_equal_normals = true;
+  // intervals enclose the result, and normals are as exact as the number type
+  static constexpr bool takes_intervals = true;
   // CGAL's linear function, and its mask in its host
   using Cgal = void;
   // what comes after a point-normal round on `mesh`, for the values of the new vertices
@@ -149,6 +151,7 @@ struct Modified_Loop_description : Scheme_description
 struct Ct_CatmullClark_description : Scheme_description
 {
   static constexpr bool is_linear_for_equal_normals = false;
+  static constexpr bool takes_intervals = false;
   static auto scheme() { return CGAL::PN_subdivision_3::ct_CatmullClark_scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
@@ -164,6 +167,7 @@ struct Ct_Loop_description : Scheme_description
 {
   static constexpr std::size_t degree = 3;
   static constexpr bool is_linear_for_equal_normals = false;
+  static constexpr bool takes_intervals = false;
   static auto scheme() { return CGAL::PN_subdivision_3::ct_Loop_scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
