@@ -38,8 +38,7 @@ std::vector<std::string> all_names()
 }
 
 template <class S>
-constexpr bool has_first_round_v =
-  std::is_constructible_v<S, double, unsigned, PN::Tuned_valences>;
+constexpr bool has_first_round_v = std::is_constructible_v<S, double, unsigned, PN::Tuned_valences>;
 
 PN::Tuned_valences tuned_valences(const Scheme_choice& choice)
 {
@@ -53,8 +52,7 @@ template <class S>
 S with_parameter(const Scheme_choice& choice)
 {
   const auto given = choice.parameters.find(S::parameter_name());
-  const double value =
-    given == choice.parameters.end() ? S::default_parameter() : given->second;
+  const double value = given == choice.parameters.end() ? S::default_parameter() : given->second;
   try {
     if constexpr (has_first_round_v<S>) {
       if (choice.first_round == 0u) throw Usage_error("--first-round must be at least 1");
@@ -102,9 +100,8 @@ void require_use_of_policy(const Scheme_choice& choice)
   if (!choice.first_round && !choice.tuned_valences) return;
   for (const std::string& name : modified_schemes())
     if (choice.scheme == name || choice.normal_scheme == name) return;
-  throw Usage_error(
-    std::string(choice.first_round ? "--first-round" : "--tuned-valences") +
-    " belongs to the schemes " + enumeration(modified_schemes(), "and"));
+  throw Usage_error(std::string(choice.first_round ? "--first-round" : "--tuned-valences") +
+                    " belongs to the schemes " + enumeration(modified_schemes(), "and"));
 }
 
 void require_use_of_parameters(const Scheme_choice& choice)

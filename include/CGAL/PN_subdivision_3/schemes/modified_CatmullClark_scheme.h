@@ -173,8 +173,7 @@ public:
   using Index = Level_connectivity::Index;
 
   modified_CatmullClark_mask(const Level_connectivity& level, double cap)
-    : modified_CatmullClark_mask(level, 1,
-                                 internal::Ring_tuning(cap, 1, Tuned_valences::all))
+    : modified_CatmullClark_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
   /// in a round, counted from 1.
   modified_CatmullClark_mask(const Level_connectivity& level, unsigned round,
@@ -284,8 +283,8 @@ private:
     else {
       const Number size = Number(int(n));
       const Number square = (Number(5) * size - Number(30)) * size + Number(49);
-      const auto rounded =
-        internal::tuned_CatmullClark_mean<Number>(n, internal::square_root(square), new_lambda, tuning);
+      const auto rounded = internal::tuned_CatmullClark_mean<Number>(
+        n, internal::square_root(square), new_lambda, tuning);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           result[i][j] = internal::rounded_weight<FT>(rounded[i][j]);
@@ -327,7 +326,7 @@ public:
   \throws std::invalid_argument otherwise
   */
   explicit modified_CatmullClark_scheme(double cap = default_parameter(), unsigned first_round = 1,
-                                      Tuned_valences valences = Tuned_valences::all)
+                                        Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 

@@ -175,7 +175,7 @@ public:
   \throws std::invalid_argument otherwise
   */
   explicit modified_Loop_scheme(double cap = default_parameter(), unsigned first_round = 1,
-                              Tuned_valences valences = Tuned_valences::all)
+                                Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 

@@ -35,9 +35,8 @@ public:
     const Index n = net.valence();
     const Ring_functionals<FT> ring(net.degree(), n);
     const auto add = [&](Index v, Index place) {
-      entries_.push_back({v,
-                          ring.limit()[place].weight,
-                          {ring.tangent(0)[place], ring.tangent(1)[place]}});
+      entries_.push_back(
+        {v, ring.limit()[place].weight, {ring.tangent(0)[place], ring.tangent(1)[place]}});
     };
     add(0, 0);
     for (Index s = 0; s < n; ++s) {

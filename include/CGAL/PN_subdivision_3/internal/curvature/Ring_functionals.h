@@ -83,10 +83,7 @@ private:
   }
 
   // of frequency k and eigenvalue mu: the share of the f_s, where that of the e_s is 1
-  FT face_part(Index k, const FT& mu) const
-  {
-    return half_turn(k)[0] / (8 * (mu - FT(1) / 4));
-  }
+  FT face_part(Index k, const FT& mu) const { return half_turn(k)[0] / (8 * (mu - FT(1) / 4)); }
 
   // exp(-i k pi / n), by sin(x) = cos(x - pi / 2)
   Pair<FT> half_turn(std::int64_t k) const

@@ -221,9 +221,10 @@ private:
     const Caller_precision<FT> precision;
     for_chunks_(result.level.number_of_vertices(), [&](Index begin, Index end) {
       const typename Caller_precision<FT>::In_this_thread same(precision);
-      round.evaluate(begin, end, values.data(), transfers, [&](Index v, const Value* refined, Index n) {
-        std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
-      });
+      round.evaluate(
+        begin, end, values.data(), transfers, [&](Index v, const Value* refined, Index n) {
+          std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
+        });
     });
     return result;
   }

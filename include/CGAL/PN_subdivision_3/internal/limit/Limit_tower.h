@@ -148,7 +148,8 @@ private:
       const auto at = [&](std::size_t j) -> Value& { return next_[place(j) * copies_ + c]; };
       for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = at(j);
       if (const auto part = (*transfer_)(ring))
-        transfer_->add_half(*part, [&](std::size_t j) -> auto& { return at(j).normal; });
+        transfer_->add_half(
+          *part, [&](std::size_t j) -> auto& { return at(j).normal; });
     }
   }
 

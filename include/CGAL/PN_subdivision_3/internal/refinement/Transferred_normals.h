@@ -87,7 +87,8 @@ public:
             transfers.emplace(size, Normal_transfer<FT>(degree, level.valence(separated[i]))).first;
         const auto part = transfer->second(ring);
         if (!part) continue;
-        transfer->second.add_half(*part, [&](std::size_t j) -> auto& { return ring[j].normal; });
+        transfer->second.add_half(
+          *part, [&](std::size_t j) -> auto& { return ring[j].normal; });
         is_changed[i] = 1;
         std::copy(ring.begin(), ring.end(), values.begin() + static_cast<std::ptrdiff_t>(begin[i]));
       }

@@ -75,7 +75,8 @@ public:
     for (Index v = 0; v < level.number_of_vertices(); ++v)
       if (valence_[v] != 0) {
         const bool is_one = valence_[v] > 2 && has_weights(valence_[v]) &&
-                            !has_counted_valence(level, v) && is_separated(level, v, degree, valence_);
+                            !has_counted_valence(level, v) &&
+                            is_separated(level, v, degree, valence_);
         (is_one ? separated : others).push_back(v);
       }
     for (Index v : others) valence_[v] = 0;
