@@ -80,6 +80,26 @@ public:
   // An undecided comparison in them is no error.
   void set_vertices_of_others(std::vector<Index> vertices) { of_others_ = std::move(vertices); }
 
+  // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
+  // the old values, before the round is evaluated.
+  using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT>, No_transfers>;
+  Transfers transfers(const Stored_value* old, [[maybe_unused]] const For_chunks& for_chunks) const
+  {
+    if constexpr (has_transfers)
+      return Transferred_normals<FT>(mask_level_, host_, mask_.separated_vertices(),
+                                     Host::refined_degree, for_chunks,
+                                     [&](const Index* vertices, Index number, Value* values) {
+                                       evaluate(vertices, vertices + number, old,
+                                                [&](const Index* first, const Value* v, Index n) {
+                                                  std::copy(v, v + n, values + (first - vertices));
+                                                });
+                                     });
+    else {
+      (void)old;
+      return {};
+    }
+  }
+
   // computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block
   void evaluate(Index begin, Index end, const Stored_value* old, const Transfers& transfers,
@@ -225,6 +245,7 @@ private:
     }
   }
 
+  const Level_connectivity& mask_level_;
   Host host_;
   Mask mask_;
   Normal_mask normal_mask_;
