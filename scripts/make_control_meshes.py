@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from control_meshes import head, models, paper, parts, shapes, star
+from control_meshes import head, models, paper, parts, shapes, star, textured
 from control_meshes.domain import Domain, Saddle, Sphere, Tube
 from control_meshes.mesh import Mesh, check
 from control_meshes.output import as_text, selection_text
@@ -121,6 +121,8 @@ ENTRIES = [
     Entry("creature.obj", "a standing creature of quads, closed", make=models.creature),
     Entry("spoon.obj", "a spoon of quads, closed", make=models.spoon),
     Entry("head.obj", "a head of quads, open at the neck", make=head.head),
+    Entry("vase.obj", "a vase with texture coordinates in two charts, open at its mouth",
+          make=textured.vase),
     Entry("saddle_3.ply", "z = 2xy about its saddle point", make=lambda: star.saddle(3)),
     Entry("saddle_5.ply", "z = 2xy about its saddle point", make=lambda: star.saddle(5)),
     Entry("bezier_6.ply", "bicubic Bézier patch about its middle", make=lambda: star.bezier(6)),
@@ -198,6 +200,9 @@ def readme(lines: list[str]) -> str:
         "Parts have a group per surface, which a comment in the file describes, a normal per corner",
         "and, beside them, `NAME.selection.txt` with their creases: the edges between two surfaces,",
         "also where these are tangent, in CGAL's format of selections.",
+        "",
+        "`vase.obj` has texture coordinates: its side and its bottom are charts with straight borders,",
+        "and groups.",
         "",
         "| file | what | vertices | faces × corners | interior valences | borders | normals |",
         "|---|---|---|---|---|---|---|",

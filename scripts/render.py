@@ -53,6 +53,8 @@ def parse_arguments() -> argparse.Namespace:
                              "without it stay plain")
     parser.add_argument("--range", type=float, metavar="MAX",
                         help="the scalar at the ends of the colors (default: 90th percentile)")
+    parser.add_argument("--checker", type=int, metavar="N",
+                        help="draw a checker of N x N squares on the texture coordinates of OBJ files")
     parser.add_argument("--caption", action="append", default=[], metavar="TEXT",
                         help="once per mesh (default: file name and number of faces)")
     parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")

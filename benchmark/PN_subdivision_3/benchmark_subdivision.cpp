@@ -31,6 +31,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
@@ -400,6 +401,56 @@ void add_refiners()
   add_refiner("refiner/Kobbelt-100k", quads(20, 15), 4, PN::Kobbelt_scheme());
 }
 
+// What attributes cost beside the points and normals.
+void add_attributes()
+{
+  const Control control = quads(72, 56);
+  const std::string group = "attributes/1M";
+  add(group + "/none", control, 4, pn_job<CGAL::Sequential_tag>(PN::CatmullClark_scheme()));
+  // attributes_of(mesh) adds maps to the mesh, which is not timed, and returns what is carried
+  const auto add_job = [&](const char* name, const auto& attributes_of) {
+    add(group + name, control, 4,
+        [attributes_of](const Mesh& mesh_of_group, unsigned rounds) -> Result {
+          Mesh mesh = mesh_of_group;
+          const auto normals = Control_meshes::add_normals(mesh);
+          const auto attributes = attributes_of(mesh);
+          const double seconds = seconds_of([&] {
+            PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                          params::number_of_iterations(rounds).vertex_normal_map(normals),
+                          attributes);
+          });
+          return {seconds, mesh.number_of_faces()};
+        });
+  };
+  const auto scalar = [](Mesh& mesh, const char* name) {
+    auto map = mesh.add_property_map<Mesh::Vertex_index, double>(name).first;
+    for (auto v : mesh.vertices()) map[v] = mesh.point(v).x();
+    return map;
+  };
+  add_job("/1-scalar",
+          [scalar](Mesh& mesh) { return PN::attributes(PN::vertex_attribute(scalar(mesh, "a"))); });
+  add_job("/3-scalars", [scalar](Mesh& mesh) {
+    return PN::attributes(PN::vertex_attribute(scalar(mesh, "a")),
+                          PN::vertex_attribute(scalar(mesh, "b")),
+                          PN::vertex_attribute(scalar(mesh, "c")));
+  });
+  add_job("/texture", [](Mesh& mesh) {
+    auto uv = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("uv").first;
+    for (auto h : mesh.halfedges()) // a seam where x changes its sign
+      if (!mesh.is_border(h)) {
+        const auto f = mesh.face(h);
+        double x = 0;
+        for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) x += mesh.point(v).x();
+        uv[h] = {mesh.point(mesh.target(h)).y() + (x > 0 ? 10 : 0), mesh.point(mesh.target(h)).z()};
+      }
+    return PN::attributes(PN::corner_attribute(uv));
+  });
+  add_job("/patch-ids", [](Mesh& mesh) {
+    return PN::attributes(
+      PN::face_attribute(mesh.add_property_map<Mesh::Face_index, int>("patch", 1).first));
+  });
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -411,6 +462,7 @@ int main(int argc, char** argv)
     add_creases();
     add_normal_estimates();
     add_refiners();
+    add_attributes();
     return names;
   });
 }

@@ -6,13 +6,15 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 """Meshes as text: PLY where there are normals, OFF or OBJ where there are none, OBJ with a normal per
-corner and a group per surface for parts."""
+corner and a group per surface for parts, with texture coordinates and a group per chart for textured
+meshes."""
 
 from collections.abc import Callable
 from pathlib import PurePath
 
 from .mesh import Mesh
 from .part import Part
+from .textured import TexturedMesh, TexturePoint
 from .vector import Vec
 
 
@@ -52,6 +54,8 @@ def selection_text(part: Part) -> str:
 def _obj(mesh: Mesh) -> list[str]:
     if isinstance(mesh, Part):
         return _obj_part(mesh)
+    if isinstance(mesh, TexturedMesh):
+        return _obj_textured(mesh)
     return ([f"v {_numbers(p)}" for p in mesh.points]
             + ["f " + " ".join(str(v + 1) for v in f) for f in mesh.faces])
 
@@ -70,3 +74,18 @@ def _obj_part(part: Part) -> list[str]:
     shapes = dict.fromkeys(f"# group {s.name} is {s.shape()}" for s in part.surfaces)
     return ([*shapes] + [f"v {_numbers(p)}" for p in part.points]
             + [f"vn {_numbers(n)}" for n in number] + faces)
+
+
+def _obj_textured(mesh: TexturedMesh) -> list[str]:
+    number: dict[TexturePoint, int] = {}
+    faces: list[str] = []
+    group = None
+    for f, chart, texture in zip(mesh.faces, mesh.charts, mesh.texture):
+        if chart != group:
+            faces.append(f"g {chart}")
+            group = chart
+        for t in texture:
+            number.setdefault(t, len(number) + 1)
+        faces.append("f " + " ".join(f"{v + 1}/{number[t]}" for v, t in zip(f, texture)))
+    return ([f"v {_numbers(p)}" for p in mesh.points]
+            + [f"vt {_numbers(t)}" for t in number] + faces)

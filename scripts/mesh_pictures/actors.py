@@ -10,10 +10,10 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
-                                         vtkProperty)
+                                         vtkProperty, vtkTexture)
 
 from .files import (averaged_normals, normals_of, points_of, set_normals, vertices_without_face,
                     with_split_normals)
@@ -62,6 +62,25 @@ def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
         else:
             actor.SetProperty(style)
     return actor
+
+
+def checker(mesh: vtkPolyData, squares: int) -> vtkTexture:
+    """For the texture coordinates of a mesh: so many squares from 0 to 1."""
+    if mesh.GetPointData().GetTCoords() is None:
+        raise ValueError("--checker: not every mesh has texture coordinates")
+    pixels = 64 * squares  # many, because they are blurred
+    row = np.arange(pixels) * squares // pixels
+    dark = (row[:, None] + row[None, :]) % 2 == 1
+    colors = np.where(dark.ravel()[:, None], (70, 96, 150), (245, 240, 225)).astype(np.uint8)
+    image = vtkImageData()
+    image.SetDimensions(pixels, pixels, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(colors, deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.InterpolateOn()
+    texture.MipmapOn()
+    texture.RepeatOn()
+    return texture
 
 
 def _with_normals(mesh: vtkPolyData, shading: str) -> vtkPolyData:

@@ -21,7 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".vtp": vtkXMLPolyDataReader}
 
 
-def read_mesh(path: Path) -> vtkPolyData:
+def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
     suffix = path.suffix.lower()
     if suffix == ".off":
         try:
@@ -33,7 +33,7 @@ def read_mesh(path: Path) -> vtkPolyData:
         reader.SetFileName(str(path))
         reader.Update()
         mesh = reader.GetOutput()
-        if suffix == ".obj" and normals_of(mesh) is None:
+        if suffix == ".obj" and normals_of(mesh) is None and not with_texture:
             mesh = _without_seams(mesh)
     else:
         raise ValueError(f"{path}: only .ply, .off, .obj and .vtp can be drawn")

@@ -30,7 +30,7 @@ BAR_HEIGHT = 0.17  # of a tile's
 
 def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     vtkObject.GlobalWarningDisplayOff()  # every failure has a line of its own
-    meshes = [read_mesh(path) for path in options.meshes]
+    meshes = [read_mesh(path, options.checker is not None) for path in options.meshes]
     controls = [None if str(path) == "none" else read_mesh(path) for path in options.control]
     if len(controls) == 1:
         controls *= len(meshes)
@@ -99,7 +99,10 @@ def new_tile(i: int, columns: int, rows: int, below: float) -> vtkRenderer:
 
 
 def add_mesh(renderer: vtkRenderer, mesh: vtkPolyData, options: Namespace, limit: float) -> None:
-    renderer.AddActor(actors.surface(mesh, options.shading, options.edges, options.scalars, limit))
+    surface = actors.surface(mesh, options.shading, options.edges, options.scalars, limit)
+    if options.checker:
+        surface.SetTexture(actors.checker(mesh, options.checker))
+    renderer.AddActor(surface)
     renderer.AddActor(actors.lone_vertices(mesh))
     if options.normals:
         renderer.AddActor(actors.normal_needles(mesh))

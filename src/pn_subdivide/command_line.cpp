@@ -178,6 +178,14 @@ void add_limit_options(CLI::App& command, Limit_choice& limit)
                    "Write the normals of the limit surface instead of the control normals");
 }
 
+void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const std::string& what)
+{
+  command.add_option("--interpolate", mode,
+                     what +
+                       " passes through the points: slide (the fairest; exact on spheres, "
+                       "cylinders and circles) or points (each point is the limit of its own)");
+}
+
 void add_surface_command(CLI::App& app, Surface_options& options)
 {
   CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
@@ -195,6 +203,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
                      "cylinder:X,Y,Z,DX,DY,DZ");
   add_crease_options(surface, options.creases);
+  add_interpolate(surface, options.interpolate, "The limit surface");
   add_limit_options(surface, options.limit);
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
@@ -204,6 +213,9 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     ->capture_default_str();
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   add_repair_options(surface, options);
+  surface.add_flag("--drop-attributes", options.drop_attributes,
+                   "Points, faces and normals only: texture coordinates, colors, materials, groups "
+                   "and other properties are not read");
   surface.add_flag("--ascii", options.ascii, "PLY and VTP as text");
   add_quiet(surface, options.quiet);
 }
@@ -230,6 +242,7 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("--sharp", options.sharp,
                    "File with the numbers of the vertices, from 0 on, that are corners (primal "
                    "schemes)");
+  add_interpolate(curve, options.interpolate, "The limit curve (bspline:3)");
   curve.add_option("--comb", options.comb,
                    "Draw curve, control polygon, control normals and curvature comb into this "
                    "SVG file");

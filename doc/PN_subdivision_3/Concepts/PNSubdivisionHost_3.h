@@ -49,8 +49,16 @@ public:
   /// prepares one round on `level`, which outlives the host.
   PNSubdivisionHost_3(const CGAL::PN_subdivision_3::Level_connectivity& level, unsigned round);
 
-  /// optional: returns which old element a new vertex comes from. The hosts of the package have it.
+  /// \name Parents
+  /// Optional: which old element a new one comes from. Attributes and the visitors that are told of new elements need
+  /// them; the hosts of the package have them.
+  /// @{
   CGAL::PN_subdivision_3::Element_parent parent_of_vertex(Index new_vertex) const;
+  CGAL::PN_subdivision_3::Element_parent parent_of_edge(Index new_edge) const;
+  CGAL::PN_subdivision_3::Element_parent parent_of_face(Index new_face) const;
+  /// optional: every edge is split in halves, and all else lies inside the old faces. `false` if it is not there.
+  static constexpr bool splits_edges = unspecified;
+  /// @}
 
   /// writes the row of the vertex `new_vertex` of the refined level, by one call of a function of
   /// `mask`. It is called by several threads at a time.

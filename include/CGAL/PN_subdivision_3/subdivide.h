@@ -9,12 +9,14 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_H
 
-#include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
+#include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Creased_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/tags.h>
 
@@ -25,52 +27,35 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-template <class Mesh>
-constexpr bool is_surface_mesh_v = false;
-template <class Point>
-constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
-
-// calls f(access) with the access that fits the mesh
-template <class Mesh, class Function>
-void with_mesh_access(Mesh& mesh, const Function& f)
-{
-  if constexpr (is_surface_mesh_v<std::remove_const_t<Mesh>>)
-    if (!mesh.has_garbage()) {
-      Surface_mesh_access<Mesh> access(mesh);
-      return f(access);
-    }
-  Bgl_mesh_access<Mesh> access(mesh);
-  f(access);
-}
-
 // The subdivision that a call asks for: without anything that could be sharp, the plain one.
 template <class Concurrency_tag, class Scheme, class FT>
 struct Any_subdivision
 {
   using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
 
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
   void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                  Vertex_map vertex_map) const
+                  Vertex_map vertex_map, const Carry& carry) const
   {
     constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
     constexpr bool may_be_sharp = is_constraint_map_v<Edge_map> ||
                                   is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
                                   has_crease_tangents_v<Scheme> || has_corner_normals;
     if constexpr (!may_be_sharp)
-      Plain(scheme, rounds, round_done)(access, points, normals);
+      Plain(scheme, rounds, round_done)(access, points, normals, carry);
     else if constexpr (Has_crease_rules<Scheme>::value)
       Creased_subdivision<Concurrency_tag, Scheme, FT>(scheme, rounds, round_done)(
-        access, points, normals, edge_map, vertex_map);
+        access, points, normals, edge_map, vertex_map, carry);
     else {
       static_assert(!has_corner_normals || Is_linear<Scheme>::value,
                     "PN_subdivision_3: the scheme has no rules for creases and takes a normal per "
                     "vertex, not per half-edge");
       refuse_creases(scheme, access, edge_map, vertex_map);
       if constexpr (!has_corner_normals)
-        Plain(scheme, rounds, round_done)(access, points, normals);
+        Plain(scheme, rounds, round_done)(access, points, normals, carry);
       else if constexpr (Is_linear<Scheme>::value)
-        Plain(scheme, rounds, round_done)(access, points, No_normal_map());
+        Plain(scheme, rounds, round_done)(access, points, No_normal_map(), carry);
     }
   }
 
@@ -118,6 +103,10 @@ their hosts); all property maps remain valid, and all other new elements have de
 stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
 afterwards if you need it.
 
+<b>Attributes.</b> What else the mesh carries is named in `attributes`: values of vertices and corners are averaged
+by the scheme's linear rows, in the same pass as the points, edges and faces pass theirs on. Where elements come from is
+told to the visitor or written into maps. Attributes change no bit of points and normals.
+
 <b>New vertices.</b> Maps of the user's have to take vertices that the mesh gets while it grows: an
 array of fixed size does not. New elements of a `Polyhedron_3` with `Polyhedron_items_with_id_3` have
 no ids yet, so that a map which goes through `vertex->id()` would be written out of its bounds: use
@@ -133,7 +122,8 @@ average for processors with AVX2, which gives the same bits, is left out.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the mesh and its maps are as they
 were. Beyond it is a property map of the user's whose `put()` throws also while old values are put
-back, and what such a map stores for vertices that exist no longer.
+back, and what such a map stores for vertices that exist no longer. An exception of a visitor's `vertex_created()`,
+`edge_created()` or `face_created()` leaves the refined mesh.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads. The
@@ -149,6 +139,8 @@ back, and what such a map stores for vertices that exist no longer.
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
   below
+\param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`, which is read and
+  changed
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
@@ -201,10 +193,13 @@ back, and what such a map stores for vertices that exist no longer.
     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object whose `round_done(unsigned k, std::size_t number_of_faces)` is
-                          called after the k-th round is computed, also of a mesh without faces; an exception of it cancels the
+    \cgalParamDescription{an object with any of the following members. `round_done(unsigned k, std::size_t number_of_faces)`
+                          is called after the k-th round is computed, also of a mesh without faces; an exception of it cancels the
                           subdivision. It must not look at the mesh, which is being written, and with
-                          `Parallel_tag` it may be called from another thread.}
+                          `Parallel_tag` it may be called from another thread. `vertex_created(v, origin)`, then
+                          `edge_created(e, origin)`, then `face_created(f, parent)` are called for all elements of the
+                          refined mesh in their order, those with an old descriptor included, when the mesh is complete;
+                          `origin` and `parent` are `Control_element`s.}
     \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}
     \cgalParamDefault{no visitor}
   \cgalParamNEnd
@@ -213,7 +208,8 @@ back, and what such a map stores for vertices that exist no longer.
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
   joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
   refine one of the faces, if a point or normal is not finite, if a sharpness is negative or not a
-  number, or if something is sharp and the scheme has no rules for it. The message names the element. These
+  number, if something is sharp and the scheme has no rules for it, if an array of `attributes` does not fit the mesh, or
+  if they need a scheme that splits edges and this one does not (`splits_edges_v`). The message names the element. These
   checks do not depend on `NDEBUG`.
 \throws std::length_error if a round needs more elements than the index type of the mesh can number
 \throws std::overflow_error if a new point is out of the range of a floating point type
@@ -225,25 +221,44 @@ valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes,
 with all that take polygons; `estimated_row_entries()` tells beforehand.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
-void subdivide(PolygonMesh& mesh, const Scheme& scheme,
-               const NamedParameters& np = parameters::default_values())
+          class NamedParameters, class Attributes>
+void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& np,
+               Attributes&& attributes)
 {
-  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>() &&
+                internal::check_attributes<PolygonMesh, Attributes>()) {
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     const unsigned iterations = Parameters::number_of_iterations(np);
     if (iterations == 0) return;
     auto visitor = Parameters::visitor(np);
+    auto& unwrapped = internal::unwrapped(visitor);
+    using Visitor = std::remove_reference_t<decltype(unwrapped)>;
     const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
-      internal::unwrapped(visitor).round_done(k, number_of_faces);
+      (void)k, (void)number_of_faces;
+      if constexpr (internal::Visits_rounds<Visitor>::value)
+        unwrapped.round_done(k, number_of_faces);
     };
+    if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
+    const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
+      unwrapped, attributes};
     const internal::Any_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision{
       scheme, iterations, round_done};
     internal::with_mesh_access(mesh, [&](auto& access) {
       subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                  Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+                  Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
+                  carry);
     });
   }
+}
+
+/// \ingroup PkgPNSubdivision3Functions
+/// does the same without attributes.
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+void subdivide(PolygonMesh& mesh, const Scheme& scheme,
+               const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, scheme, np, internal::No_attributes());
 }
 
 } // namespace PN_subdivision_3

@@ -11,6 +11,7 @@
 #include "curve/curve_corners.h"
 #include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
+#include "curve/interpolate_curve.h"
 #include "io/Error.h"
 #include "io/Report.h"
 #include "io/curve_io.h"
@@ -18,6 +19,7 @@
 #include "surface/verification.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -67,6 +69,14 @@ Curve_rule parse_rule(const Curve_options& options)
                       ": one is primal (points for vertices and for edges), the "
                       "other is dual");
   return rule;
+}
+
+std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
+                                                   const Curve_rule& rule)
+{
+  const std::optional<Interpolation_mode> mode = parse_interpolation(options.interpolate);
+  if (mode) require_interpolation(options.scheme, rule);
+  return mode;
 }
 
 bool same_file(const std::string& a, const std::string& b)
@@ -128,6 +138,22 @@ struct Refined_curve
   std::vector<Curve_data> parts;
   Curve_data whole;
 };
+
+// Parts become the control polygons of curves through their points. Of several reports what they have
+// reached together.
+void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
+                       const std::vector<std::size_t>& corners, Interpolation_mode mode,
+                       const std::string& title, Report& report)
+{
+  Curve_rule part_rule = rule;
+  if (!corners.empty()) part_rule.end = PN::Curve_end::reflect;
+  Interpolation_report whole;
+  whole.tolerance = HUGE_VAL;
+  for (Curve_data& part : parts) whole = joined(whole, interpolate_curve(part, part_rule, mode));
+  report.note(description(whole));
+  const std::string text = warning(whole);
+  if (!text.empty()) report.warn(title + ": " + text);
+}
 
 Refined_curve refined_parts(const std::vector<Curve_data>& parts, const Curve_rule& rule,
                             const std::vector<std::size_t>& corners, std::size_t size,
@@ -212,6 +238,7 @@ void run_curve_command(const Curve_options& options)
 {
   Report report(options.quiet);
   const Curve_rule rule = parse_rule(options);
+  const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
@@ -227,9 +254,11 @@ void run_curve_command(const Curve_options& options)
   if (options.sharp) corners = read_corners(*options.sharp, polygon.size());
   const Refined_curve refined = naming(input_title(options), [&] {
     const std::size_t size = polygon.size();
+    std::vector<Curve_data> parts = control_parts(polygon, rule, corners);
+    if (interpolation)
+      interpolate_parts(parts, rule, corners, *interpolation, input_title(options), report);
     // normals of unit length, as the drawing shows them too
-    const Refined_curve control =
-      refined_parts(control_parts(polygon, rule, corners), rule, corners, size, 0);
+    const Refined_curve control = refined_parts(parts, rule, corners, size, 0);
     polygon = control.whole;
     Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels);
     if (verification) verification->measure(curve.whole);

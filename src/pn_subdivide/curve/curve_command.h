@@ -19,7 +19,7 @@ namespace pn_subdivide {
 struct Curve_options
 {
   std::string input, output, scheme; // "-": standard input, output
-  std::optional<std::string> normal_scheme, end, comb, sharp;
+  std::optional<std::string> normal_scheme, end, comb, sharp, interpolate;
   Verify_options verify;
   unsigned levels = 1;
   bool closed = false, linear = false, quiet = false;

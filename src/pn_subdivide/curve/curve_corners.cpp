@@ -13,6 +13,7 @@
 #include "io/file_content.h"
 
 #include <algorithm>
+#include <new>
 #include <type_traits>
 
 namespace pn_subdivide {
@@ -37,6 +38,8 @@ std::vector<std::size_t> read_corners(const std::string& file, std::size_t size)
         corners.push_back(static_cast<std::size_t>(corner));
       }
     if (corners.empty()) throw Error("there are no numbers of vertices in this file");
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error(file + ": " + e.what());
   }

@@ -9,6 +9,8 @@
 #ifndef PN_SUBDIVIDE_MESH_DATA_H
 #define PN_SUBDIVIDE_MESH_DATA_H
 
+#include "io/Attributes.h"
+
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
@@ -28,7 +30,6 @@ using Color = std::array<std::uint8_t, 3>; // red, green, blue
 // `normals` is empty or has one vector per point, zero where a point has no control normal.
 // `corner_normals` is empty but where corners of one vertex have different normals; then it has one
 // vector per corner, face by face, and `normals` has the normalized sum of the different ones.
-// `scalars` and `colors` are for writing only, and empty or one per point.
 class Mesh_data
 {
 public:
@@ -38,9 +39,7 @@ public:
 
   std::vector<Triple> points;
   std::vector<Triple> normals, corner_normals;
-  std::string scalar_name;
-  std::vector<double> scalars;
-  std::vector<Color> colors;
+  Attributes attributes;
 
   // What the file says and this does not hold, for people: "materials".
   std::vector<std::string> dropped;
@@ -63,9 +62,10 @@ public:
 
   Face face(std::size_t f) const
   {
-    const std::size_t begin = f == 0 ? 0 : face_end_[f - 1];
-    return Face(corners_.data() + begin, corners_.data() + face_end_[f]);
+    return Face(corners_.data() + first_corner(f), corners_.data() + face_end_[f]);
   }
+  // Corners are numbered through all faces.
+  std::size_t first_corner(std::size_t f) const { return f == 0 ? 0 : face_end_[f - 1]; }
 
   template <class Index_range>
   void add_face(const Index_range& vertices)
@@ -78,6 +78,12 @@ public:
   {
     face_end_.reserve(faces);
     corners_.reserve(corners);
+  }
+
+  // Vertex v of the faces becomes numbers[v].
+  void renumber_vertices(const std::vector<Index>& numbers)
+  {
+    for (Index& v : corners_) v = numbers[v];
   }
 
   void clear_faces()

@@ -69,7 +69,9 @@ void Output_file::check(const std::string& file)
   if (file != "-") checked_status(real_target(file));
 }
 
+// Made complete first, so that whatever is thrown from here on finds the destructor.
 Output_file::Output_file(const std::string& file)
+  : Output_file()
 {
   buffer_.reserve(buffer_size + 64);
   fs::file_status status;
@@ -100,11 +102,12 @@ void Output_file::open_temporary()
   std::random_device random;
   for (int attempt = 0; attempt < 100; ++attempt) {
     const std::string name = ".pn_subdivide-" + std::to_string(random()) + ".tmp";
-    const fs::path temporary = target_.parent_path() / name;
-    removal_ = std::make_unique<Temporary_on_signal>(temporary.string());
-    file_ = std::fopen(temporary.string().c_str(), "wbx"); // x: never opens an existing file
+    fs::path temporary = target_.parent_path() / name;
+    const std::string path = temporary.string();
+    removal_ = std::make_unique<Temporary_on_signal>(path);
+    file_ = std::fopen(path.c_str(), "wbx"); // x: never opens an existing file
     if (file_ != nullptr) {
-      temporary_ = temporary;
+      temporary_.swap(temporary); // which cannot fail
       return;
     }
     const int error = errno;

@@ -55,6 +55,7 @@ public:
   void commit();
 
 private:
+  Output_file() = default;
   void open_temporary();
   void flush();
   void close();

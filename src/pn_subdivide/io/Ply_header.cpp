@@ -11,19 +11,13 @@
 namespace pn_subdivide {
 namespace {
 
-Ply_type read_type(Text_reader& in)
+Scalar_type read_type(Text_reader& in)
 {
-  static const struct
-  {
-    const char *name, *other_name;
-    Ply_type type;
-  } types[] = {{"char", "int8", Ply_type::int8},        {"uchar", "uint8", Ply_type::uint8},
-               {"short", "int16", Ply_type::int16},     {"ushort", "uint16", Ply_type::uint16},
-               {"int", "int32", Ply_type::int32},       {"uint", "uint32", Ply_type::uint32},
-               {"float", "float32", Ply_type::float32}, {"double", "float64", Ply_type::float64}};
   const std::string word(in.word());
-  for (const auto& t : types)
-    if (word == t.name || word == t.other_name) return t.type;
+  for (int i = 0; i <= static_cast<int>(Scalar_type::float64); ++i) {
+    const auto type = static_cast<Scalar_type>(i);
+    if (word == traits(type).ply || word == traits(type).other_ply) return type;
+  }
   in.fail("not a PLY type: '" + Text_reader::printable(word) + "'");
 }
 
@@ -57,7 +51,7 @@ Ply_property read_property(Text_reader& in)
   if (property.is_list) {
     in.word();
     property.size_type = read_type(in);
-    if (property.size_type == Ply_type::float32 || property.size_type == Ply_type::float64)
+    if (property.size_type == Scalar_type::float32 || property.size_type == Scalar_type::float64)
       in.fail("the length of a list must be an integer");
   }
   property.type = read_type(in);
@@ -95,7 +89,9 @@ Ply_header read_ply_header(Text_reader& in)
     } else if (keyword == "end_header") {
       if (!has_format) in.fail("the header says nothing about the format");
       return header;
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword == "comment") {
+      header.comments.emplace_back(in.name());
+    } else if (keyword != "obj_info") {
       in.fail("'" + Text_reader::printable(keyword) + "' does not belong into a PLY header");
     }
   }

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_PLY_HEADER_H
 #define PN_SUBDIVIDE_PLY_HEADER_H
 
+#include "io/Scalar_type.h"
 #include "io/Text_reader.h"
 
 #include <cstddef>
@@ -18,14 +19,13 @@
 namespace pn_subdivide {
 
 enum class Ply_format { ascii, little_endian, big_endian };
-enum class Ply_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 struct Ply_property
 {
   std::string name;
-  Ply_type type;
+  Scalar_type type;
   bool is_list = false;
-  Ply_type size_type = Ply_type::uint8; // of lists
+  Scalar_type size_type = Scalar_type::uint8; // of lists
 };
 
 struct Ply_element
@@ -43,6 +43,7 @@ struct Ply_header
 {
   Ply_format format = Ply_format::ascii;
   std::vector<Ply_element> elements;
+  std::vector<std::string> comments;
 };
 
 // Leaves `in` on the last line of the header. Throws Error.

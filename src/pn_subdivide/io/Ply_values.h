@@ -15,7 +15,9 @@
 
 #include <boost/endian/conversion.hpp>
 
+#include <cmath>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -32,27 +34,42 @@ public:
     , format_(format)
   {}
 
-  double next(Ply_type type)
+  double next(Scalar_type type)
   {
     switch (type) {
-    case Ply_type::int8:
+    case Scalar_type::int8:
       return value<std::int8_t>();
-    case Ply_type::uint8:
+    case Scalar_type::uint8:
       return value<std::uint8_t>();
-    case Ply_type::int16:
+    case Scalar_type::int16:
       return value<std::int16_t>();
-    case Ply_type::uint16:
+    case Scalar_type::uint16:
       return value<std::uint16_t>();
-    case Ply_type::int32:
+    case Scalar_type::int32:
       return value<std::int32_t>();
-    case Ply_type::uint32:
+    case Scalar_type::uint32:
       return value<std::uint32_t>();
-    case Ply_type::float32:
+    case Scalar_type::float32:
       return value<float>();
-    case Ply_type::float64:
+    case Scalar_type::float64:
       break;
     }
     return value<double>();
+  }
+
+  // The same for a property that is carried: in a text, too, the number must be one of its type.
+  double next(const Ply_property& property)
+  {
+    const double x = next(property.type);
+    if (format_ != Ply_format::ascii || property.type == Scalar_type::float64) return x;
+    const double rounded = nearest(property.type, x);
+    const bool is_integer = traits(property.type).is_integer;
+    if (is_integer ? rounded == x : std::isfinite(rounded) || !std::isfinite(x)) return rounded;
+    std::ostringstream message;
+    message.precision(17);
+    message << x << " does not fit into '" << Text_reader::printable(property.name)
+            << "', which is of type " << description(property.type);
+    text_.fail(message.str());
   }
 
   std::size_t bytes_left() const

@@ -12,6 +12,14 @@
 
 namespace pn_subdivide {
 
+std::string enumeration(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return list;
+}
+
 double Report::seconds() const
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

@@ -15,6 +15,9 @@
 
 namespace pn_subdivide {
 
+// "groups, materials and colors"
+std::string enumeration(const std::vector<std::string>& names);
+
 // What a run says on standard error besides errors: progress at once, warnings and notes when the output
 // is complete, so that a run that fails under --quiet says one line only.
 class Report

@@ -99,6 +99,20 @@ std::string_view Text_reader::rest_of_line()
   return std::string_view(text_.data() + begin, end_ - begin);
 }
 
+std::string_view Text_reader::name()
+{
+  skip_blanks();
+  const std::size_t begin = pos_;
+  const std::size_t newline = std::min(text_.find('\n', begin), text_.size());
+  std::size_t end = begin;
+  while (end < newline &&
+         (text_[end] != comment_sign_ || (end > begin && !is_blank(text_[end - 1]))))
+    ++end;
+  pos_ = end_;
+  while (end > begin && is_blank(text_[end - 1])) --end;
+  return std::string_view(text_.data() + begin, end - begin);
+}
+
 std::size_t Text_reader::words_left() const
 {
   std::size_t n = 0;

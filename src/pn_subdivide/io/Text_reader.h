@@ -33,6 +33,9 @@ public:
   std::string_view word_across_lines();
   // What is left of the line, without blanks in front.
   std::string_view rest_of_line();
+  // What is left of the line without blanks around, also behind a comment sign that follows no blank:
+  // there are materials called "wire#2".
+  std::string_view name();
   // Is nothing left in this line?
   bool at_end_of_line();
   // How many words are left in this line?

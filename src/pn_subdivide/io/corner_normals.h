@@ -12,8 +12,6 @@
 #include "io/Mesh_data.h"
 
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace pn_subdivide {
 
@@ -30,16 +28,6 @@ inline bool directions_differ(const Triple& m, const Triple& n)
   const Triple a = normalized(m), b = normalized(n);
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > 0.0017;
 }
-
-// The normals of a mesh with a normal per corner, where equal ones at the same vertex count once.
-struct Different_normals
-{
-  explicit Different_normals(const Mesh_data& mesh);
-
-  std::vector<Triple> normals;          // in the order of the first corners that have them
-  std::vector<Mesh_data::Index> vertex; // of each
-  std::vector<std::size_t> of_corner;   // which of them each corner has
-};
 
 // From the normals of its corners. At vertices where they are the same it is this normal, elsewhere
 // the normalized sum of the different ones; vertices without faces keep theirs. Drops the normals of

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <new>
 
 namespace pn_subdivide {
 namespace {
@@ -82,6 +83,8 @@ Curve_data read_curve(const std::string& file)
 {
   try {
     return parse_curve(file_content(file));
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error((file == "-" ? "standard input" : file) + ": " + e.what());
   }

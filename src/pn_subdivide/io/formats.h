@@ -13,17 +13,18 @@
 #include "io/mesh_io.h"
 
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
 class Output_file;
 
-// One function per format. They take the content of a file, or the file to be filled, and throw
-// Error without the file's name, which `read_mesh()` and `write_mesh()` put in front.
-Mesh_data read_ply(const std::string& content);
-Mesh_data read_off(const std::string& content);
-Mesh_data read_obj(const std::string& content);
-Mesh_data read_stl(const std::string& content);
+// One function of each kind per format. They take the content of a file, or the file to be filled, and
+// throw Error without the file's name, which `read_mesh()` and `write_mesh()` put in front.
+Mesh_data read_ply(const std::string& content, bool with_attributes);
+Mesh_data read_off(const std::string& content, bool with_attributes);
+Mesh_data read_obj(const std::string& content, bool with_attributes);
+Mesh_data read_stl(const std::string& content, bool with_attributes);
 
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_off(Output_file& out, const Mesh_data& mesh, Encoding encoding);
@@ -31,6 +32,13 @@ void write_obj(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 // Binary. Faces must be triangles. Throws Error if a coordinate is too great for its float.
 void write_stl(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+
+// What of the attributes the format has no place for.
+std::vector<std::string> not_held_by_ply(const Mesh_data& mesh);
+std::vector<std::string> not_held_by_off(const Mesh_data& mesh);
+std::vector<std::string> not_held_by_obj(const Mesh_data& mesh);
+std::vector<std::string> not_held_by_stl(const Mesh_data& mesh);
+std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh);
 
 } // namespace pn_subdivide
 

@@ -10,7 +10,9 @@
 #include "io/soup_repair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace pn_subdivide {
@@ -59,11 +61,46 @@ void keep_first(std::vector<T>& values, const std::vector<Index>& first)
   values.resize(kept);
 }
 
+bool differ(const Column& column, const std::vector<Index>& first)
+{
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    const double x = column.values[v], y = column.values[first[v]];
+    if (x != y && !(std::isnan(x) && std::isnan(y))) return true;
+  }
+  return false;
+}
+
+// Texture coordinates of vertices that are merged and have different ones become those of corners:
+// the copies of vertices were there for a seam.
+void move_texture_to_corners(Mesh_data& mesh, const std::vector<Index>& first)
+{
+  Attributes& attributes = mesh.attributes;
+  const Column_group columns = find_texture(attributes.of_vertices);
+  const auto is_cut = [&first](const Column* column) { return differ(*column, first); };
+  if (!attributes.texture.empty() || std::none_of(columns.begin(), columns.end(), is_cut)) return;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Index v : mesh.face(f))
+      attributes.texture.push_back({columns[0]->values[v], columns[1]->values[v], 0});
+  attributes.texture_type = columns[0]->type;
+  const std::string names[] = {columns[0]->name, columns[1]->name};
+  const auto is_moved = [&names](const Column& c) {
+    return c.name == names[0] || c.name == names[1];
+  };
+  Columns& all = attributes.of_vertices;
+  all.erase(std::remove_if(all.begin(), all.end(), is_moved), all.end());
+}
+
 } // namespace
 
-std::size_t merge_equal_points(Mesh_data& mesh)
+Point_merge merge_equal_points(Mesh_data& mesh)
 {
   const std::vector<Index> first = first_equal(mesh.points);
+  Point_merge result;
+  move_texture_to_corners(mesh, first);
+  for (Column& column : mesh.attributes.of_vertices) {
+    if (differ(column, first)) result.differing_attributes.push_back(column.name);
+    keep_first(column.values, first);
+  }
   if (mesh.has_normals()) {
     mesh.normals = merged_normals(mesh, first);
     keep_first(mesh.normals, first);
@@ -74,16 +111,10 @@ std::size_t merge_equal_points(Mesh_data& mesh)
     number[v] = first[v] == v ? kept++ : number[first[v]];
   keep_first(mesh.points, first);
 
-  const Mesh_data old = mesh;
-  mesh.clear_faces();
-  std::vector<Index> face;
-  for (std::size_t f = 0; f < old.number_of_faces(); ++f) {
-    face.clear();
-    for (const Index v : old.face(f)) face.push_back(number[v]);
-    mesh.add_face(face);
-  }
+  mesh.renumber_vertices(number);
   mesh.merged_into = std::move(number);
-  return first.size() - kept;
+  result.merged_vertices = first.size() - kept;
+  return result;
 }
 
 } // namespace pn_subdivide

@@ -18,26 +18,29 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <new>
 
 namespace pn_subdivide {
 namespace {
 
-using Reader = Mesh_data (*)(const std::string&);
+using Reader = Mesh_data (*)(const std::string&, bool);
 using Writer = void (*)(Output_file&, const Mesh_data&, Encoding);
+using Not_held = std::vector<std::string> (*)(const Mesh_data&);
 
 struct Format
 {
   const char* name;
   Reader read; // nullptr: not read
   Writer write;
+  Not_held not_held;
   bool scalars, normals, corner_normals, polygons; // whether it holds them
 };
 
-const Format formats[] = {{"ply", read_ply, write_ply, true, true, false, true},
-                          {"off", read_off, write_off, false, true, false, true},
-                          {"obj", read_obj, write_obj, false, true, true, true},
-                          {"stl", read_stl, write_stl, false, false, false, false},
-                          {"vtp", nullptr, write_vtp, true, true, false, true}};
+const Format formats[] = {{"ply", read_ply, write_ply, not_held_by_ply, true, true, false, true},
+                          {"off", read_off, write_off, not_held_by_off, false, true, false, true},
+                          {"obj", read_obj, write_obj, not_held_by_obj, false, true, true, true},
+                          {"stl", read_stl, write_stl, not_held_by_stl, false, false, false, false},
+                          {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, false, true}};
 
 bool is_readable(const Format& format)
 {
@@ -130,10 +133,17 @@ void require_writable_place(const std::string& file)
   }
 }
 
-Mesh_data read_mesh(const Mesh_file& file)
+std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh)
+{
+  return format_of(file).not_held(mesh);
+}
+
+Mesh_data read_mesh(const Mesh_file& file, bool with_attributes)
 {
   try {
-    return format_of(file).read(file_content(file.name));
+    return format_of(file).read(file_content(file.name), with_attributes);
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error(file.title("standard input") + ": " + e.what());
   }
@@ -150,6 +160,8 @@ void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
     Output_file out(file.name);
     format_of(file).write(out, mesh, encoding);
     out.commit();
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error(file.title("standard output") + ": " + e.what());
   }

@@ -13,12 +13,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
 // CGAL's readers and writers of polygon soups lose what this command promises to keep: they drop
 // normals (OBJ, PLY) or write OBJ faces without normal indices, do not check indices (PLY), take
-// damaged lines for short ones (OFF, STL), and in no case can tell where a file is damaged.
+// damaged lines for short ones (OFF, STL), and in no case can tell where a file is damaged. Assimp,
+// VTK, OpenMesh and tinyobjloader read floats, drop most attributes, and take indices out of range
+// and damaged numbers for others.
 
 // A file of the command line: its name, and its format as the extension or --format says.
 struct Mesh_file
@@ -49,9 +52,12 @@ bool holds_polygons(const Mesh_file& file);
 // Throws Error if it can be seen beforehand that the file cannot be written.
 void require_writable_place(const std::string& file);
 
+// What of the mesh's attributes the format has no place for, for people: "groups".
+std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh);
+
 // Indices are within range and faces have three vertices or more; everything else is left to the
 // soup checks. Throws Error, which names the file and the place.
-Mesh_data read_mesh(const Mesh_file& file);
+Mesh_data read_mesh(const Mesh_file& file, bool with_attributes = true);
 Mesh_data read_mesh(const std::string& name);
 
 enum class Encoding { binary, text };

@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Error.h"
+#include "io/Obj_attributes.h"
 #include "io/Obj_normals.h"
 #include "io/Text_reader.h"
 #include "io/formats.h"
@@ -14,7 +15,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -22,8 +22,9 @@ namespace {
 class Obj_reader
 {
 public:
-  explicit Obj_reader(const std::string& content)
+  Obj_reader(const std::string& content, bool with_attributes)
     : in_(content, '#')
+    , with_attributes_(with_attributes)
   {}
 
   Mesh_data read()
@@ -36,7 +37,7 @@ public:
         read_normal();
       else if (keyword == "f")
         read_face();
-      else
+      else if (with_attributes_ && !attributes_.read(keyword, in_, mesh_))
         note_what_is_dropped(keyword);
     }
     if (mesh_.points.empty())
@@ -46,28 +47,22 @@ public:
     mesh_.corner_normals = normals_.per_corner(mesh_.points.size(), mesh_.number_of_corners());
     mesh_.normals = normals_.per_vertex(mesh_.points.size());
     mesh_.vertices_with_several_normals = normals_.vertices_with_several_normals();
+    attributes_.put(mesh_);
     return std::move(mesh_);
   }
 
 private:
-  // Nothing of it says anything about the surface.
   void note_what_is_dropped(std::string_view keyword)
   {
-    static const std::pair<std::string_view, const char*> names[] = {{"vt", "texture coordinates"},
-                                                                     {"usemtl", "materials"},
-                                                                     {"mtllib", "materials"},
-                                                                     {"g", "groups"},
-                                                                     {"o", "groups"},
-                                                                     {"l", "lines and points"},
-                                                                     {"p", "lines and points"}};
-    for (const auto& [word, what] : names)
-      if (word == keyword) mesh_.drop(what);
-    if (keyword != "s") return;
-    const std::string_view group = in_.word();
-    if (group != "off" && group != "0") mesh_.drop("smoothing groups");
+    constexpr std::size_t many = 8; // in a damaged file every line may begin with another word
+    if (keyword == "l" || keyword == "p")
+      mesh_.drop("lines and points");
+    else
+      mesh_.drop(mesh_.dropped.size() < many ? "'" + Text_reader::printable(keyword) + "'"
+                                             : "other lines");
   }
 
-  // A face's vertex or normal, counted from 0. Numbers in the file count from 1, negative ones back
+  // A face's vertex, texture point or normal, counted from 0. Numbers in the file count from 1, negative ones back
   // from the last that was read.
   std::int64_t index(std::string_view word, std::size_t so_far, const char* what) const
   {
@@ -84,7 +79,7 @@ private:
     const double y = in_.number("a coordinate");
     const double z = in_.number("a coordinate");
     mesh_.points.push_back({x, y, z});
-    if (in_.words_left() >= 3) mesh_.drop("colors"); // otherwise a weight may follow
+    if (with_attributes_) attributes_.read_color(in_);
     if (mesh_.points.size() > Mesh_data::max_number_of_points) in_.fail("too many vertices");
   }
 
@@ -102,6 +97,7 @@ private:
     for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) read_corner(w);
     if (face_.size() < 3) in_.fail("a face with " + std::to_string(face_.size()) + " vertices");
     mesh_.add_face(face_);
+    attributes_.end_face();
     line_of_face_.push_back(in_.line());
   }
 
@@ -114,12 +110,17 @@ private:
     if (slash == w.size()) return;
 
     w.remove_prefix(slash + 1);
-    const std::size_t second_slash = w.find('/');
-    if (second_slash == std::string_view::npos) return;
+    const std::size_t corner = mesh_.number_of_corners() + face_.size() - 1;
+    const std::size_t second_slash = std::min(w.find('/'), w.size());
+    if (with_attributes_ && second_slash > 0) {
+      const std::int64_t t =
+        index(w.substr(0, second_slash), attributes_.number_of_texture_points(), "a texture index");
+      attributes_.add_corner(corner, static_cast<std::size_t>(t), in_.line());
+    }
+    if (second_slash == w.size()) return;
     const std::int64_t n =
       index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
-    normals_.add_corner(mesh_.number_of_corners() + face_.size() - 1, face_.back(),
-                        static_cast<std::size_t>(n), in_.line());
+    normals_.add_corner(corner, face_.back(), static_cast<std::size_t>(n), in_.line());
   }
 
   // Not earlier, because a face may come before its vertices.
@@ -134,22 +135,24 @@ private:
   }
 
   Text_reader in_;
+  bool with_attributes_;
   Mesh_data mesh_;
   Obj_normals normals_;
+  Obj_attributes attributes_;
   std::vector<Mesh_data::Index> face_;
   std::vector<std::size_t> line_of_face_;
 };
 
 } // namespace
 
-Mesh_data read_obj(const std::string& content)
+Mesh_data read_obj(const std::string& content, bool with_attributes)
 {
-  if (content.find('\\') == std::string::npos) return Obj_reader(content).read();
+  if (content.find('\\') == std::string::npos) return Obj_reader(content, with_attributes).read();
 
   // A line that ends with a backslash goes on in the next one.
   std::string joined = boost::algorithm::replace_all_copy(content, "\\\r\n", " ");
   boost::algorithm::replace_all(joined, "\\\n", " ");
-  return Obj_reader(joined).read();
+  return Obj_reader(joined, with_attributes).read();
 }
 
 } // namespace pn_subdivide

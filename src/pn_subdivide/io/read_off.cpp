@@ -7,10 +7,12 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Error.h"
+#include "io/Off_colors.h"
 #include "io/Text_reader.h"
 #include "io/formats.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pn_subdivide {
 namespace {
@@ -96,9 +98,30 @@ Triple read_normal(Text_reader& in)
   return {x, y, z};
 }
 
-// Colors have 0 to 4 numbers, whatever the header says, and are skipped with the texture. A plain
-// OFF file with three more numbers could mean normals or colors; this is not guessed.
-void read_rest_of_vertex(Text_reader& in, const Off_header& header)
+// What an OFF file says besides points, normals and faces.
+struct Off_attributes
+{
+  Off_colors of_vertices, of_faces;
+  std::vector<double> texture;
+
+  void put(Mesh_data& mesh)
+  {
+    if (of_vertices.has_numbers_of_color_map() || of_faces.has_numbers_of_color_map())
+      mesh.drop("colors that are numbers of a color map");
+    mesh.attributes.of_vertices = of_vertices.columns();
+    mesh.attributes.of_faces = of_faces.columns();
+    for (std::size_t i = 0; i < 2 && !texture.empty(); ++i) {
+      Column column;
+      column.name = i == 0 ? "s" : "t";
+      for (std::size_t k = i; k < texture.size(); k += 2) column.values.push_back(texture[k]);
+      mesh.attributes.of_vertices.push_back(std::move(column));
+    }
+  }
+};
+
+// Colors have 0 to 4 numbers, whatever the header says. A plain OFF file with three more numbers
+// could mean normals or colors; this is not guessed. Without attributes what is there is skipped.
+void read_rest_of_vertex(Text_reader& in, const Off_header& header, Off_attributes* attributes)
 {
   const std::size_t texture = header.texture ? 2 : 0;
   const std::size_t most = texture + (header.colors ? 4 : 0);
@@ -108,11 +131,18 @@ void read_rest_of_vertex(Text_reader& in, const Off_header& header)
             (header.normals ? " and normal" : "") + " where the header announces " +
             (texture == most ? std::to_string(most)
                              : std::to_string(texture) + " to " + std::to_string(most)));
-  while (!in.at_end_of_line()) in.number("a number");
+  if (attributes != nullptr && header.colors) attributes->of_vertices.read(in, left - texture);
+  while (!in.at_end_of_line()) {
+    const double x = in.number("a number");
+    if (attributes == nullptr) continue;
+    if (!std::isfinite(x)) in.fail("a texture coordinate that is not finite");
+    attributes->texture.push_back(x);
+  }
 }
 
-// Whether a color follows, which is skipped.
-bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face)
+// Without attributes a color is skipped.
+void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_data::Index>& face,
+               Off_attributes* attributes)
 {
   const std::int64_t n = in.integer("the face's number of vertices");
   if (n < 3) in.fail("a face with " + std::to_string(n) + " vertices");
@@ -127,35 +157,36 @@ bool read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_d
   const std::size_t left = in.words_left();
   if (left > 4)
     in.fail("too many numbers for a face with " + std::to_string(n) + " vertices and a color");
-  return left > 0;
+  if (attributes != nullptr) attributes->of_faces.read(in, left);
 }
 
 } // namespace
 
-Mesh_data read_off(const std::string& content)
+Mesh_data read_off(const std::string& content, bool with_attributes)
 {
   Text_reader in(content, '#');
   const Off_header header = read_header(in);
 
   Mesh_data mesh;
-  if (header.texture) mesh.drop("texture coordinates");
-  if (header.colors) mesh.drop("colors");
+  Off_attributes read_attributes;
+  Off_attributes* const attributes = with_attributes ? &read_attributes : nullptr;
   const std::size_t plausible = content.size() / 6; // a damaged header may announce anything
   mesh.points.reserve(std::min(header.points, plausible));
   for (std::size_t i = 0; i < header.points; ++i) {
     next_line_of(in, "vertices", i, header.points);
     mesh.points.push_back(read_point(in));
     if (header.normals) mesh.normals.push_back(read_normal(in));
-    read_rest_of_vertex(in, header);
+    read_rest_of_vertex(in, header, attributes);
   }
   std::vector<Mesh_data::Index> face;
   mesh.reserve_faces(std::min(header.faces, plausible), 4 * std::min(header.faces, plausible));
   for (std::size_t i = 0; i < header.faces; ++i) {
     next_line_of(in, "faces", i, header.faces);
-    if (read_face(in, header.points, face)) mesh.drop("colors");
+    read_face(in, header.points, face, attributes);
     mesh.add_face(face);
   }
   if (in.next_line()) in.fail("more lines than the header announces");
+  read_attributes.put(mesh);
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Error.h"
+#include "io/Ply_columns.h"
 #include "io/Ply_header.h"
 #include "io/Ply_values.h"
 #include "io/formats.h"
@@ -14,7 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <limits>
 
 namespace pn_subdivide {
 namespace {
@@ -44,48 +45,53 @@ std::array<std::size_t, 3> find_three(const Ply_element& element,
   return positions;
 }
 
-// A property that a mesh has no place for, as people call it.
-std::string name_of_dropped(const std::string& property)
+// The texture coordinates of a face's corners, as MeshLab writes them.
+constexpr const char* texture_list = "texcoord";
+
+bool is_one_of(const std::vector<std::string>& names, const std::string& name)
 {
-  static const char* const colors[] = {"red",         "green",         "blue",        "alpha",
-                                       "diffuse_red", "diffuse_green", "diffuse_blue"};
-  static const char* const texture[] = {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"};
-  const auto is_one_of = [&](const auto& names) {
-    return std::find(std::begin(names), std::end(names), property) != std::end(names);
-  };
-  if (is_one_of(colors)) return "colors";
-  if (is_one_of(texture)) return "texture coordinates";
-  return "the property '" + Text_reader::printable(property) + "'";
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+const std::vector<std::string>& names_at_vertices()
+{
+  static const std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
+  return names;
+}
+const std::vector<std::string>& names_at_faces()
+{
+  static const std::vector<std::string> names = {"vertex_indices", "vertex_index"};
+  return names;
+}
+
+// Lists, but for those of indices and of texture coordinates, and elements other than vertices and
+// faces.
 void note_what_is_dropped(const Ply_header& header, Mesh_data& mesh)
 {
-  static const std::array<const char*, 6> of_vertices = {"x", "y", "z", "nx", "ny", "nz"};
-  static const std::array<const char*, 2> of_faces = {"vertex_indices", "vertex_index"};
-  const auto drop_others = [&mesh](const Ply_element& element, const auto& known) {
-    for (const Ply_property& p : element.properties)
-      if (std::find(known.begin(), known.end(), p.name) == known.end())
-        mesh.drop(name_of_dropped(p.name));
-  };
   for (const Ply_element& element : header.elements) {
     if (element.size == 0) continue;
-    if (element.name == "vertex")
-      drop_others(element, of_vertices);
-    else if (element.name == "face")
-      drop_others(element, of_faces);
-    else
+    const bool is_face = element.name == "face";
+    if (!is_face && element.name != "vertex") {
       mesh.drop("the element '" + Text_reader::printable(element.name) + "'");
+      continue;
+    }
+    for (const Ply_property& p : element.properties)
+      if (p.is_list &&
+          !(is_face && (p.name == texture_list || is_one_of(names_at_faces(), p.name))))
+        mesh.drop("the property '" + Text_reader::printable(p.name) + "'");
   }
 }
 
 class Ply_reader
 {
 public:
-  Ply_reader(const std::string& content, const Ply_header& header, const Text_reader& behind_header)
+  Ply_reader(const std::string& content, const Ply_header& header, const Text_reader& behind_header,
+             bool with_attributes)
     : header_(header)
     , values_(content, behind_header, header.format)
+    , with_attributes_(with_attributes)
   {
-    note_what_is_dropped(header, mesh_);
+    if (with_attributes) note_what_is_dropped(header, mesh_);
   }
 
   Mesh_data read()
@@ -106,44 +112,62 @@ public:
     if (!has_faces) throw Error("the PLY file has no element 'face', so it is not a mesh");
     if (!values_.at_end()) throw Error("more data than the PLY header announces");
     check_indices();
+    if (with_attributes_) read_ply_comments(header_.comments, mesh_.attributes);
     return std::move(mesh_);
   }
 
 private:
-  // Reads element i; scalars go to `scalars_`, and the list `wanted_list` to `list_`.
-  void read_item(const Ply_element& element, std::size_t i, std::size_t wanted_list)
+  struct Lists
+  {
+    std::size_t indices = Ply_element::none, texture = Ply_element::none; // their positions
+  };
+
+  // Reads element i; scalars go to `scalars_`, the lists to `indices_` and `texture_`.
+  void read_item(const Ply_element& element, std::size_t i, const Lists& lists)
   {
     try {
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const Ply_property& property = element.properties[k];
         if (property.is_list)
-          read_list(property, k == wanted_list);
+          read_list(property, k == lists.indices   ? &indices_
+                              : k == lists.texture ? &texture_
+                                                   : nullptr);
         else
-          scalars_[k] = values_.next(property.type);
+          scalars_[k] = columns_.carries(k) ? values_.next(property) : values_.next(property.type);
       }
     } catch (const Error& e) {
       throw Error(std::string(e.what()) + " (in " + name_of(element, i) + ")");
     }
   }
 
-  void read_list(const Ply_property& property, bool wanted)
+  void read_list(const Ply_property& property, std::vector<double>* list)
   {
     const double size = values_.next(property.size_type);
     if (!(size >= 0) || size != std::floor(size))
       throw Error("a list with a negative or broken length");
     if (size > static_cast<double>(values_.bytes_left())) throw Error("truncated");
-    if (wanted) list_.clear();
+    if (list != nullptr) list->clear();
     for (double i = 0; i < size; ++i) {
-      const double x = values_.next(property.type);
-      if (wanted) list_.push_back(x);
+      const double x = list == &texture_ ? values_.next(property) : values_.next(property.type);
+      if (list != nullptr) list->push_back(x);
     }
+  }
+
+  // For the scalars of an element, which are carried but for those of the given names.
+  void begin(const Ply_element& element, const std::vector<std::string>& others)
+  {
+    scalars_.assign(element.properties.size(), 0);
+    columns_ = with_attributes_ ? Ply_columns(element, others) : Ply_columns();
+    const std::size_t properties = (std::max)(element.properties.size(), std::size_t(1));
+    columns_.reserve(std::min(element.size, values_.bytes_left() / properties));
   }
 
   void skip(const Ply_element& element)
   {
     if (element.properties.empty()) return;
     scalars_.assign(element.properties.size(), 0);
-    for (std::size_t i = 0; i < element.size; ++i) read_item(element, i, Ply_element::none);
+    columns_ = Ply_columns();
+    for (std::size_t i = 0; i < element.size; ++i) read_item(element, i, Lists());
   }
 
   void read_vertices(const Ply_element& element)
@@ -157,33 +181,78 @@ private:
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 3);
     mesh_.points.reserve(plausible);
     if (has_normals) mesh_.normals.reserve(plausible);
-    scalars_.assign(element.properties.size(), 0);
+    begin(element, names_at_vertices());
     for (std::size_t i = 0; i < element.size; ++i) {
-      read_item(element, i, Ply_element::none);
+      read_item(element, i, Lists());
       mesh_.points.push_back({scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]});
       if (has_normals) mesh_.normals.push_back({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]});
+      columns_.add(scalars_);
     }
+    mesh_.attributes.of_vertices = columns_.take();
+    for (const Column* column : find_texture(mesh_.attributes.of_vertices))
+      for (std::size_t i = 0; i < element.size; ++i)
+        require_finite_texture(column->values[i], element, i);
+  }
+
+  static void require_finite_texture(double x, const Ply_element& element, std::size_t i)
+  {
+    if (!std::isfinite(x))
+      throw Error(name_of(element, i) + " has a texture coordinate that is not finite");
   }
 
   void read_faces(const Ply_element& element)
   {
-    std::size_t indices = element.find("vertex_indices");
-    if (indices == Ply_element::none) indices = element.find("vertex_index");
-    if (indices == Ply_element::none || !element.properties[indices].is_list)
+    Lists lists;
+    lists.indices = element.find("vertex_indices");
+    if (lists.indices == Ply_element::none) lists.indices = element.find("vertex_index");
+    if (lists.indices == Ply_element::none || !element.properties[lists.indices].is_list)
       throw Error("the faces have no list 'vertex_indices'");
+    const std::size_t texture = element.find(texture_list);
+    if (with_attributes_ && texture != Ply_element::none && element.properties[texture].is_list) {
+      lists.texture = texture;
+      mesh_.attributes.texture_type = element.properties[texture].type;
+    }
 
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 4);
     mesh_.reserve_faces(plausible, 4 * plausible);
-    scalars_.assign(element.properties.size(), 0);
+    begin(element, names_at_faces());
     for (std::size_t i = 0; i < element.size; ++i) {
-      read_item(element, i, indices);
-      if (list_.size() < 3)
-        throw Error(name_of(element, i) + " has " + std::to_string(list_.size()) + " vertices");
-      for (const double v : list_)
+      read_item(element, i, lists);
+      if (indices_.size() < 3)
+        throw Error(name_of(element, i) + " has " + std::to_string(indices_.size()) + " vertices");
+      for (const double v : indices_)
         if (!(v >= 0 && v < 4294967295.0) || v != std::floor(v))
           throw Error(name_of(element, i) + " has a negative or broken vertex index");
-      mesh_.add_face(list_);
+      mesh_.add_face(indices_);
+      columns_.add(scalars_);
+      if (lists.texture != Ply_element::none) add_texture(element, i);
     }
+    mesh_.attributes.of_faces = columns_.take();
+    drop_empty_texture();
+  }
+
+  // Faces without texture have an empty list.
+  void add_texture(const Ply_element& element, std::size_t i)
+  {
+    const std::size_t corners = indices_.size();
+    if (texture_.empty()) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      mesh_.attributes.texture.resize(mesh_.number_of_corners(), {nan, nan, nan});
+      return;
+    }
+    if (texture_.size() != 2 * corners)
+      throw Error(name_of(element, i) + " has " + std::to_string(texture_.size()) +
+                  " texture coordinates for " + std::to_string(corners) + " vertices");
+    for (const double x : texture_) require_finite_texture(x, element, i);
+    for (std::size_t c = 0; c < corners; ++c)
+      mesh_.attributes.texture.push_back({texture_[2 * c], texture_[2 * c + 1], 0});
+  }
+
+  // There is none if all faces are without.
+  void drop_empty_texture()
+  {
+    auto& texture = mesh_.attributes.texture;
+    if (std::all_of(texture.begin(), texture.end(), is_none)) texture.clear();
   }
 
   // Not earlier, because the faces may come before the vertices.
@@ -199,17 +268,19 @@ private:
 
   const Ply_header& header_;
   Ply_values values_;
+  bool with_attributes_;
   Mesh_data mesh_;
-  std::vector<double> scalars_, list_;
+  Ply_columns columns_;
+  std::vector<double> scalars_, indices_, texture_;
 };
 
 } // namespace
 
-Mesh_data read_ply(const std::string& content)
+Mesh_data read_ply(const std::string& content, bool with_attributes)
 {
   Text_reader in(content, '\0');
   const Ply_header header = read_ply_header(in);
-  return Ply_reader(content, header, in).read();
+  return Ply_reader(content, header, in, with_attributes).read();
 }
 
 } // namespace pn_subdivide

@@ -11,6 +11,7 @@
 #include "io/file_content.h"
 #include "io/selection.h"
 
+#include <new>
 #include <string_view>
 
 namespace pn_subdivide {
@@ -55,6 +56,8 @@ Selection read_selection(const std::string& file)
 {
   try {
     return parse_selection(file_content(file));
+  } catch (const std::bad_alloc&) {
+    throw; // has no file to blame
   } catch (const std::exception& e) {
     throw Error(file + ": " + e.what());
   }

@@ -164,7 +164,7 @@ private:
 
 } // namespace
 
-Mesh_data read_stl(const std::string& content)
+Mesh_data read_stl(const std::string& content, bool)
 {
   if (is_binary(content)) return Stl_reader().read_binary(content);
   if (first_word(content) == "solid") return Stl_reader().read_text(content);

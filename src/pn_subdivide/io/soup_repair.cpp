@@ -22,47 +22,56 @@ namespace {
 using Index = Mesh_data::Index;
 using Polygon = std::vector<Index>;
 
-// Which face of the soup as it was each face comes from, and the normals of its corners.
-class Old_corners
+// The soup as it was and which face of it each face comes from, for what its faces and corners have.
+class Old_faces
 {
 public:
-  explicit Old_corners(const Mesh_data& mesh)
-    : old_(mesh.has_corner_normals() ? mesh : Mesh_data())
-    , face_(old_.number_of_faces())
+  explicit Old_faces(const Mesh_data& mesh)
+    : vertices_(mesh.points.size())
+    , is_needed_(mesh.has_corner_normals() || !mesh.attributes.texture.empty() ||
+                 !mesh.attributes.of_faces.empty())
   {
+    if (!is_needed_) return;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) old_.add_face(mesh.face(f));
+    face_.resize(mesh.number_of_faces());
     std::iota(face_.begin(), face_.end(), std::size_t(0));
   }
 
   // The i-th face is now what the faces[i]-th was.
   void renumber(const std::vector<std::size_t>& faces)
   {
-    if (!old_.has_corner_normals()) return;
-    std::vector<std::size_t> renumbered;
-    for (const std::size_t f : faces) renumbered.push_back(face_[f]);
-    face_ = std::move(renumbered);
+    if (is_needed_) select(face_, faces);
   }
 
-  // A vertex that a face visited twice has the normal of the first visit.
-  void put_normals(Mesh_data& mesh) const
+  void put_values(Mesh_data& mesh) const
   {
-    if (!old_.has_corner_normals()) return;
-    std::vector<std::size_t> begin(1, 0);
-    for (std::size_t f = 0; f < old_.number_of_faces(); ++f)
-      begin.push_back(begin.back() + std::size_t(old_.face(f).size()));
-    mesh.corner_normals.clear();
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      for (const Index v : mesh.face(f)) {
-        Index original = v;
-        while (original >= old_.points.size())
-          original = mesh.copied_from[original - old_.points.size()];
-        const Mesh_data::Face face = old_.face(face_[f]);
-        const auto place = std::find(face.begin(), face.end(), original) - face.begin();
-        mesh.corner_normals.push_back(old_.corner_normals[begin[face_[f]] + std::size_t(place)]);
-      }
+    if (!is_needed_) return;
+    const std::vector<std::size_t> corners = old_corners(mesh);
+    select(mesh.corner_normals, corners);
+    select(mesh.attributes.texture, corners);
+    select(mesh.attributes.of_faces, face_);
   }
 
 private:
-  Mesh_data old_;
+  // A vertex that a face visited twice has the corner of the first visit.
+  std::vector<std::size_t> old_corners(const Mesh_data& mesh) const
+  {
+    std::vector<std::size_t> corners;
+    corners.reserve(mesh.number_of_corners());
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (const Index v : mesh.face(f)) {
+        Index original = v;
+        while (original >= vertices_) original = mesh.copied_from[original - vertices_];
+        const Mesh_data::Face face = old_.face(face_[f]);
+        const auto place = std::find(face.begin(), face.end(), original) - face.begin();
+        corners.push_back(old_.first_corner(face_[f]) + std::size_t(place));
+      }
+    return corners;
+  }
+
+  std::size_t vertices_;
+  bool is_needed_;
+  Mesh_data old_; // without points
   std::vector<std::size_t> face_;
 };
 
@@ -105,7 +114,7 @@ private:
   std::vector<std::size_t> place_; // of a vertex in the path so far
 };
 
-void split_faces(Mesh_data& mesh, Soup_repair& repair, Old_corners& corners)
+void split_faces(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_faces)
 {
   Face_splitter splitter(mesh.points.size());
   std::vector<Polygon> faces;
@@ -122,7 +131,7 @@ void split_faces(Mesh_data& mesh, Soup_repair& repair, Old_corners& corners)
   if (repair.removed_degenerate_faces + repair.split_faces == 0) return;
   mesh.clear_faces();
   for (const Polygon& face : faces) mesh.add_face(face);
-  corners.renumber(origins);
+  old_faces.renumber(origins);
 }
 
 // The same for all faces with these vertices in this order or its reverse.
@@ -134,7 +143,7 @@ Polygon key_of(const Mesh_data::Face& face)
   return key;
 }
 
-void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_corners& corners)
+void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_faces)
 {
   const std::size_t n = mesh.number_of_faces();
   std::vector<Polygon> keys(n);
@@ -155,7 +164,7 @@ void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_corners& corner
       mesh.add_face(old.face(f));
       origins.push_back(f);
     }
-  corners.renumber(origins);
+  old_faces.renumber(origins);
   repair.removed_duplicate_faces = n - mesh.number_of_faces();
 }
 
@@ -168,6 +177,8 @@ struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
     ++repair->added_vertices;
     mesh->copied_from.push_back(static_cast<Index>(old_vertex));
     if (mesh->has_normals()) mesh->normals.push_back(mesh->normals[old_vertex]);
+    for (Column& column : mesh->attributes.of_vertices)
+      column.values.push_back(column.values[old_vertex]);
   }
 
   Mesh_data* mesh;
@@ -196,13 +207,13 @@ std::string plural(std::size_t n, const char* one, const char* many)
 Soup_repair repair_soup(Mesh_data& mesh)
 {
   Soup_repair repair;
-  Old_corners corners(mesh);
-  split_faces(mesh, repair, corners);
+  Old_faces old_faces(mesh);
+  split_faces(mesh, repair, old_faces);
   if (!find_defects(mesh).none()) {
-    remove_duplicates(mesh, repair, corners);
+    remove_duplicates(mesh, repair, old_faces);
     if (!find_defects(mesh).none()) orient(mesh, repair);
   }
-  corners.put_normals(mesh);
+  if (repair.changed_anything()) old_faces.put_values(mesh);
   return repair;
 }
 

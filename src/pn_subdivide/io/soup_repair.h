@@ -12,6 +12,7 @@
 #include "io/Mesh_data.h"
 
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -37,13 +38,20 @@ struct Soup_repair
 // If the soup is no oriented 2-manifold then, faces with the same vertices in the same order, whatever
 // their orientation, are removed but for the first; the faces are oriented consistently, and vertices
 // and edges that join too many faces get a copy for each part, with CGAL's orient_polygon_soup().
-// Copies take the normal of their original; normals are not reversed along with faces, because they
+// Copies take the normal and the attributes of their original, parts of a face its attributes; normals are not reversed along with faces, because they
 // say by themselves which way they point.
 Soup_repair repair_soup(Mesh_data& mesh);
 
-// Merges vertices with equal points into the first of them; the number of those that are gone. Where
-// their normals differ, the normalized sum is taken. Coordinates must be finite.
-std::size_t merge_equal_points(Mesh_data& mesh);
+struct Point_merge
+{
+  std::size_t merged_vertices = 0;               // that are gone
+  std::vector<std::string> differing_attributes; // of which only the value of the first is left
+};
+
+// Merges vertices with equal points into the first of them. Where their normals differ, the normalized
+// sum is taken; texture coordinates of vertices become those of corners then, and of other attributes
+// those of the first vertex are kept. Coordinates must be finite.
+Point_merge merge_equal_points(Mesh_data& mesh);
 
 } // namespace pn_subdivide
 

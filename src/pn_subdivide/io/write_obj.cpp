@@ -6,60 +6,225 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/corner_normals.h"
+#include "io/Different_values.h"
+#include "io/Held_attributes.h"
+#include "io/Obj_attributes.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 
-namespace pn_subdivide {
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
+namespace pn_subdivide {
 namespace {
 
-void write_normals(Output_file& out, const std::vector<Triple>& normals)
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+// The number of a normal or of a texture point at a corner of a vertex, from 0, or `none`.
+class Numbers
 {
-  for (const Triple& n : normals) {
-    out.text("vn ");
-    write_triple(out, n);
-    out.text("\n");
+public:
+  Numbers() = default;
+  explicit Numbers(std::vector<std::size_t> of_corner)
+    : of_corner_(std::move(of_corner))
+    , are_given_(true)
+  {}
+  static Numbers those_of_vertices()
+  {
+    Numbers numbers;
+    numbers.are_given_ = true;
+    return numbers;
+  }
+
+  std::size_t operator()(std::size_t corner, Mesh_data::Index vertex) const
+  {
+    if (!are_given_) return none;
+    return of_corner_.empty() ? std::size_t(vertex) : of_corner_[corner];
+  }
+
+private:
+  std::vector<std::size_t> of_corner_;
+  bool are_given_ = false;
+};
+
+// Bytes as fractions of 255; fractions are written as they are.
+struct Obj_color
+{
+  Column_group channels;
+  double divisor = 1;
+
+  // Without channels if OBJ does not hold the color, which has no alpha there.
+  static Obj_color of(const Columns& columns)
+  {
+    Obj_color color;
+    Column_group channels = find_color(columns);
+    if (channels.size() < 3) return color;
+    channels.resize(3);
+    const Scalar_type type = channels[0]->type;
+    if (traits(type).is_integer && type != Scalar_type::uint8) return color;
+    color.divisor = type == Scalar_type::uint8 ? 255 : 1;
+    for (const Column* channel : channels)
+      for (const double x : channel->values)
+        if (!(x >= 0 && x <= color.divisor)) return color;
+    color.channels = channels;
+    return color;
+  }
+};
+
+struct Obj_content
+{
+  Held_attributes held;
+  Obj_color color;
+  Column_group statements; // in the order of `obj_statements`; nullptr where there is none
+
+  explicit Obj_content(const Mesh_data& mesh)
+    : held(mesh)
+    , color(Obj_color::of(mesh.attributes.of_vertices))
+  {
+    held.take(color.channels);
+    held.take_material_files();
+    if (!mesh.attributes.texture.empty())
+      held.take_texture();
+    else
+      held.take(find_texture(mesh.attributes.of_vertices));
+    for (const Obj_statement& statement : obj_statements) {
+      const Column* column = find_column(mesh.attributes.of_faces, statement.column);
+      if (column != nullptr && !traits(column->type).is_integer) column = nullptr;
+      if (column != nullptr) held.take({column});
+      statements.push_back(column);
+    }
+  }
+};
+
+std::string word_of(const Column& column, double value, bool has_words)
+{
+  if (!has_words) return value > 0 ? std::to_string(static_cast<std::int64_t>(value)) : "off";
+  if (value >= 0 && value < static_cast<double>(column.words.size()))
+    return column.words[static_cast<std::size_t>(value)];
+  return value < 0 ? "default" : std::to_string(static_cast<std::int64_t>(value));
+}
+
+// What holds for face f and did not for the one before. Where a file begins, nothing holds.
+void write_statements(Output_file& out, const Column_group& statements, std::size_t f)
+{
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    if (statements[i] == nullptr) continue;
+    const bool has_words = obj_statements[i].has_words;
+    const double value = statements[i]->values[f];
+    const double before = f > 0 ? statements[i]->values[f - 1] : has_words ? -1 : 0;
+    if (value == before) continue;
+    out.text(obj_statements[i].keyword);
+    out.text(" " + word_of(*statements[i], value, has_words) + "\n");
   }
 }
 
-// `normal_of(corner, vertex)` counts from 0.
-template <class Normal_of>
-void write_faces(Output_file& out, const Mesh_data& mesh, const Normal_of& normal_of)
+void write_points(Output_file& out, const Mesh_data& mesh, const Obj_color& color)
 {
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    out.text("f");
-    for (const Mesh_data::Index v : mesh.face(f)) {
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    out.text("v ");
+    write_triple(out, mesh.points[v]);
+    for (const Column* channel : color.channels) {
       out.text(" ");
-      write_count(out, std::size_t(v) + 1);
-      if (mesh.has_normals()) {
-        out.text("//");
-        write_count(out, normal_of(corner, v) + 1);
-      }
-      ++corner;
+      out.number(channel->values[v] / color.divisor);
     }
     out.text("\n");
   }
 }
 
+void write_texture_points(Output_file& out, const std::vector<Texture_point>& texture)
+{
+  const bool with_depth = has_depth(texture);
+  for (const Texture_point& t : texture) {
+    out.text("vt ");
+    out.number(t[0]);
+    out.text(" ");
+    out.number(t[1]);
+    if (with_depth) {
+      out.text(" ");
+      out.number(t[2]);
+    }
+    out.text("\n");
+  }
+}
+
+Numbers write_texture(Output_file& out, const Mesh_data& mesh)
+{
+  if (mesh.attributes.texture.empty()) {
+    const std::vector<Texture_point> of_vertices = texture_of_vertices(mesh);
+    write_texture_points(out, of_vertices);
+    return of_vertices.empty() ? Numbers() : Numbers::those_of_vertices();
+  }
+  Different_values different(mesh, mesh.attributes.texture);
+  std::vector<std::size_t> number(different.values.size(), none);
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (is_none(different.values[i])) continue;
+    different.values[written] = different.values[i];
+    number[i] = written++;
+  }
+  different.values.resize(written);
+  write_texture_points(out, different.values);
+  for (std::size_t& n : different.of_corner) n = number[n];
+  return Numbers(std::move(different.of_corner));
+}
+
+Numbers write_normals(Output_file& out, const Mesh_data& mesh)
+{
+  const auto write = [&out](const std::vector<Triple>& normals) {
+    for (const Triple& n : normals) {
+      out.text("vn ");
+      write_triple(out, n);
+      out.text("\n");
+    }
+  };
+  if (!mesh.has_normals()) return Numbers();
+  if (!mesh.has_corner_normals()) {
+    write(mesh.normals);
+    return Numbers::those_of_vertices();
+  }
+  Different_values different(mesh, mesh.corner_normals);
+  write(different.values);
+  return Numbers(std::move(different.of_corner));
+}
+
+// v, v/t, v//n or v/t/n
+void write_corner(Output_file& out, std::size_t v, std::size_t t, std::size_t n)
+{
+  out.text(" ");
+  write_count(out, v + 1);
+  if (t != none || n != none) out.text("/");
+  if (t != none) write_count(out, t + 1);
+  if (n == none) return;
+  out.text("/");
+  write_count(out, n + 1);
+}
+
 } // namespace
+
+std::vector<std::string> not_held_by_obj(const Mesh_data& mesh)
+{
+  return Obj_content(mesh).held.rest();
+}
 
 void write_obj(Output_file& out, const Mesh_data& mesh, Encoding)
 {
-  for (const Triple& p : mesh.points) {
-    out.text("v ");
-    write_triple(out, p);
+  const Obj_content content(mesh);
+  for (const std::string& file : mesh.attributes.material_files) out.text("mtllib " + file + "\n");
+  write_points(out, mesh, content.color);
+  const Numbers texture = write_texture(out, mesh);
+  const Numbers normals = write_normals(out, mesh);
+  std::size_t corner = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    write_statements(out, content.statements, f);
+    out.text("f");
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      write_corner(out, v, texture(corner, v), normals(corner, v));
+      ++corner;
+    }
     out.text("\n");
-  }
-  if (mesh.has_corner_normals()) {
-    const Different_normals different(mesh);
-    write_normals(out, different.normals);
-    write_faces(out, mesh,
-                [&](std::size_t corner, Mesh_data::Index) { return different.of_corner[corner]; });
-  } else {
-    write_normals(out, mesh.normals);
-    write_faces(out, mesh, [](std::size_t, Mesh_data::Index v) { return std::size_t(v); });
   }
 }
 

@@ -6,78 +6,182 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
+#include "io/Held_attributes.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
 
-bool fits_uchar(const Mesh_data& mesh)
+struct Ply_content
 {
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    if (mesh.face(f).size() > 255) return false;
-  return true;
+  const Mesh_data& mesh;
+  Column_group of_vertices, of_faces;
+  bool has_texture;
+  bool has_short_lists; // of at most 255 values
+
+  explicit Ply_content(const Mesh_data& m)
+    : mesh(m)
+    , of_vertices(all_of(m.attributes.of_vertices))
+    , of_faces(all_of(m.attributes.of_faces))
+    , has_texture(!m.attributes.texture.empty())
+    , has_short_lists(true)
+  {
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      if (m.face(f).size() > (has_texture ? 127u : 255u)) has_short_lists = false;
+  }
+
+  bool fits_int() const { return mesh.points.size() <= 0x7fffffffu; }
+
+  // Two numbers for each corner of a face, or none if a corner has none.
+  void read_texture(std::size_t f, std::vector<double>& numbers) const
+  {
+    numbers.clear();
+    const std::size_t first = mesh.first_corner(f);
+    for (std::size_t c = first; c < first + std::size_t(mesh.face(f).size()); ++c) {
+      const Texture_point& t = mesh.attributes.texture[c];
+      if (is_none(t)) return numbers.clear();
+      numbers.push_back(t[0]);
+      numbers.push_back(t[1]);
+    }
+  }
+
+  // What read_texture() loses.
+  std::vector<std::string> lost_texture() const
+  {
+    std::vector<std::string> lost;
+    const std::vector<Texture_point>& texture = mesh.attributes.texture;
+    if (has_depth(texture)) lost.emplace_back("third texture coordinates");
+    for (std::size_t f = 0; f < mesh.number_of_faces() && has_texture; ++f) {
+      const auto begin = texture.begin() + std::ptrdiff_t(mesh.first_corner(f));
+      const auto end = begin + mesh.face(f).size();
+      if (std::any_of(begin, end, is_none) && !std::all_of(begin, end, is_none)) {
+        lost.emplace_back("texture coordinates of faces that lack some");
+        break;
+      }
+    }
+    return lost;
+  }
+};
+
+void write_comments(Output_file& out, const Attributes& attributes)
+{
+  for (const std::string& file : attributes.texture_files)
+    out.text("comment TextureFile " + file + "\n");
+  for (const std::string& file : attributes.material_files)
+    out.text("comment mtllib " + file + "\n");
+  for (const Column& column : attributes.of_faces)
+    for (std::size_t i = 0; i < column.words.size(); ++i)
+      out.text("comment " + column.name + " " + std::to_string(i) + " " + column.words[i] + "\n");
 }
 
-bool fits_int(const Mesh_data& mesh)
+void write_properties(Output_file& out, const Column_group& columns)
 {
-  return mesh.points.size() <= 0x7fffffffu;
+  for (const Column* column : columns)
+    out.text(std::string("property ") + traits(column->type).ply + " " + column->name + "\n");
 }
 
-void write_header(Output_file& out, const Mesh_data& mesh, Encoding encoding)
+void write_header(Output_file& out, const Ply_content& content, Encoding encoding)
 {
+  const Mesh_data& mesh = content.mesh;
+  const std::string list = content.has_short_lists ? "property list uchar " : "property list uint ";
   out.text(encoding == Encoding::text ? "ply\nformat ascii 1.0\n"
                                       : "ply\nformat binary_little_endian 1.0\n");
-  out.text("comment written by pn_subdivide\nelement vertex ");
+  out.text("comment written by pn_subdivide\n");
+  write_comments(out, mesh.attributes);
+  out.text("element vertex ");
   write_count(out, mesh.points.size());
   out.text("\nproperty double x\nproperty double y\nproperty double z\n");
   if (mesh.has_normals()) out.text("property double nx\nproperty double ny\nproperty double nz\n");
-  if (!mesh.scalars.empty()) out.text("property double " + mesh.scalar_name + "\n");
-  if (!mesh.colors.empty())
-    out.text("property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  write_properties(out, content.of_vertices);
   out.text("element face ");
   write_count(out, mesh.number_of_faces());
-  out.text(fits_uchar(mesh) ? "\nproperty list uchar " : "\nproperty list uint ");
-  out.text(fits_int(mesh) ? "int" : "uint");
-  out.text(" vertex_indices\nend_header\n");
+  out.text("\n" + list + (content.fits_int() ? "int" : "uint") + " vertex_indices\n");
+  write_properties(out, content.of_faces);
+  if (content.has_texture)
+    out.text(list + traits(mesh.attributes.texture_type).ply + " texcoord\n");
+  out.text("end_header\n");
 }
 
-void write_doubles(Output_file& out, const Triple& t)
+void write_triple_in_binary(Output_file& out, const Triple& t)
 {
   for (const double x : t) out.little_endian(x);
 }
 
-void write_as_binary(Output_file& out, const Mesh_data& mesh)
+void write_values_in_binary(Output_file& out, const Column_group& columns, std::size_t element)
 {
+  for (const Column* column : columns)
+    write_little_endian(out, column->type, column->values[element]);
+}
+
+void write_size_in_binary(Output_file& out, const Ply_content& content, std::size_t size)
+{
+  if (content.has_short_lists)
+    out.little_endian(static_cast<std::uint8_t>(size));
+  else
+    out.little_endian(static_cast<std::uint32_t>(size));
+}
+
+void write_in_binary(Output_file& out, const Ply_content& content)
+{
+  const Mesh_data& mesh = content.mesh;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    write_doubles(out, mesh.points[v]);
-    if (mesh.has_normals()) write_doubles(out, mesh.normals[v]);
-    if (!mesh.scalars.empty()) out.little_endian<double>(mesh.scalars[v]);
-    if (!mesh.colors.empty())
-      for (const std::uint8_t c : mesh.colors[v]) out.little_endian(c);
+    write_triple_in_binary(out, mesh.points[v]);
+    if (mesh.has_normals()) write_triple_in_binary(out, mesh.normals[v]);
+    write_values_in_binary(out, content.of_vertices, v);
   }
-  const bool short_lists = fits_uchar(mesh);
+  std::vector<double> texture;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Mesh_data::Face face = mesh.face(f);
-    if (short_lists)
-      out.little_endian(static_cast<std::uint8_t>(face.size()));
-    else
-      out.little_endian(static_cast<std::uint32_t>(face.size()));
+    write_size_in_binary(out, content, std::size_t(face.size()));
     for (const Mesh_data::Index v : face) out.little_endian<std::uint32_t>(v);
+    write_values_in_binary(out, content.of_faces, f);
+    if (!content.has_texture) continue;
+    content.read_texture(f, texture);
+    write_size_in_binary(out, content, texture.size());
+    for (const double x : texture) write_little_endian(out, mesh.attributes.texture_type, x);
   }
+}
+
+void write_in_text(Output_file& out, const Ply_content& content)
+{
+  std::vector<double> texture;
+  write_vertices_and_faces(
+    out, content.mesh, [&](std::size_t v) { write_values(out, content.of_vertices, v); },
+    [&](std::size_t f) {
+      write_values(out, content.of_faces, f);
+      if (!content.has_texture) return;
+      content.read_texture(f, texture);
+      out.text(" ");
+      write_count(out, texture.size());
+      for (const double x : texture) {
+        out.text(" ");
+        out.number(x);
+      }
+    });
 }
 
 } // namespace
 
+std::vector<std::string> not_held_by_ply(const Mesh_data& mesh)
+{
+  return Ply_content(mesh).lost_texture();
+}
+
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)
 {
-  write_header(out, mesh, encoding);
+  const Ply_content content(mesh);
+  write_header(out, content, encoding);
   if (encoding == Encoding::text)
-    write_vertices_and_faces(out, mesh);
+    write_in_text(out, content);
   else
-    write_as_binary(out, mesh);
+    write_in_binary(out, content);
 }
 
 } // namespace pn_subdivide

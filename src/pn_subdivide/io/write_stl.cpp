@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Error.h"
+#include "io/Held_attributes.h"
 #include "io/Output_file.h"
 #include "io/formats.h"
 
@@ -58,6 +59,11 @@ Triple unit_normal(const Triple& a, const Triple& b, const Triple& c)
 }
 
 } // namespace
+
+std::vector<std::string> not_held_by_stl(const Mesh_data& mesh)
+{
+  return Held_attributes(mesh).rest();
+}
 
 void write_stl(Output_file& out, const Mesh_data& mesh, Encoding)
 {

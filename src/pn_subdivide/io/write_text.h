@@ -32,9 +32,22 @@ inline void write_count(Output_file& out, std::size_t n)
   out.number(static_cast<std::uint64_t>(n));
 }
 
-// What text OFF and PLY have in common after their headers: a line for each vertex, with what it has
-// besides its point, and one for each face.
-inline void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh)
+// The values of an element with a blank before each.
+inline void write_values(Output_file& out, const Column_group& columns, std::size_t element)
+{
+  for (const Column* column : columns) {
+    out.text(" ");
+    out.number(column->values[element]);
+  }
+}
+
+// What text OFF and PLY have in common after their headers: a line for each vertex and one for each
+// face; `rest_of_vertex(v)` and `rest_of_face(f)` write what these have besides points, normals and
+// vertices.
+template <class Rest_of_vertex, class Rest_of_face>
+void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh,
+                              const Rest_of_vertex& rest_of_vertex,
+                              const Rest_of_face& rest_of_face)
 {
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     write_triple(out, mesh.points[v]);
@@ -42,15 +55,7 @@ inline void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh)
       out.text(" ");
       write_triple(out, mesh.normals[v]);
     }
-    if (!mesh.scalars.empty()) {
-      out.text(" ");
-      out.number(mesh.scalars[v]);
-    }
-    if (!mesh.colors.empty())
-      for (const std::uint8_t c : mesh.colors[v]) {
-        out.text(" ");
-        write_count(out, c);
-      }
+    rest_of_vertex(v);
     out.text("\n");
   }
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
@@ -59,6 +64,7 @@ inline void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh)
       out.text(" ");
       write_count(out, v);
     }
+    rest_of_face(f);
     out.text("\n");
   }
 }

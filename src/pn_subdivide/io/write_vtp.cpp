@@ -6,152 +6,107 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
+#include "io/Held_attributes.h"
+#include "io/Vtp_writer.h"
 #include "io/formats.h"
-#include "io/write_text.h"
 
-#include <functional>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
 
-// VTK's XML poly data. Binary data stand behind the XML part ("appended", "raw"): each array is its
-// number of bytes as UInt64 and then its values.
-class Vtp_writer
+bool contains(const Column_group& group, const Column& column)
 {
-public:
-  Vtp_writer(Output_file& out, Encoding encoding)
-    : out_(out)
-    , encoding_(encoding)
-  {}
+  return std::find(group.begin(), group.end(), &column) != group.end();
+}
 
-  void begin(std::size_t points, std::size_t polygons)
+struct Vtp_content
+{
+  Held_attributes held;
+  Column_group vertex_color, face_color;
+  std::vector<Texture_point> texture; // per vertex
+  Column_group own_texture, scalars;  // of vertices
+
+  explicit Vtp_content(const Mesh_data& mesh)
+    : held(mesh)
+    , vertex_color(find_color(mesh.attributes.of_vertices))
+    , face_color(find_color(mesh.attributes.of_faces))
+    , texture(texture_of_vertices(mesh))
   {
-    out_.text(R"(<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-<PolyData>
-<Piece NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPoints=")");
-    write_count(out_, points);
-    out_.text("\" NumberOfPolys=\"");
-    write_count(out_, polygons);
-    out_.text("\">\n");
+    const Attributes& attributes = mesh.attributes;
+    held.take(all_of(attributes.of_vertices));
+    held.take(all_of(attributes.of_faces));
+    held.take_texture_files();
+    held.take_material_files();
+    if (has_depth(texture)) texture.clear();
+    if (!texture.empty()) held.take_texture();
+    if (attributes.texture.empty()) own_texture = find_texture(attributes.of_vertices);
+    for (const Column& column : attributes.of_vertices)
+      if (!contains(vertex_color, column) && !contains(own_texture, column))
+        scalars.push_back(&column);
   }
-
-  void line(const char* xml)
-  {
-    out_.text(xml);
-    out_.text("\n");
-  }
-
-  void triples(const char* name, const std::vector<Triple>& values)
-  {
-    array_tag("Float64", name, 3, 24 * values.size(), [this, &values] {
-      for (const Triple& t : values)
-        for (std::size_t i = 0; i < 3; ++i) value<double>(t[i], i == 2);
-    });
-  }
-
-  void scalars(const std::string& name, const std::vector<double>& values)
-  {
-    array_tag("Float64", name, 1, 8 * values.size(), [this, &values] {
-      for (const double x : values) value<double>(x, true);
-    });
-  }
-
-  void colors(const std::vector<Color>& values)
-  {
-    array_tag("UInt8", "colors", 3, 3 * values.size(), [this, &values] {
-      for (const Color& c : values)
-        for (std::size_t i = 0; i < 3; ++i) value<std::uint8_t>(c[i], i == 2);
-    });
-  }
-
-  // One number per face, or several: `put(f)` writes them.
-  void integers(const char* name, std::size_t number, std::function<void()> put)
-  {
-    array_tag("Int64", name, 1, 8 * number, std::move(put));
-  }
-
-  template <class T>
-  void value(T x, bool ends_line)
-  {
-    if (encoding_ == Encoding::binary) {
-      out_.little_endian<T>(x);
-    } else {
-      text_value(x);
-      out_.text(ends_line ? "\n" : " ");
-    }
-  }
-
-  void end()
-  {
-    out_.text("</Piece>\n</PolyData>\n");
-    if (encoding_ == Encoding::binary) {
-      out_.text("<AppendedData encoding=\"raw\">\n_");
-      for (const Appended& array : appended_) {
-        out_.little_endian<std::uint64_t>(array.bytes);
-        array.put();
-      }
-      out_.text("\n</AppendedData>\n");
-    }
-    out_.text("</VTKFile>\n");
-  }
-
-private:
-  struct Appended
-  {
-    std::uint64_t bytes;
-    std::function<void()> put;
-  };
-
-  void text_value(double x) { out_.number(x); }
-  void text_value(std::uint8_t n) { out_.number(static_cast<std::uint64_t>(n)); }
-  void text_value(std::int64_t n) { out_.number(static_cast<std::uint64_t>(n)); }
-
-  void array_tag(const char* type, const std::string& name, std::size_t components,
-                 std::size_t bytes, std::function<void()> put)
-  {
-    out_.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-              "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
-    if (encoding_ == Encoding::binary) {
-      out_.text("appended\" offset=\"" + std::to_string(offset_) + "\"/>\n");
-      offset_ += sizeof(std::uint64_t) + bytes;
-      appended_.push_back({bytes, std::move(put)});
-    } else {
-      out_.text("ascii\">\n");
-      put();
-      out_.text("\n</DataArray>\n");
-    }
-  }
-
-  Output_file& out_;
-  Encoding encoding_;
-  std::uint64_t offset_ = 0;
-  std::vector<Appended> appended_;
 };
 
-void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh)
+void write_field_data(Vtp_writer& vtp, const Attributes& attributes)
 {
-  if (!mesh.has_normals() && mesh.scalars.empty() && mesh.colors.empty()) return;
+  const auto has_words = [](const Column& column) { return !column.words.empty(); };
+  const Columns& columns = attributes.of_faces;
+  if (attributes.texture_files.empty() && attributes.material_files.empty() &&
+      std::none_of(columns.begin(), columns.end(), has_words))
+    return;
+  vtp.line("<FieldData>");
+  for (const Column& column : columns)
+    if (has_words(column)) vtp.words(column.name, column.words);
+  if (!attributes.texture_files.empty()) vtp.words("texture files", attributes.texture_files);
+  if (!attributes.material_files.empty()) vtp.words("material files", attributes.material_files);
+  vtp.line("</FieldData>");
+}
+
+void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content)
+{
+  if (!mesh.has_normals() && mesh.attributes.of_vertices.empty() && content.texture.empty()) return;
   std::string tag = "<PointData";
   if (mesh.has_normals()) tag += " Normals=\"Normals\"";
-  if (!mesh.scalars.empty()) tag += " Scalars=\"" + mesh.scalar_name + "\"";
+  if (!content.scalars.empty())
+    tag += " Scalars=\"" + Vtp_writer::escaped(content.scalars[0]->name) + "\"";
+  if (!content.texture.empty()) tag += " TCoords=\"TCoords\"";
   vtp.line((tag + ">").c_str());
   if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
-  if (!mesh.scalars.empty()) vtp.scalars(mesh.scalar_name, mesh.scalars);
-  if (!mesh.colors.empty()) vtp.colors(mesh.colors);
+  for (const Column* column : content.scalars) vtp.columns(column->name, {column});
+  if (!content.vertex_color.empty()) vtp.columns("colors", content.vertex_color);
+  if (!content.texture.empty()) vtp.texture(content.texture);
   vtp.line("</PointData>");
+}
+
+void write_cell_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content)
+{
+  if (mesh.attributes.of_faces.empty()) return;
+  vtp.line("<CellData>");
+  for (const Column& column : mesh.attributes.of_faces)
+    if (!contains(content.face_color, column)) vtp.columns(column.name, {&column});
+  if (!content.face_color.empty()) vtp.columns("colors", content.face_color);
+  vtp.line("</CellData>");
 }
 
 } // namespace
 
+std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh)
+{
+  return Vtp_content(mesh).held.rest();
+}
+
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
 {
   const std::size_t faces = mesh.number_of_faces();
+  const Vtp_content content(mesh);
   Vtp_writer vtp(out, encoding);
-  vtp.begin(mesh.points.size(), faces);
-  write_point_data(vtp, mesh);
+  vtp.begin();
+  write_field_data(vtp, mesh.attributes);
+  vtp.begin_piece(mesh.points.size(), faces);
+  write_point_data(vtp, mesh, content);
+  write_cell_data(vtp, mesh, content);
   vtp.line("<Points>");
   vtp.triples("Points", mesh.points);
   vtp.line("</Points>\n<Polys>");

@@ -206,6 +206,16 @@ Corner_normal_map add_corner_normals(Surface& surface)
   return normals;
 }
 
+std::vector<Halfedge> corners_of(const Surface& surface)
+{
+  std::vector<Halfedge> corners;
+  corners.reserve(surface.number_of_halfedges());
+  for (const Surface::Face_index f : surface.faces())
+    for (const Halfedge h : halfedges_around_face(surface.halfedge(f), surface))
+      corners.push_back(h);
+  return corners;
+}
+
 Mesh_data to_mesh_data(const Surface& surface)
 {
   Mesh_data mesh;

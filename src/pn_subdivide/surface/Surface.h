@@ -14,7 +14,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -60,9 +62,20 @@ Normal_map add_normals(Surface& surface);
 // Points, normals and faces in the order of the mesh, which must not hold garbage.
 Mesh_data to_mesh_data(const Surface& surface);
 
-// Splits the faces with more than three vertices into triangles, with CGAL's triangulate_faces();
-// the number of those faces. Corners keep their normals. Throws Error if one cannot be split.
-std::size_t triangulate(Surface& surface);
+// The half-edges that stand for the corners of the faces, face by face in the order of to_mesh_data():
+// each ends at its corner.
+std::vector<Surface::Halfedge_index> corners_of(const Surface& surface);
+
+struct Triangulation
+{
+  std::size_t split_faces = 0;
+  // For each half-edge of a face the one that stood for its corner before; empty if no face was split.
+  std::vector<Surface::Halfedge_index> old_corner;
+};
+
+// Splits the faces with more than three vertices into triangles, with CGAL's triangulate_faces().
+// Corners keep their normals. Throws Error if a face cannot be split.
+Triangulation triangulate(Surface& surface);
 
 } // namespace pn_subdivide
 

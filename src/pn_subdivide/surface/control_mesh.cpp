@@ -9,9 +9,11 @@
 #include "surface/control_mesh.h"
 
 #include "io/Error.h"
+#include "io/Text_reader.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
 #include "surface/Surface.h"
+#include "surface/attributes.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -32,11 +34,8 @@ void announce_reading(const Mesh_file& file, const Report& report)
 
 void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Report& report)
 {
-  if (mesh.dropped.empty()) return;
-  std::string list;
-  for (std::size_t i = 0; i < mesh.dropped.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == mesh.dropped.size() ? " and " : ", ") + mesh.dropped[i];
-  report.warn(name + ": not carried over to the result: " + list);
+  if (!mesh.dropped.empty())
+    report.warn(name + ": not carried over to the result: " + enumeration(mesh.dropped));
 }
 
 void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
@@ -63,13 +62,31 @@ std::string plural(std::size_t n, const std::string& one, const std::string& man
 void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& report)
 {
   Surface surface = make_surface(mesh);
-  const std::size_t split = triangulate(surface);
-  if (split == 0) return;
+  const Old_elements old(surface);
+  const Triangulation triangulation = triangulate(surface);
+  if (triangulation.split_faces == 0) return;
   Mesh_data split_mesh = to_mesh_data(surface);
+  split_mesh.attributes = std::move(mesh.attributes);
+  old.follow(surface, triangulation, split_mesh.attributes);
   split_mesh.merged_into = std::move(mesh.merged_into);
   split_mesh.copied_from = std::move(mesh.copied_from);
   mesh = std::move(split_mesh);
-  report.note(name + ": " + plural(split, "face", "faces") + " split into triangles");
+  report.note(name + ": " + plural(triangulation.split_faces, "face", "faces") +
+              " split into triangles");
+}
+
+void merge_points(Mesh_data& mesh, const std::string& name, Report& report)
+{
+  const Point_merge merge = merge_equal_points(mesh);
+  if (merge.merged_vertices > 0)
+    report.note(name + ": " + plural(merge.merged_vertices, "vertex", "vertices") +
+                " merged with an equal one");
+  std::vector<std::string> names;
+  for (const std::string& attribute : merge.differing_attributes)
+    names.push_back("'" + Text_reader::printable(attribute) + "'");
+  if (!names.empty())
+    report.warn(name + ": merged vertices had different values of " + enumeration(names) +
+                "; those of the first are kept");
 }
 
 bool is_triangle(const Mesh_data::Face& face)
@@ -89,18 +106,14 @@ Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& option
 {
   const std::string name = file.title("standard input");
   announce_reading(file, report);
-  Mesh_data mesh = read_mesh(file);
+  Mesh_data mesh = read_mesh(file, !options.drop_attributes);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("read " + name + ": " + size_of(mesh));
   report_what_is_dropped(mesh, name, report);
 
   require_finite_elements(mesh);
   const std::size_t several_normals = mesh.vertices_with_several_normals;
-  if (options.merge_points) {
-    const std::size_t merged = merge_equal_points(mesh);
-    if (merged > 0)
-      report.note(name + ": " + plural(merged, "vertex", "vertices") + " merged with an equal one");
-  }
+  if (options.merge_points) merge_points(mesh, name, report);
   make_manifold(mesh, name, options, report);
   if (options.triangulate) split_into_triangles(mesh, name, report);
   mesh.vertices_with_several_normals = several_normals;

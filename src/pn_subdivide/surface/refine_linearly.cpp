@@ -22,7 +22,8 @@ void refine_linearly(Surface& surface, const Scheme& scheme, const Refinement& r
       CGAL::PN_subdivision_3::subdivide<Tag>(
         surface, CGAL::PN_subdivision_3::linear(s),
         CGAL::parameters::number_of_iterations(refinement.levels)
-          .visitor(Round_visitor{refinement.round_done}));
+          .visitor(Round_visitor{refinement.round_done}),
+        *refinement.attributes);
     },
     scheme);
 }

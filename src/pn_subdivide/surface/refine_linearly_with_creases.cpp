@@ -25,7 +25,8 @@ void refine_linearly(Surface& surface, const Scheme& scheme, const Crease_maps& 
                            CGAL::parameters::number_of_iterations(refinement.levels)
                              .edge_is_constrained_map(creases.edges)
                              .vertex_is_constrained_map(creases.vertices)
-                             .visitor(Round_visitor{refinement.round_done}));
+                             .visitor(Round_visitor{refinement.round_done}),
+                           *refinement.attributes);
     },
     scheme);
 }

@@ -13,6 +13,8 @@
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <CGAL/PN_subdivision_3/attributes.h>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -24,7 +26,8 @@ struct Refinement
   unsigned levels = 1;
   unsigned threads = 1;
   std::optional<Crease_maps> creases;
-  std::function<void(unsigned, std::size_t)> round_done; // (round, faces), after each round
+  CGAL::PN_subdivision_3::Attribute_table* attributes = nullptr; // there must be one, perhaps empty
+  std::function<void(unsigned, std::size_t)> round_done;         // (round, faces), after each round
 };
 
 // Throws Usage_error if this program was built without TBB and there is more than one thread.

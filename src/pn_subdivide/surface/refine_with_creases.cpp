@@ -26,7 +26,8 @@ void refine(Surface& surface, Corner_normal_map normals, const S& scheme,
                        .vertex_normal_map(normals)
                        .edge_is_constrained_map(creases.edges)
                        .vertex_is_constrained_map(creases.vertices)
-                       .visitor(Round_visitor{refinement.round_done}));
+                       .visitor(Round_visitor{refinement.round_done}),
+                     *refinement.attributes);
 }
 
 } // namespace

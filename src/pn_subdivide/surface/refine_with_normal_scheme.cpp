@@ -28,7 +28,8 @@ void refine_with_normal_scheme(Surface& surface, Normal_map normals, const Schem
           surface, CGAL::PN_subdivision_3::with_normal_scheme(s, t),
           CGAL::parameters::number_of_iterations(refinement.levels)
             .vertex_normal_map(normals)
-            .visitor(Round_visitor{refinement.round_done}));
+            .visitor(Round_visitor{refinement.round_done}),
+          *refinement.attributes);
     },
     scheme, normal_scheme);
 }

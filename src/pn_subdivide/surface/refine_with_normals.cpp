@@ -23,7 +23,8 @@ void refine_with_normals(Surface& surface, Normal_map normals, const Scheme& sch
         surface, s,
         CGAL::parameters::number_of_iterations(refinement.levels)
           .vertex_normal_map(normals)
-          .visitor(Round_visitor{refinement.round_done}));
+          .visitor(Round_visitor{refinement.round_done}),
+        *refinement.attributes);
     },
     scheme);
 }

@@ -10,11 +10,14 @@
 
 #include "io/Error.h"
 #include "io/Report.h"
+#include "io/file_references.h"
 #include "io/mesh_io.h"
 #include "surface/Bounding_box.h"
+#include "surface/attributes.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
 #include "surface/expected_time.h"
+#include "surface/interpolate_surface.h"
 #include "surface/refine_surface.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
@@ -34,6 +37,7 @@ struct Plan
   Mesh_file input, output;
   Normals_option normals;
   Crease_plan creases;
+  std::optional<Interpolation_mode> interpolation;
   std::optional<Curvature_kind> curvature;
   std::optional<Verification> verification;
   unsigned threads;
@@ -45,6 +49,7 @@ void require_consistent(const Surface_options& options)
   require_consistent(options.limit);
   if (!options.scheme.scheme.empty())
     require_limit_of_vertices(options.scheme.scheme, options.limit);
+  if (options.interpolate && !options.scheme.scheme.empty()) require_interpolation(options.scheme);
   if (options.format && options.input != "-" && options.output != "-")
     throw Usage_error(
       "--format is for standard input and output ('-'): the format of a file follows "
@@ -71,6 +76,7 @@ Plan make_plan(const Surface_options& options)
             output_mesh_file(options.output, options.format),
             {},
             {},
+            parse_interpolation(options.interpolate),
             std::nullopt,
             std::nullopt,
             1};
@@ -123,7 +129,11 @@ Refinement refinement(const Surface_options& options, unsigned threads, const Re
 
 void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, Report& report)
 {
-  report.note(set_curvature(mesh, *plan.curvature, std::move(values)).description(*plan.curvature));
+  const Curvature_range range = set_curvature(mesh, *plan.curvature, std::move(values));
+  report.note(range.description(*plan.curvature));
+  if (range.replaces_attributes)
+    report.warn(plan.output.title("standard output") +
+                ": the file's colors or values of vertices give way to those of the curvature");
 }
 
 void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
@@ -136,9 +146,27 @@ void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& o
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
 }
 
+// The mesh becomes a control net of the surface through its vertices.
+void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme,
+                 bool has_file_normals, Report& report)
+{
+  using Source = Normals_option::Source;
+  Interpolation interpolation;
+  interpolation.mode = *plan.interpolation;
+  interpolation.threads = plan.threads;
+  const Source source = plan.normals.source;
+  interpolation.improves_normals =
+    interpolation.mode == Interpolation_mode::slide &&
+    (source == Source::estimate || (source == Source::automatic && !has_file_normals));
+  const Interpolation_report result = interpolate_surface(surface, scheme, interpolation);
+  report.note(description(result));
+  const std::string text = warning(result);
+  if (!text.empty()) report.warn(plan.input.title("standard input") + ": " + text);
+}
+
 void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
 {
-  const std::size_t split = triangulate(surface);
+  const std::size_t split = triangulate(surface).split_faces;
   if (split > 0)
     report.note(output.title("standard output") + ": " + std::to_string(split) +
                 (split == 1 ? " face" : " faces") + " split into triangles, as " + output.format +
@@ -160,17 +188,28 @@ void announce_long_work(Surface& surface, const Surface_options& options,
 
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
-             const Scheme_choice& scheme, const Creases& creases, Report& report)
+             const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
+             Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
-  if (options.levels == 0 && !options.limit.is_used() && !plan.curvature && !must_split) return;
+  if (options.levels == 0 && !options.limit.is_used() && !plan.interpolation && !plan.curvature &&
+      !must_split)
+    return;
   Surface surface = make_surface(mesh);
+  Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
   announce_long_work(surface, options, scheme, report);
+  if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
   if (creases.any() || creases.border != Border::surface)
     rounds.creases = add_creases(surface, creases);
-  if (options.levels > 0) refine_surface(surface, scheme, rounds);
+  if (options.levels > 0) {
+    Carried_attributes carried(surface, std::move(attributes));
+    carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
+    rounds.attributes = &carried.table();
+    refine_surface(surface, scheme, rounds);
+    attributes = carried.take(surface);
+  }
   if (options.limit.is_used()) move_to_limits(surface, plan, options, scheme, report);
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
@@ -181,6 +220,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   }
   if (must_split) split_for_output(surface, plan.output, report);
   mesh = to_mesh_data(surface);
+  mesh.attributes = std::move(attributes);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
 }
 
@@ -212,6 +252,18 @@ void require_limit_without_creases(const Creases& creases, const Limit_choice& l
   throw Usage_error(option + ": limits are known with --border surface only");
 }
 
+// So does interpolation.
+void require_interpolation_without_creases(const Creases& creases, const Plan& plan)
+{
+  if (!plan.interpolation) return;
+  if (creases.any())
+    throw Error(
+      "--interpolate: surfaces with sharp edges cannot be made to pass through points; leave "
+      "it out, or take --sharp none");
+  if (creases.border != Border::surface)
+    throw Usage_error("--interpolate is known with --border surface only");
+}
+
 void warn_of_lost_normals(const Mesh_data& mesh, const Plan& plan, Report& report)
 {
   if (!mesh.has_corner_normals() || !holds_normals(plan.output) ||
@@ -220,6 +272,14 @@ void warn_of_lost_normals(const Mesh_data& mesh, const Plan& plan, Report& repor
   report.warn(plan.output.title("standard output") +
               ": vertices on creases have several normals, " + plan.output.format +
               " files hold one, which is their normalized sum; .obj holds all");
+}
+
+void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& report)
+{
+  const std::vector<std::string> names = not_held(plan.output, mesh);
+  if (!names.empty())
+    report.warn(plan.output.title("standard output") + ": not written, " + plan.output.format +
+                " files cannot hold it: " + enumeration(names));
 }
 
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
@@ -252,13 +312,17 @@ void run_surface_command(const Surface_options& options)
   try {
     mesh = read_control_mesh(plan.input, options, report);
     scheme = chosen_scheme(mesh, options.scheme);
-    if (options.levels > 0 || options.limit.is_used()) require_faces_for_scheme(mesh, scheme);
+    if (options.levels > 0 || options.limit.is_used() || plan.interpolation)
+      require_faces_for_scheme(mesh, scheme);
     require_limit_of_vertices(scheme.scheme, options.limit);
+    if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
     require_limit_without_creases(creases, options.limit);
+    require_interpolation_without_creases(creases, plan);
+    const bool has_file_normals = mesh.has_normals();
     normals = set_normals(mesh, plan, creases, report);
     const Bounding_box control(mesh.points);
-    process(mesh, plan, options, scheme, creases, report);
+    process(mesh, plan, options, scheme, creases, has_file_normals, report);
     if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
     if (plan.verification) plan.verification->measure(mesh.points);
   } catch (const Usage_error&) {
@@ -273,6 +337,8 @@ void run_surface_command(const Surface_options& options)
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   warn_of_lost_normals(mesh, plan, report);
+  warn_of_lost_attributes(mesh, plan, report);
+  move_file_references(mesh.attributes, plan.input, plan.output);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
   report.print_warnings();

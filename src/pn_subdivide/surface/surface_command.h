@@ -26,12 +26,13 @@ struct Surface_options
   Scheme_choice scheme;
   unsigned levels = 1;
   bool linear = false;
-  std::optional<std::string> normals, curvature;
+  std::optional<std::string> normals, curvature, interpolate;
   unsigned threads = 1; // 0: all cores
   Crease_options creases;
   Limit_choice limit;
   Verify_options verify;
   bool merge_points = false, repair = false, triangulate = false;
+  bool drop_attributes = false;
   bool ascii = false, quiet = false;
 };
 

@@ -11,6 +11,7 @@
 #include "io/Error.h"
 #include "surface/Scheme.h"
 
+#include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 
@@ -185,6 +186,12 @@ bool needs_triangles(const std::string& scheme)
       return std::is_same_v<Host, PN::PTQ_host> || std::is_same_v<Host, PN::Sqrt3_host>;
     },
     make_scheme("--scheme", scheme, {}));
+}
+
+bool keeps_edges(const std::string& scheme)
+{
+  return std::visit([](const auto& s) { return PN::splits_edges_v<std::decay_t<decltype(s)>>; },
+                    make_scheme("--scheme", scheme, {}));
 }
 
 std::string creasing_scheme_names()

@@ -56,6 +56,9 @@ void require_surface_schemes(const Scheme_choice& choice);
 // Does the scheme refine triangles only?
 bool needs_triangles(const std::string& scheme);
 
+// Are the edges of a mesh still there, in parts, after a round? Otherwise seams cannot be kept.
+bool keeps_edges(const std::string& scheme);
+
 // Of the two schemes the one that has no rules for creases; empty if both have, or have no name.
 std::string scheme_without_creases(const Scheme_choice& choice);
 // As scheme_names(), but "and" before the last.

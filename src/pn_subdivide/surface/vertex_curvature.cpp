@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 namespace pn_subdivide {
@@ -37,11 +38,11 @@ const char* name_of(Curvature_kind kind)
 
 // The value at the end of the colors: a few vertices with large values, at extraordinary vertices
 // say, must not make the others pale. What is flat but for rounding remains so.
-double end_of_colors(const Mesh_data& mesh, Curvature_kind kind)
+double end_of_colors(const Mesh_data& mesh, const std::vector<double>& values, Curvature_kind kind)
 {
   constexpr double share_within = 0.9, flat = 1e-9;
   std::vector<double> sizes;
-  for (const double x : mesh.scalars) sizes.push_back(std::abs(x));
+  for (const double x : values) sizes.push_back(std::abs(x));
   if (sizes.empty()) return 1;
   const auto rank = static_cast<std::ptrdiff_t>(share_within * double(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
@@ -111,6 +112,32 @@ Curvature_values means_of_wedges(const Curvature_values& of_wedges, const Wedges
   return result;
 }
 
+// Whether there was any.
+bool remove_color_and(const std::string& name, Columns& columns)
+{
+  std::vector<std::string> names = {name};
+  for (const Column* channel : find_color(columns)) names.push_back(channel->name);
+  const auto end = std::remove_if(columns.begin(), columns.end(), [&names](const Column& column) {
+    return std::find(names.begin(), names.end(), column.name) != names.end();
+  });
+  const bool found = end != columns.end();
+  columns.erase(end, columns.end());
+  return found;
+}
+
+Columns color_columns(const std::vector<double>& values, double end)
+{
+  Columns columns;
+  for (const char* const name : {"red", "green", "blue"})
+    columns.push_back({name, Scalar_type::uint8, {}, {}});
+  for (Column& channel : columns) channel.values.reserve(values.size());
+  for (const double x : values) {
+    const Color color = diverging_color(x / end);
+    for (std::size_t i = 0; i < 3; ++i) columns[i].values.push_back(color[i]);
+  }
+  return columns;
+}
+
 } // namespace
 
 Curvature_kind parse_curvature_option(const std::string& text, const Mesh_file& output)
@@ -147,18 +174,22 @@ Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_
 
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature)
 {
-  mesh.scalar_name = name_of(kind);
-  mesh.scalars = std::move(curvature.values);
+  Columns& columns = mesh.attributes.of_vertices;
   Curvature_range range;
+  range.replaces_attributes = remove_color_and(name_of(kind), columns);
   range.without_estimate = curvature.without_estimate;
-  range.end = end_of_colors(mesh, kind);
-  mesh.colors.clear();
-  for (const double x : mesh.scalars) mesh.colors.push_back(diverging_color(x / range.end));
-  const auto ends = std::minmax_element(mesh.scalars.begin(), mesh.scalars.end());
-  if (!mesh.scalars.empty()) {
+  const std::vector<double>& values = curvature.values;
+  range.end = end_of_colors(mesh, values, kind);
+  Columns added = color_columns(values, range.end);
+  const auto ends = std::minmax_element(values.begin(), values.end());
+  if (!values.empty()) {
     range.least = *ends.first;
     range.greatest = *ends.second;
   }
+  added.insert(added.begin(),
+               {name_of(kind), Scalar_type::float64, std::move(curvature.values), {}});
+  columns.insert(columns.begin(), std::make_move_iterator(added.begin()),
+                 std::make_move_iterator(added.end()));
   return range;
 }
 

@@ -29,6 +29,7 @@ struct Curvature_range
   double least = 0, greatest = 0;   // of the values
   double end = 0;                   // the value at the end of the colors, the other one is -end
   std::size_t without_estimate = 0; // vertices
+  bool replaces_attributes = false;
 
   std::string description(Curvature_kind kind) const;
 };
@@ -45,7 +46,7 @@ struct Curvature_values
 Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_maps>& creases,
                                    Curvature_kind kind, unsigned threads);
 
-// Gives the vertices the values and colors for them.
+// Gives the vertices the values and colors for them, in place of attributes of the same name.
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature);
 
 } // namespace pn_subdivide

@@ -482,19 +482,16 @@ TEST_F(Pn_subdivide, ASurfaceFarOutsideTheControlBoxIsWarnedOf)
 
 TEST_F(Pn_subdivide, WhatIsNotCarriedIsSaidOnceTheOutputIsComplete)
 {
-  const std::string input =
-    folder.write("t.obj", "mtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
-                          "vn 1 0 0\nusemtl red\nf 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/2 2/1/2\n");
+  const std::string input = folder.write(
+    "t.obj", "mtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+             "vn 1 0 0\nusemtl red\nf 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/2 2/1/2\nl 1 2\n");
   const Outcome outcome = surface(input, folder.file("o.ply"), "--quiet --levels 0 --sharp none");
   EXPECT_EQ(outcome.err, "warning: " + input +
-                           ": not carried over to the result: materials, groups and texture "
-                           "coordinates\nwarning: " +
-                           input +
+                           ": not carried over to the result: lines and points\nwarning: " + input +
                            ": 3 vertices have several normals; their normalized sum is taken\n");
   EXPECT_EQ(
     surface(input, folder.file("o.ply"), "--quiet --levels 0 --sharp none --normals none").err,
-    "warning: " + input +
-      ": not carried over to the result: materials, groups and texture coordinates\n");
+    "warning: " + input + ": not carried over to the result: lines and points\n");
   expect_failure(input, "--quiet --scheme kobbelt", 1,
                  "quadrilaterals"); // one line, without warnings
 }

@@ -25,9 +25,9 @@ using namespace pn_subdivide;
 namespace {
 
 // The columns of the vertices of a text PLY, read without the command's own reader.
-using Columns = std::map<std::string, std::vector<double>>;
+using Values_by_name = std::map<std::string, std::vector<double>>;
 
-Columns read_columns(const std::string& file)
+Values_by_name read_columns(const std::string& file)
 {
   std::istringstream in(Temporary_folder::content(file));
   std::vector<std::string> names;
@@ -39,7 +39,7 @@ Columns read_columns(const std::string& file)
     if (word == "element" && type == "vertex") vertices = std::stoul(name);
     if (word == "property" && type != "list") names.push_back(name);
   }
-  Columns columns;
+  Values_by_name columns;
   for (std::size_t v = 0; v < vertices; ++v)
     for (const std::string& name : names) {
       double x = 0;
@@ -58,7 +58,7 @@ protected:
     return run("surface '" + input + "' '" + output + "' --scheme catmull-clark " + options);
   }
 
-  Columns columns(const std::string& input, const std::string& options) const
+  Values_by_name columns(const std::string& input, const std::string& options) const
   {
     const std::string output = folder.file("columns.ply");
     const Outcome outcome = surface(input, output, "--ascii " + options);
@@ -75,10 +75,11 @@ protected:
 TEST_F(Pn_subdivide_curvature, Sphere)
 {
   for (const char* threads : {"1", "2"}) {
-    const Columns c = columns(data("cube.off"), std::string("--normals sphere:0,0,0 --levels 5 "
-                                                            "--curvature mean --threads ") +
-                                                  threads);
-    const Columns g =
+    const Values_by_name c =
+      columns(data("cube.off"), std::string("--normals sphere:0,0,0 --levels 5 "
+                                            "--curvature mean --threads ") +
+                                  threads);
+    const Values_by_name g =
       columns(data("cube.off"), "--normals sphere:0,0,0 --levels 5 --curvature gaussian");
     const double mean = 1 / std::sqrt(3.), gaussian = 1. / 3;
     ASSERT_EQ(c.at("mean_curvature").size(), c.at("x").size());
@@ -92,7 +93,7 @@ TEST_F(Pn_subdivide_curvature, Sphere)
 // Red where the Gaussian curvature is positive, at the outer side of a torus, blue at the inner one.
 TEST_F(Pn_subdivide_curvature, TorusIsRedOutsideAndBlueInside)
 {
-  const Columns c = columns(data("torus_quads.ply"), "--levels 2 --curvature gaussian");
+  const Values_by_name c = columns(data("torus_quads.ply"), "--levels 2 --curvature gaussian");
   const auto& k = c.at("gaussian_curvature");
   std::size_t full = 0;
   for (std::size_t v = 0; v < k.size(); ++v) {
@@ -111,7 +112,7 @@ TEST_F(Pn_subdivide_curvature, TorusIsRedOutsideAndBlueInside)
 
 TEST_F(Pn_subdivide_curvature, LinearSchemeWithoutNormals)
 {
-  const Columns c = columns(data("spoon.obj"), "--levels 2 --linear --curvature mean");
+  const Values_by_name c = columns(data("spoon.obj"), "--levels 2 --linear --curvature mean");
   EXPECT_EQ(c.count("nx"), 0u);
   EXPECT_EQ(c.at("mean_curvature").size(), c.at("x").size());
   EXPECT_EQ(c.at("green").size(), c.at("x").size());
@@ -139,7 +140,7 @@ TEST_F(Pn_subdivide_curvature, RoundTrip)
 TEST_F(Pn_subdivide_curvature, Vtp)
 {
   const std::string input = data("mixed_borders.off"), output = folder.file("c.vtp");
-  const Columns ply = columns(input, "--curvature gaussian");
+  const Values_by_name ply = columns(input, "--curvature gaussian");
   ASSERT_EQ(surface(input, output, "--ascii --curvature gaussian").code, 0);
   const std::string text = Temporary_folder::content(output);
   EXPECT_NE(text.find("<PointData Normals=\"Normals\" Scalars=\"gaussian_curvature\">"),
@@ -187,7 +188,7 @@ TEST_F(Pn_subdivide_curvature, PlaneIsWhiteAndHasNoCurvature)
       plane += '\n';
     }
   const std::string input = folder.write("plane.off", plane);
-  const Columns c = columns(input, "--levels 2 --curvature mean");
+  const Values_by_name c = columns(input, "--levels 2 --curvature mean");
   for (std::size_t v = 0; v < c.at("x").size(); ++v) {
     EXPECT_NEAR(c.at("mean_curvature")[v], 0, 1e-10);
     for (const char* channel : {"red", "green", "blue"}) EXPECT_NEAR(c.at(channel)[v], 242, 10);
@@ -200,7 +201,7 @@ TEST_F(Pn_subdivide_curvature, HugeMeshesAreWhite)
   const std::string input =
     folder.write("huge.off", "OFF\n4 4 0\n0 0 0\n1e200 0 0\n0 1e200 0\n0 0 1e200\n"
                              "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
-  const Columns c = columns(input, "--levels 1 --curvature gaussian");
+  const Values_by_name c = columns(input, "--levels 1 --curvature gaussian");
   for (std::size_t v = 0; v < c.at("x").size(); ++v)
     for (const char* channel : {"red", "green", "blue"}) EXPECT_EQ(c.at(channel)[v], 242);
 }

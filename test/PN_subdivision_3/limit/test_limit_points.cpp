@@ -10,7 +10,6 @@
 
 #include "Limit_cases.h"
 #include "Mesh_files.h"
-#include "reference/Limit.h"
 
 namespace {
 
@@ -58,24 +57,6 @@ inline std::vector<int> various_vertices(const Control_mesh& control)
   std::vector<int> vertices;
   for (const auto& [kind, v] : kinds) vertices.push_back(v);
   return vertices;
-}
-
-template <class Description>
-reference::Limit brute_force(const Control_mesh& control, int v, bool linear)
-{
-  // enough that the rules at the vertex are right, and that it decides on them
-  const int rings = Description::is_interpolatory ? 5 : 3;
-  const int rounds = Description::is_interpolatory ? 24 : 44;
-  const auto [vertices, faces] = reference::cut_out(control.faces, v, 8);
-  reference::Patch patch{faces, {}};
-  for (int w : vertices) {
-    const auto &p = control.points[std::size_t(w)], &n = control.normals[std::size_t(w)];
-    patch.values.points.emplace_back(p[0], p[1], p[2]);
-    patch.values.normals.emplace_back(n[0], n[1], n[2]);
-  }
-  return reference::limit_by_rounds(
-    patch, [](const auto& list, unsigned round) { return Description::refine(list, round); },
-    &Description::finish_round, rounds, rings, linear);
 }
 
 TYPED_TEST(Limit_points, EqualBruteForce)

@@ -99,6 +99,24 @@ void reject(Mesh& mesh)
   PN::subdivide(mesh, PN::with_normal_scheme(PN::ct_Loop_scheme(), PN::Loop_scheme()));
   // expected: a scheme that transfers curvature refines points and normals together
 
+  struct Visitor
+  {
+    void face_made(Mesh::Face_index) {}
+  };
+  PN::CatmullClark_subdivision(mesh, params::visitor(Visitor()));
+  // expected: the visitor has none of the members
+
+  PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(),
+                PN::attributes(PN::face_attribute(creases)));
+  // expected: the map of an attribute is no property map of the
+
+  const PN::Attribute_table table;
+  PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(), table);
+  // expected: the table of attributes is const
+
+  PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(), creases);
+  // expected: the attributes are neither made by
+
   PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::edge_is_constrained_map(creases));
   // expected: a named parameter is given that is not used here
 

@@ -405,6 +405,47 @@ long fail_in_allocations(const Soup& soup, bool loop, unsigned rounds)
   });
 }
 
+// attributes of every kind, which must have their old values after a failure, too
+template <class Maker>
+long fail_with_attributes()
+{
+  return fail_everywhere<Maker>(mixed_with_border(), [&](auto& mesh, auto n, long k) {
+    auto t = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    auto u = get(CGAL::dynamic_halfedge_property_t<double>(), mesh);
+    auto v = get(CGAL::dynamic_halfedge_property_t<double>(), mesh);
+    auto id = get(CGAL::dynamic_face_property_t<int>(), mesh);
+    auto mark = get(CGAL::dynamic_edge_property_t<int>(), mesh);
+    int i = 0;
+    for (auto x : vertices(mesh)) put(t, x, ++i);
+    for (auto f : faces(mesh)) put(id, f, ++i);
+    for (auto e : edges(mesh)) put(mark, e, ++i);
+    for (auto h : halfedges(mesh))
+      if (!is_border(h, mesh)) {
+        put(u, h, get(t, target(h, mesh)) + 100 * (get(id, face(h, mesh)) % 2)); // with seams
+        put(v, h, 0.5 * get(u, h));
+      }
+    const std::string failure = failure_of([&] {
+      const auto np = params::number_of_iterations(2).vertex_normal_map(n);
+      const auto attributes = PN::attributes(PN::vertex_attribute(t), PN::corner_attribute(u),
+                                             PN::corner_attribute(v, PN::Corner_rule::linear),
+                                             PN::face_attribute(id), PN::edge_attribute(mark));
+      const Allocation_limit limit(k);
+      PN::subdivide(mesh, PN::CatmullClark_scheme(), np, attributes);
+    });
+    if (failure.empty()) return failure;
+    i = 0;
+    for (auto x : vertices(mesh)) EXPECT_EQ(get(t, x), ++i);
+    for (auto f : faces(mesh)) EXPECT_EQ(get(id, f), ++i);
+    for (auto e : edges(mesh)) EXPECT_EQ(get(mark, e), ++i);
+    for (auto h : halfedges(mesh))
+      if (!is_border(h, mesh)) {
+        EXPECT_EQ(get(u, h), get(t, target(h, mesh)) + 100 * (get(id, face(h, mesh)) % 2));
+        EXPECT_EQ(get(v, h), 0.5 * get(u, h));
+      }
+    return failure;
+  });
+}
+
 } // namespace
 
 // Reading takes 2 calls a vertex, and one more a point to keep it; writing two for each new vertex.
@@ -465,6 +506,11 @@ TYPED_TEST(Strong_guarantee, AllocationsWithCreases)
     return failure;
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), attempt), 400);
+}
+
+TYPED_TEST(Strong_guarantee, Attributes)
+{
+  EXPECT_GE(fail_with_attributes<TypeParam>(), 40);
 }
 
 // Doo-Sabin makes a mesh compact at last. If the memory for it is lacking, that is left to the

@@ -325,7 +325,7 @@ TYPED_TEST(Scheme_property, EstimatesTheEntriesOfItsRows)
   }
 }
 
-TYPED_TEST(Scheme_property, NewVerticesHaveParentsOfTheirOwn)
+TYPED_TEST(Scheme_property, NewElementsHaveParentsOfTheirOwn)
 {
   using Kind = PN::Element_parent::Kind;
   using Host = typename decltype(TypeParam::scheme())::Host;
@@ -335,18 +335,25 @@ TYPED_TEST(Scheme_property, NewVerticesHaveParentsOfTheirOwn)
       const PN::Level_connectivity level = PN::internal::checked_level(access_to(mesh));
       if (round == 2 && (level.has_border() || TypeParam::composes_single_rounds)) continue;
       const Host host(level, round);
-      std::set<std::array<std::uint32_t, 3>> parents;
-      const auto size =
-        static_cast<std::uint32_t>(Host::refined_size(level.size(), round).vertices);
-      for (std::uint32_t v = 0; v < size; ++v) {
+      using Index = std::uint32_t;
+      const auto expect_own = [&](const char* kind, std::uint64_t size, const auto& parent_of) {
+        std::set<std::array<Index, 3>> parents;
+        for (Index i = 0; i < size; ++i) {
+          const PN::Element_parent parent = parent_of(i);
+          EXPECT_TRUE(parents.insert({Index(parent.kind), parent.index, parent.ordinal}).second)
+            << control.name << ", " << kind << " " << i;
+        }
+      };
+      const PN::Level_size size = Host::refined_size(level.size(), round);
+      expect_own("vertex", size.vertices, [&](Index v) {
         const PN::Element_parent parent = host.parent_of_vertex(v);
-        EXPECT_TRUE(
-          parents.insert({std::uint32_t(parent.kind), parent.index, parent.ordinal}).second)
-          << control.name << ", vertex " << v;
         if (parent.kind == Kind::vertex) {
           EXPECT_EQ(parent.index, v);
         }
-      }
+        return parent;
+      });
+      expect_own("edge", size.edges, [&](Index e) { return host.parent_of_edge(e); });
+      expect_own("face", size.faces, [&](Index f) { return host.parent_of_face(f); });
     }
 }
 

@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_LIMIT_CASES_H
 
 #include "Scheme_runs.h"
+#include "reference/Limit.h"
 
 #include <CGAL/PN_subdivision_3/limit_points.h>
 
@@ -64,6 +65,25 @@ inline bool is_finite(const Limit& l)
                    l.surface_normal.y(), l.surface_normal.z(), l.error, l.normal_error})
     if (!std::isfinite(x)) return false;
   return true;
+}
+
+// the limit at a vertex by many rounds of the reference rules
+template <class Description>
+reference::Limit brute_force(const test_meshes::Control_mesh& control, int v, bool linear)
+{
+  // enough that the rules at the vertex are right, and that it decides on them
+  const int rings = Description::is_interpolatory ? 5 : 3;
+  const int rounds = Description::is_interpolatory ? 24 : 44;
+  const auto [vertices, faces] = reference::cut_out(control.faces, v, 8);
+  reference::Patch patch{faces, {}};
+  for (int w : vertices) {
+    const auto &p = control.points[std::size_t(w)], &n = control.normals[std::size_t(w)];
+    patch.values.points.emplace_back(p[0], p[1], p[2]);
+    patch.values.normals.emplace_back(n[0], n[1], n[2]);
+  }
+  return reference::limit_by_rounds(
+    patch, [](const auto& list, unsigned round) { return Description::refine(list, round); },
+    &Description::finish_round, rounds, rings, linear);
 }
 
 } // namespace limit_cases

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/DQQ_numbering.h>
 
 #include <boost/container/vector.hpp>
 
@@ -67,19 +68,39 @@ public:
     : level_(level)
     , corner_(level.number_of_halfedges(), boost::container::default_init)
     , halfedge_(level.size().corners, boost::container::default_init)
+    , numbering_(level.size(), interior_edges_, interior_vertices_)
   {
     number_corners();
     if (level.has_border() || level.size().isolated_vertices != 0) number_interior();
   }
+  DQQ_host(const DQQ_host&) = delete;
+  DQQ_host& operator=(const DQQ_host&) = delete;
 
   /// the new vertex of a corner, that of the face of `h` at the target of `h`.
   Index vertex_of_corner(Index h) const { return corner_[h]; }
+
+  /// \name Parents
+  /// @{
 
   /// the corner that a new vertex comes from.
   Element_parent parent_of_vertex(Index new_vertex) const
   {
     return {Element_parent::Kind::corner, halfedge_[new_vertex]};
   }
+  /// of an edge of a smaller face the face's corner, of an edge between a quad and a polygon the edge that it
+  /// crosses.
+  Element_parent parent_of_edge(Index new_edge) const
+  {
+    if (numbering_.is_edge_of_corner(new_edge))
+      return {Element_parent::Kind::corner, halfedge_[new_edge]};
+    return numbering_.parent_of_crossing_edge(new_edge);
+  }
+  /// the old face, edge or vertex that a new face comes from.
+  Element_parent parent_of_face(Index new_face) const
+  {
+    return numbering_.parent_of_face(new_face);
+  }
+  /// @}
 
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
@@ -102,6 +123,8 @@ public:
   }
 
 private:
+  using Ranks = internal::Ranks<Index>;
+
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
   // the half-edge before h in its face; the corners of a face are numbered one after the other
@@ -128,30 +151,20 @@ private:
 
   void number_interior()
   {
-    edge_rank_.resize(level_.number_of_edges(), boost::container::default_init);
-    Index rank = 0;
-    for (Index e = 0; e < level_.number_of_edges(); ++e) {
-      edge_rank_[e] = rank;
-      if (!level_.is_border_edge(e)) ++rank;
-    }
-    vertex_rank_.resize(level_.number_of_vertices(), boost::container::default_init);
-    rank = 0;
-    for (Index v = 0; v < level_.number_of_vertices(); ++v) {
-      vertex_rank_[v] = rank;
-      if (is_interior_vertex(v)) ++rank;
-    }
+    interior_edges_ =
+      Ranks(level_.number_of_edges(), [&](Index e) { return !level_.is_border_edge(e); });
+    interior_vertices_ =
+      Ranks(level_.number_of_vertices(), [&](Index v) { return is_interior_vertex(v); });
   }
 
   // New half-edges. An old half-edge h with a face has an inner one inside the smaller face, whose
   // opposite is the outer one. At its target, an interior one has a crossing to the corner of h in
   // the quad of the edge, whose opposite goes round the vertex.
-  Index inner(Index h) const { return 2 * corner_[h]; }
-  Index outer(Index h) const { return 2 * corner_[h] + 1; }
+  Index inner(Index h) const { return 2 * numbering_.edge_of_corner(corner_[h]); }
+  Index outer(Index h) const { return inner(h) + 1; }
   Index crossing(Index h) const
   {
-    const Index e = Level_connectivity::edge(h);
-    const Index rank = edge_rank_.empty() ? e : edge_rank_[e];
-    return 2 * (static_cast<Index>(level_.size().corners) + 2 * rank + (h & 1u));
+    return 2 * numbering_.crossing_edge(Level_connectivity::edge(h), h & 1u);
   }
   Index around_vertex(Index h) const { return opposite(crossing(h)); }
   Index first_outside(Index h) const { return is_interior(h) ? around_vertex(h) : outer(h); }
@@ -162,15 +175,9 @@ private:
     return !level_.is_isolated(v) && !level_.is_border_vertex(v);
   }
 
-  Index quad(Index e) const
-  {
-    return level_.number_of_faces() + (edge_rank_.empty() ? e : edge_rank_[e]);
-  }
-  Index polygon(Index v) const
-  {
-    const auto interior_edges = static_cast<Index>(level_.size().corners - level_.size().edges);
-    return level_.number_of_faces() + interior_edges + (vertex_rank_.empty() ? v : vertex_rank_[v]);
-  }
+  Index smaller_face(Index f) const { return numbering_.face_of_face(f); }
+  Index quad(Index e) const { return numbering_.face_of_edge(e); }
+  Index polygon(Index v) const { return numbering_.face_of_vertex(v); }
 
   template <class Child>
   void connect_face(Index f, Child& child) const
@@ -180,7 +187,7 @@ private:
     do {
       const Index n = level_.next(h);
       child.set_next(inner(h), inner(n));
-      child.set_face(inner(h), f);
+      child.set_face(inner(h), smaller_face(f));
       child.set_target(inner(h), corner_[h]);
       // outside of the corner at the target of h: the border if it is there
       child.set_halfedge_of_vertex(corner_[h],
@@ -188,7 +195,7 @@ private:
       if (!is_interior(h)) connect_border(h, child);
       h = n;
     } while (h != first);
-    child.set_halfedge_of_face(f, inner(first));
+    child.set_halfedge_of_face(smaller_face(f), inner(first));
   }
 
   template <class Child>
@@ -239,7 +246,8 @@ private:
 
   const Level_connectivity& level_;
   boost::container::vector<Index> corner_, halfedge_;
-  boost::container::vector<Index> edge_rank_, vertex_rank_;
+  Ranks interior_edges_, interior_vertices_;
+  internal::DQQ_numbering<Index> numbering_;
 };
 
 } // namespace PN_subdivision_3

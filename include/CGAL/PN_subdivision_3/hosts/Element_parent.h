@@ -16,19 +16,25 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-The old element that an element of the refined level comes from.
+The old element that an element of the refined level comes from. `Index` may be wider than that of a level,
+to number more than one level holds.
 */
-struct Element_parent
+template <class Index>
+struct Basic_element_parent
 {
-  /// A corner is given by the half-edge of its face that leads to it, a border edge by its half-edge that has
-  /// a face; all other elements are given by their own index.
+  /// A corner is given by the half-edge of its face that leads to it, a border edge by its half-edge that
+  /// has a face; all other elements are given by their own index.
   enum class Kind { vertex, edge, face, corner, border_edge };
 
   Kind kind;
-  Level_connectivity::Index index;
+  Index index;
   /// which one it is of the children of the same kind that the old element has, counted from 0.
-  Level_connectivity::Index ordinal = 0;
+  Index ordinal = 0;
 };
+
+/// \ingroup PkgPNSubdivision3Schemes
+/// the parent of an element of a level.
+using Element_parent = Basic_element_parent<Level_connectivity::Index>;
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-
-#include <boost/container/vector.hpp>
+#include <CGAL/PN_subdivision_3/internal/hosts/Face_corners.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/PQQ_numbering.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -42,6 +42,8 @@ public:
 
   /// old vertices survive, in front of the new ones.
   static constexpr bool keeps_vertices = true;
+  /// every old edge is split in halves; all else lies inside the old faces.
+  static constexpr bool splits_edges = true;
 
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
@@ -61,29 +63,37 @@ public:
   PQQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
     , split_(level)
-  {
-    if (level.uniform_degree() == 4) return;
-    first_corner_.resize(level.number_of_faces(), boost::container::default_init);
-    Index corner = 0;
-    for (Index f = 0; f < level.number_of_faces(); ++f) {
-      first_corner_[f] = corner;
-      corner += level.degree(level.halfedge_of_face(f));
-    }
-  }
+    , corners_(level)
+    , numbering_(level.size(), corners_)
+  {}
+  PQQ_host(const PQQ_host&) = delete;
+  PQQ_host& operator=(const PQQ_host&) = delete;
 
   /// the new vertex of an edge.
   Index vertex_of_edge(Index e) const { return split_.vertex_of_edge(e); }
   /// the new vertex of a face.
-  Index vertex_of_face(Index f) const { return split_.vertex_of_face(f); }
+  Index vertex_of_face(Index f) const { return numbering_.vertex_of_face(f); }
+
+  /// \name Parents
+  /// @{
 
   /// the old vertex, edge or face that a new vertex comes from.
   Element_parent parent_of_vertex(Index new_vertex) const
   {
-    using Kind = Element_parent::Kind;
-    if (new_vertex < vertex_of_edge(0)) return {Kind::vertex, new_vertex};
-    if (new_vertex < vertex_of_face(0)) return {Kind::edge, new_vertex - vertex_of_edge(0)};
-    return {Kind::face, new_vertex - vertex_of_face(0)};
+    return numbering_.parent_of_vertex(new_vertex);
   }
+  /// the old edge that a new edge is a half of, or the face that it lies in; that of corner i of the face, counted
+  /// from the target of its half-edge on, begins at the edge that leads to the corner.
+  Element_parent parent_of_edge(Index new_edge) const
+  {
+    return numbering_.parent_of_edge(new_edge);
+  }
+  /// the old face that a new face is a part of, and its corner.
+  Element_parent parent_of_face(Index new_face) const
+  {
+    return numbering_.parent_of_face(new_face);
+  }
+  /// @}
 
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
@@ -111,18 +121,19 @@ private:
   void connect_face(Index f, Child& child) const
   {
     const Index face_vertex = vertex_of_face(f);
-    const Index first_corner = first_corner_.empty() ? 4 * f : first_corner_[f];
-    const Index first_spoke = 2 * (2 * level_.number_of_edges() + first_corner);
+    const Index first_corner = numbering_.first_corner(f);
+    const Index first_spoke = 2 * numbering_.spoke(first_corner, 0);
     const Index first = level_.halfedge_of_face(f);
-    Index quad = f;
-    Index next_quad = level_.number_of_faces() + first_corner - f;
     Index spoke = first_spoke;
     Index h = first;
+    Index corner = 0;
     do {
       // the quad of the corner at the target of h; a spoke leads from an edge vertex to the face
       // vertex
       const Index n = level_.next(h);
-      const Index next_spoke = n == first ? first_spoke : spoke + 2;
+      const Index quad = numbering_.quad(f, first_corner, corner++);
+      const Index next_spoke =
+        n == first ? first_spoke : 2 * numbering_.spoke(first_corner, corner);
       const Index in = split_.second_half(h), out = split_.first_half(n);
       const Index back = Level_connectivity::opposite(spoke);
       child.set_next(in, out);
@@ -138,7 +149,6 @@ private:
       child.set_target(next_spoke, face_vertex);
       child.set_target(back, split_.edge_vertex(h));
       child.set_halfedge_of_face(quad, in);
-      quad = next_quad++;
       spoke = next_spoke;
       h = n;
     } while (h != first);
@@ -147,7 +157,8 @@ private:
 
   const Level_connectivity& level_;
   internal::Edge_split split_;
-  boost::container::vector<Index> first_corner_;
+  internal::Face_corners<Index> corners_;
+  internal::PQQ_numbering<Index> numbering_;
 };
 
 } // namespace PN_subdivision_3

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/PTQ_numbering.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
 namespace CGAL {
@@ -37,6 +38,8 @@ public:
 
   /// old vertices survive, in front of the new ones.
   static constexpr bool keeps_vertices = true;
+  /// every old edge is split in halves; all else lies inside the old faces.
+  static constexpr bool splits_edges = true;
 
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
@@ -58,18 +61,31 @@ public:
   PTQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
     , split_(level)
+    , numbering_(level.size())
   {}
 
   /// the new vertex of an edge.
   Index vertex_of_edge(Index e) const { return split_.vertex_of_edge(e); }
 
+  /// \name Parents
+  /// @{
+
   /// the old vertex or edge that a new vertex comes from.
   Element_parent parent_of_vertex(Index new_vertex) const
   {
-    using Kind = Element_parent::Kind;
-    if (new_vertex < vertex_of_edge(0)) return {Kind::vertex, new_vertex};
-    return {Kind::edge, new_vertex - vertex_of_edge(0)};
+    return numbering_.parent_of_vertex(new_vertex);
   }
+  /// the old edge that a new edge is a half of, or the face that it lies in and the corner that it cuts off.
+  Element_parent parent_of_edge(Index new_edge) const
+  {
+    return numbering_.parent_of_edge(new_edge);
+  }
+  /// the old face that a new face is a part of: the middle one first.
+  Element_parent parent_of_face(Index new_face) const
+  {
+    return numbering_.parent_of_face(new_face);
+  }
+  /// @}
 
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
@@ -98,34 +114,35 @@ private:
     h[0] = level_.halfedge_of_face(f);
     h[1] = level_.next(h[0]);
     h[2] = level_.next(h[1]);
-    const Index first_inner = 2 * (2 * level_.number_of_edges() + 3 * f);
-    const Index first_corner = level_.number_of_faces() + 3 * f;
+    const auto inner_edge = [&](Index i) { return 2 * numbering_.inner_edge(f, i); };
+    const Index middle_triangle = numbering_.middle_triangle(f);
     for (Index i = 0; i < 3; ++i) {
       // the triangle of the corner at the target of h[i]; the inner edge closes it
       const Index n = h[(i + 1) % 3];
-      const Index corner = first_corner + i;
+      const Index corner = numbering_.corner_triangle(f, i);
       const Index in = split_.second_half(h[i]), out = split_.first_half(n);
-      const Index inner = first_inner + 2 * i;
+      const Index inner = inner_edge(i);
       const Index middle = Level_connectivity::opposite(inner);
       child.set_next(in, out);
       child.set_next(out, inner);
       child.set_next(inner, in);
-      child.set_next(middle, Level_connectivity::opposite(first_inner + 2 * ((i + 1) % 3)));
+      child.set_next(middle, Level_connectivity::opposite(inner_edge((i + 1) % 3)));
       child.set_face(in, corner);
       child.set_face(out, corner);
       child.set_face(inner, corner);
-      child.set_face(middle, f);
+      child.set_face(middle, middle_triangle);
       child.set_target(in, level_.target(h[i]));
       child.set_target(out, split_.edge_vertex(n));
       child.set_target(inner, split_.edge_vertex(h[i]));
       child.set_target(middle, split_.edge_vertex(n));
       child.set_halfedge_of_face(corner, in);
     }
-    child.set_halfedge_of_face(f, Level_connectivity::opposite(first_inner));
+    child.set_halfedge_of_face(middle_triangle, Level_connectivity::opposite(inner_edge(0)));
   }
 
   const Level_connectivity& level_;
   internal::Edge_split split_;
+  internal::PTQ_numbering<Index> numbering_;
 };
 
 } // namespace PN_subdivision_3

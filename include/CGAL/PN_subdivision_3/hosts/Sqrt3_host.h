@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Sqrt3_numbering.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 
 #include <boost/config.hpp>
@@ -77,31 +78,54 @@ public:
   /// after an odd round
   Sqrt3_host(const Level_connectivity& level, unsigned round)
     : level_(level)
-    , first_center_(level.number_of_vertices())
+    , numbering_(level.size(), border_faces_before_, face_of_center_)
     , corner_(level.number_of_halfedges(), boost::container::default_init)
   {
     number_corners();
     if (refines_border(round) && level.has_border()) number_border_faces();
   }
+  Sqrt3_host(const Sqrt3_host&) = delete;
+  Sqrt3_host& operator=(const Sqrt3_host&) = delete;
 
   /// the (first) new vertex of a face.
-  Index vertex_of_face(Index f) const
-  {
-    return first_center_ + f + (border_faces_before_.empty() ? 0 : border_faces_before_[f]);
-  }
+  Index vertex_of_face(Index f) const { return numbering_.vertex_of_face(f); }
+
+  /// \name Parents
+  /// @{
 
   /// the old vertex, face or border edge that a new vertex comes from.
   Element_parent parent_of_vertex(Index new_vertex) const
   {
-    using Kind = Element_parent::Kind;
-    if (new_vertex < first_center_) return {Kind::vertex, new_vertex};
-    const Index rank = new_vertex - first_center_;
-    if (border_faces_before_.empty()) return {Kind::face, rank};
-    const Index f = face_of_center_[rank];
-    const Index border = border_halfedge(f);
-    if (border == Level_connectivity::null) return {Kind::face, f};
-    return {Kind::border_edge, border, new_vertex - vertex_of_face(f)};
+    const Element_parent parent = numbering_.parent_of_vertex(new_vertex);
+    if (parent.kind == Kind::vertex) return parent;
+    const Index border = refined_border_halfedge(parent.index);
+    if (border == Level_connectivity::null) return parent;
+    return {Kind::border_edge, border, parent.ordinal};
   }
+  /// the old edge that was flipped to become a new edge, or that on the border stays, the old face inside
+  /// which it lies and the corner that it leads to, or the border edge that it is a part of: part 0 at the target
+  /// of the border half-edge, and so on.
+  Element_parent parent_of_edge(Index new_edge) const
+  {
+    const Element_parent parent = numbering_.parent_of_edge(new_edge);
+    if (parent.kind == Kind::edge) {
+      if (!numbering_.refines_border() || !level_.is_border_edge(parent.index)) return parent;
+      const Index h = 2 * parent.index;
+      return {Kind::border_edge, level_.is_border(h) ? opposite(h) : h, 0};
+    }
+    const Index border = refined_border_halfedge(parent.index);
+    if (border == Level_connectivity::null || parent.ordinal < 2) return parent;
+    return {Kind::border_edge, border, parent.ordinal - 1};
+  }
+  /// the old face with the half-edge that a new triangle lies at, and which of its half-edges it is. The triangle
+  /// reaches beyond it, to the new vertex of the face on the other side.
+  Element_parent parent_of_face(Index new_face) const
+  {
+    return numbering_.parent_of_face(new_face);
+  }
+  /// whether the border is refined in this round.
+  bool has_refined_border() const { return numbering_.refines_border(); }
+  /// @}
 
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
@@ -134,6 +158,8 @@ public:
   }
 
 private:
+  using Kind = Element_parent::Kind;
+
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
   // Half-edge i of face f is corner 4 f + i. Looking it up in one place keeps the jumps through the
@@ -167,7 +193,7 @@ private:
 
   bool is_on_refined_border(Index v) const
   {
-    return !border_faces_before_.empty() && !level_.is_isolated(v) && level_.is_border_vertex(v);
+    return numbering_.refines_border() && !level_.is_isolated(v) && level_.is_border_vertex(v);
   }
 
   // the half-edge of a triangle whose opposite is on a border that is refined, null if there is
@@ -181,21 +207,14 @@ private:
   }
   Index refined_border_halfedge(Index f) const
   {
-    return border_faces_before_.empty() ? Level_connectivity::null : border_halfedge(f);
+    return numbering_.refines_border() ? border_halfedge(f) : Level_connectivity::null;
   }
 
   // new edge i of a face
-  Index inner(Index f, Index i) const { return 2 * (level_.number_of_edges() + 3 * f + i); }
+  Index inner(Index f, Index i) const { return 2 * numbering_.inner_edge(f, i); }
   // the last part of a refined border edge
-  Index last_part(Index f) const
-  {
-    return 2 * (level_.number_of_edges() + 3 * level_.number_of_faces() + border_faces_before_[f]);
-  }
-  Index triangle(Index h) const
-  {
-    const Index f = corner_[h] / 4, i = corner_[h] % 4;
-    return i == 0 ? f : level_.number_of_faces() + 2 * f + i - 1;
-  }
+  Index last_part(Index f) const { return 2 * numbering_.last_part(f); }
+  Index triangle(Index h) const { return numbering_.triangle(corner_[h] / 4, corner_[h] % 4); }
 
   // Seen from a half-edge h of a face: the new vertex that forms a triangle with h, and the
   // half-edges from it to the two ends of h. In an ordinary face these are the three spokes. In a
@@ -209,7 +228,7 @@ private:
   BOOST_FORCEINLINE Fan fan(Index h) const
   {
     const Index f = corner_[h] / 4, i = corner_[h] % 4;
-    if (border_faces_before_.empty() || border_halfedge(f) == Level_connectivity::null)
+    if (refined_border_halfedge(f) == Level_connectivity::null)
       return {vertex_of_face(f), inner(f, i == 0 ? 2 : i - 1), inner(f, i)};
     return fan_of_refined_border(h, f);
   }
@@ -241,10 +260,10 @@ private:
   template <class Child>
   void connect_border(Index h, Child& child) const
   {
-    if (border_faces_before_.empty())
-      connect_kept_border(h, child);
-    else
+    if (numbering_.refines_border())
       connect_refined_border(h, child);
+    else
+      connect_kept_border(h, child);
   }
 
   // of two new vertices in a face, the triangle on the border sets the half-edges
@@ -311,12 +330,12 @@ private:
   // where the old border half-edge b begins now
   Index first_on_border(Index b) const
   {
-    if (border_faces_before_.empty()) return b;
+    if (!numbering_.refines_border()) return b;
     return opposite(last_part(level_.face(opposite(b))));
   }
 
   const Level_connectivity& level_;
-  const Index first_center_;
+  internal::Sqrt3_numbering<Index> numbering_;
   boost::container::vector<Index> corner_;
   boost::container::vector<Index> border_faces_before_, face_of_center_;
 };

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
 #include <cstddef>
@@ -85,7 +86,8 @@ private:
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Doo-Sabin subdivision: `DooSabin_mask` on `DQQ_host`. Accepts any polygons.
+Doo-Sabin subdivision: `DooSabin_mask` on `DQQ_host`. Accepts any polygons, and no interior vertex of
+valence 2, of which a face with two corners would be left.
 \cgalModels{PNSubdivisionScheme_3}
 */
 struct DooSabin_scheme
@@ -99,6 +101,13 @@ struct DooSabin_scheme
   DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
     return DooSabin_mask<FT>(level);
+  }
+
+  /// refuses an interior vertex of valence 2.
+  template <class Element_names>
+  static void check(const Level_connectivity& level, const Element_names& names)
+  {
+    internal::check_interior_valences(level, names);
   }
 
   /// see `estimated_row_entries()`: the m corners of a face have m entries each. Vertices are faces from the first round on.

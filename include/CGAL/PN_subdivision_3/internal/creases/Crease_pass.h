@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_tangents.h>
+#include <CGAL/PN_subdivision_3/internal/creases/crease_blend.h>
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
@@ -126,11 +127,11 @@ private:
                                           star.is_border && join.has_inner_end);
     Rule_value value = rules.vertex(star, parent, all);
     keep_tangents(join, value);
-    if (!is_same(parent, child)) {
+    if (!is_same_rule(parent, child)) {
       // a corner that becomes a crease vertex passes on one direction of travel
       if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
         make_opposite_vectors<FT>(value.tangents[0], value.tangents[1]);
-      const FT f(weight_of_parent(star));
+      const FT f(weight_of_parent_rule(creases, star));
       if (f < FT(1)) blend(value, rules.vertex(star, child, join), f, join.wedge);
     }
     if constexpr (is_pn) value.normals = join_normals<FT>(value.normals, join);
@@ -140,30 +141,6 @@ private:
       const Index half = refined_.second_half(refined_.rank[e.crease], e.side);
       refined_.creases.edges[half].tangent_from[1 - e.side] = value.tangents[j];
     }
-  }
-
-  static bool is_same(Vertex_rule a, Vertex_rule b)
-  {
-    const auto smooth = [](Vertex_rule r) {
-      return r == Vertex_rule::dart ? Vertex_rule::smooth : r;
-    };
-    return smooth(a) == smooth(b);
-  }
-
-  // the mean sharpness of what is sharp no more after the round, at most 1
-  double weight_of_parent(const Crease_star& star) const
-  {
-    double sum = 0;
-    int number = 0;
-    const auto add = [&](double s) {
-      if (!(s > 0) || refined_sharpness(s) > 0) return;
-      sum += s;
-      ++number;
-    };
-    add(star.sharpness);
-    for (Index i = 0; i < star.number_of_ends; ++i)
-      add(data_.creases.edge(data_.creases.end(star, i)).sharpness);
-    return number == 0 ? 1 : sum / number;
   }
 
   static void keep_tangents(const Wedge_join& join, Rule_value& value)

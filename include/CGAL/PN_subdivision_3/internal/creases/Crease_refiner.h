@@ -61,13 +61,18 @@ public:
   void refine()
   {
     One_round round = next_round();
+    refine(round);
+  }
+  void refine(One_round& round, const typename Refiner::Rows_sink* rows_sink = nullptr,
+              const typename Refiner::Child_sink* child_sink = nullptr)
+  {
     const auto on_creases = round.crease_values(for_chunks_);
     Creases<FT> creases = std::move(round.refined_creases());
-    Values values = refiner_.refined_values(round.round(), creases.number_of_slots);
+    Values values = refiner_.refined_values(round.round(), creases.number_of_slots, rows_sink);
     for (const auto& slot : on_creases) values[slot.first] = slot.second;
     round.close();
     const Level_size room = Level_cut<FT>::size(round.round().refined_size(), creases);
-    refiner_.replace(round.round(), room, std::move(values));
+    refiner_.replace(round.round(), room, std::move(values), child_sink);
     creases_ = std::move(creases);
   }
 

@@ -56,10 +56,8 @@ public:
     , refined_size_(Host::refined_size(level.size(), number))
     , refined_(creases, level, number_of_vertices())
   {
-    Host host(level, number);
     if (needs_smooth_rules()) make_smooth_rows(number);
-    cut_.emplace(level, creases);
-    round_.emplace(scheme, std::move(host), refined_size_, level, number);
+    round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
     if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases());
     if constexpr (!Is_linear<Scheme>::value) soften();
   }
@@ -70,6 +68,27 @@ public:
   // of all new vertices; values on creases do not hold
   const One_round& round() const { return *round_; }
   Index number_of_vertices() const { return static_cast<Index>(refined_size_.vertices); }
+
+  const Refined_creases<FT>& refined() const { return refined_; }
+
+  bool needs_smooth_rules() const
+  {
+    return std::any_of(creases_.stars.begin(), creases_.stars.end(),
+                       [this](const Crease_star& s) { return has_smooth_rule(s); }) ||
+           std::any_of(creases_.edges.begin(), creases_.edges.end(),
+                       [](const Crease_edge<FT>& e) { return e.sharpness < 1; });
+  }
+  // for these rules, of the whole level: crease vertices and corners are not extraordinary, darts count
+  // but have no rules of their own
+  static void count_valences(Level_connectivity& level, const Creases<FT>& creases)
+  {
+    std::vector<Level_connectivity::Counted_valence> counted;
+    for (const Crease_star& star : creases.stars) {
+      const bool is_dart = !star.is_border && creases.rule(star) == Vertex_rule::dart;
+      counted.push_back({star.vertex, is_dart ? level.valence(star.vertex) : 0});
+    }
+    level.set_counted_valences(std::move(counted));
+  }
 
   // the values on the creases, for each of their slots
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
@@ -118,35 +137,16 @@ private:
            is_smooth(refined_.creases.rule(refined_.creases.stars[child]));
   }
 
-  bool needs_smooth_rules() const
-  {
-    return std::any_of(creases_.stars.begin(), creases_.stars.end(),
-                       [this](const Crease_star& s) { return has_smooth_rule(s); }) ||
-           std::any_of(creases_.edges.begin(), creases_.edges.end(),
-                       [](const Crease_edge<FT>& e) { return e.sharpness < 1; });
-  }
-
   // from the mask of the whole level
   void make_smooth_rows(unsigned number)
   {
-    count_valences();
+    count_valences(level_, creases_);
     const One_round smooth(scheme_, level_, number);
     const Corner_slots<FT> slots(level_, creases_);
     const auto needs_row = [this](const Crease_star& s) { return has_smooth_rule(s); };
     smooth_rows_.emplace(level_, creases_, slots, smooth.mask(), needs_row);
     if constexpr (Has_normal_mask<Scheme>::value)
       smooth_normal_rows_.emplace(level_, creases_, slots, smooth.normal_mask(), needs_row);
-  }
-
-  // crease vertices and corners are not extraordinary, darts count but have no rules of their own
-  void count_valences()
-  {
-    std::vector<Level_connectivity::Counted_valence> counted;
-    for (const Crease_star& star : creases_.stars) {
-      const bool is_dart = !star.is_border && creases_.rule(star) == Vertex_rule::dart;
-      counted.push_back({star.vertex, is_dart ? level_.valence(star.vertex) : 0});
-    }
-    level_.set_counted_valences(std::move(counted));
   }
 
   void soften()

@@ -62,6 +62,9 @@ public:
     level_.set_counted_valences({});
   }
 
+  // of the inner crease edges the second copies, with the face of the half-edge of side 1
+  const std::vector<Index>& second_copies() const { return copy_; }
+
   // that of the level cut open
   static Level_size size(const Level_connectivity& level, const Creases<FT>& creases)
   {
@@ -197,13 +200,19 @@ public:
     : cut_(level, Level_cut<FT>::size(level, creases))
   {
     cut_.set_size(level.size());
-    Level_cut<FT>(cut_, creases);
+    second_copies_ = Level_cut<FT>(cut_, creases).second_copies();
   }
 
   const Level_connectivity& connectivity() const { return cut_; }
+  // of an inner crease edge
+  Level_connectivity::Index second_copy(Level_connectivity::Index crease) const
+  {
+    return second_copies_[crease];
+  }
 
 private:
   Level_connectivity cut_;
+  std::vector<Level_connectivity::Index> second_copies_;
 };
 
 // Calls f(half-edge, slot) for every corner of the level: that of the half-edge's face at its target.
@@ -220,6 +229,30 @@ void for_each_corner(const Level_connectivity& level, const Level_connectivity& 
       h = level.next(h);
       g = cut.next(g);
     } while (h != first);
+  }
+}
+
+// Calls f(half-edge, slot) for the corners of the level whose slot is not that of their vertex.
+template <class FT, class Function>
+void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& creases,
+                           const Function& f)
+{
+  using Index = Level_connectivity::Index;
+  for (const Crease_star& star : creases.stars) {
+    if (star.number_of_wedges == 1) continue;
+    for (Index i = 0; i < star.number_of_ends; ++i) {
+      const Crease_end& e = creases.end(star, i);
+      const Crease_edge<FT>& crease = creases.edge(e);
+      if (!crease.has_after(e.side) || crease.after[e.side] == star.vertex) continue;
+      // clockwise up to the next crease or the border
+      const Index last =
+        creases.halfedge(creases.end(star, i + 1 < star.number_of_ends ? i + 1 : 0));
+      Index h = creases.halfedge(e);
+      do {
+        f(h, crease.after[e.side]);
+        h = level.next_around_target(h);
+      } while (h != last && !level.is_border(h));
+    }
   }
 }
 

@@ -51,6 +51,15 @@ struct Jet_2
   }
 };
 
+// the surface (u, z) in a frame
+template <class FT>
+struct Surface_jet
+{
+  Local_frame<FT> frame;
+  std::array<Jet_2<FT>, 2> u;
+  Jet_2<FT> z;
+};
+
 // Gaussian and mean curvature
 template <class FT>
 struct Curvatures
@@ -115,6 +124,12 @@ public:
 
   Curvatures<FT> operator()(const Index* ring, const Value* values) const
   {
+    const Surface_jet<FT> jet = surface_jet(ring, values);
+    return curvatures(jet.u[0], jet.u[1], jet.z);
+  }
+
+  Surface_jet<FT> surface_jet(const Index* ring, const Value* values) const
+  {
     const Local_frame<FT> frame(values[*ring].point, normal(ring, values));
     Jet_2<FT> u[2], g[2], z;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -127,7 +142,7 @@ public:
       z.add(frame.z(v.point) - (gk[0] * uk[0] + gk[1] * uk[1]) / 2, weights_[k]);
     }
     for (int c = 0; c < 2; ++c) z.add_product(FT(1) / 2, g[c], u[c]);
-    return curvatures(u[0], u[1], z);
+    return {frame, {u[0], u[1]}, z};
   }
 
 private:

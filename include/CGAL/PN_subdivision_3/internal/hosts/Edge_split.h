@@ -10,15 +10,14 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_HOSTS_EDGE_SPLIT_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_halves.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// What the primal quadrisections share: every edge is split by a new vertex.
-//
-// Edge e keeps its index on the half at the source of half-edge 2e; the other half is edge E + e.
-// With this, opposite half-edges still differ in their last bit only.
+// What the primal quadrisections share: every edge is split by a new vertex. Half-edges of its halves
+// have the direction, and so the last bit, of the half-edge that they are parts of.
 class Edge_split
 {
 public:
@@ -26,16 +25,13 @@ public:
 
   explicit Edge_split(const Level_connectivity& level)
     : level_(level)
-    , number_of_vertices_(level.number_of_vertices())
-    , number_of_halfedges_(level.number_of_halfedges())
+    , halves_(level.size())
   {}
 
   // the halves of h: from its source to the edge vertex, from there to its target
-  Index first_half(Index h) const { return (h & 1u) == 0 ? h : number_of_halfedges_ + h; }
-  Index second_half(Index h) const { return (h & 1u) == 0 ? number_of_halfedges_ + h : h; }
-  Index vertex_of_edge(Index e) const { return number_of_vertices_ + e; }
-  // behind those of the edges
-  Index vertex_of_face(Index f) const { return vertex_of_edge(number_of_halfedges_ / 2) + f; }
+  Index first_half(Index h) const { return half(h, h & 1u); }
+  Index second_half(Index h) const { return half(h, 1 - (h & 1u)); }
+  Index vertex_of_edge(Index e) const { return halves_.vertex_of_edge(e); }
   Index edge_vertex(Index h) const { return vertex_of_edge(Level_connectivity::edge(h)); }
 
   // sets the half-edges of the old and the edge vertices, and all of the border
@@ -51,6 +47,11 @@ public:
   }
 
 private:
+  Index half(Index h, Index ordinal) const
+  {
+    return 2 * halves_.half_of_edge(Level_connectivity::edge(h), ordinal) + (h & 1u);
+  }
+
   template <class Child>
   void connect_vertex(Index v, Child& child) const
   {
@@ -84,8 +85,8 @@ private:
   }
 
   const Level_connectivity& level_;
-  // of the level when the host was made: it may be cut open while new vertices are computed
-  const Index number_of_vertices_, number_of_halfedges_;
+  // copies the sizes of the level, which may be cut open while new vertices are computed
+  const Edge_halves<Index> halves_;
 };
 
 } // namespace internal

@@ -118,7 +118,9 @@ public:
     const Ring_masks masks(*real_rows, layout);
     if (masks.limit().empty()) return;
     rows_ = Ring_rows<FT>(*rows, copies_);
-    limit_ = Ring_rows<FT>({limit_weights(masks.limit(), *rows)}, copies_);
+    matrix_ = *rows;
+    limit_row_ = limit_weights(masks.limit(), *rows);
+    limit_ = Ring_rows<FT>({limit_row_}, copies_);
     is_interpolating_ = limit_.blocks()[0].end(0) - limit_.blocks()[0].begin(0) == 1;
     if constexpr (has_normal_rows) {
       const auto normals =
@@ -129,7 +131,9 @@ public:
       const Ring_masks normal_masks(*real_normals, layout);
       if (normal_masks.limit().empty()) return;
       normal_rows_ = Ring_rows<FT>(*normals, copies_);
-      normal_limit_ = Ring_rows<FT>({limit_weights(normal_masks.limit(), *normals)}, copies_);
+      normal_matrix_ = *normals;
+      normal_limit_row_ = limit_weights(normal_masks.limit(), *normals);
+      normal_limit_ = Ring_rows<FT>({normal_limit_row_}, copies_);
     }
     if (Has_curvature_transfer<Scheme>::value && !layout.at_border && layout.number > 2 &&
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
@@ -148,6 +152,18 @@ public:
   std::size_t copies() const { return copies_; }
   // whether the limit point is the vertex
   bool is_interpolating() const { return is_interpolating_; }
+
+  // the rows as they are, for the points and for the normals
+  const Ring_matrix<FT>& matrix() const { return matrix_; }
+  const Ring_matrix<FT>& normal_matrix() const
+  {
+    return has_normal_rows ? normal_matrix_ : matrix_;
+  }
+  const Ring_row<FT>& limit_row() const { return limit_row_; }
+  const Ring_row<FT>& normal_limit_row() const
+  {
+    return has_normal_rows ? normal_limit_row_ : limit_row_;
+  }
 
   bool has_tangents() const { return !tangents_[0].empty(); }
   const std::array<std::vector<double>, 2>& tangents() const { return tangents_; }
@@ -200,6 +216,8 @@ private:
   std::size_t size_, copies_;
   bool is_valid_ = false, is_interpolating_ = false;
   Ring_rows<FT> rows_, normal_rows_, limit_, normal_limit_;
+  Ring_matrix<FT> matrix_, normal_matrix_;
+  Ring_row<FT> limit_row_, normal_limit_row_;
   std::array<std::vector<double>, 2> tangents_;
   double lambda_ = 0, largest_other_ = 0;
   Level_connectivity::Index transfer_valence_ = 0;

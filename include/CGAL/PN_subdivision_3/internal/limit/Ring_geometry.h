@@ -74,11 +74,8 @@ public:
   // \pre is_regular()
   Curvatures<double> extraordinary_curvatures(const Quadratic_part<double>* part = nullptr) const
   {
-    std::array<Pair<double>, 2> h;
-    for (std::size_t c = 0; c < 2; ++c)
-      h[c] = solve(size_, masked([&](const Value& v) { return frame_.slope(v.normal)[c]; }));
+    auto [xx, xy, yy] = second_derivatives();
     const double a = slope_[0], b = slope_[1], s = 1 + a * a + b * b;
-    double xx = h[0][0], xy = (h[0][1] + h[1][0]) / 2, yy = h[1][1];
     if (part != nullptr) {
       xx += (*part)(frame_.e1(), frame_.e1());
       xy += (*part)(frame_.e1(), frame_.e2());
@@ -88,7 +85,31 @@ public:
     return {(xx * yy - xy * xy) / (s * s), -trace / (2 * std::sqrt(s))};
   }
 
+  // the same as the jet of the surface
+  // \pre is_regular()
+  Surface_jet<double> extraordinary_jet() const
+  {
+    const auto [xx, xy, yy] = second_derivatives();
+    Surface_jet<double> jet{frame_, {}, {}};
+    jet.u[0].a = jet.u[1].b = 1;
+    jet.z.a = slope_[0];
+    jet.z.b = slope_[1];
+    jet.z.aa = xx;
+    jet.z.ab = xy;
+    jet.z.bb = yy;
+    return jet;
+  }
+
 private:
+  // of the height in the frame: aa, ab, bb
+  std::array<double, 3> second_derivatives() const
+  {
+    std::array<Pair<double>, 2> h;
+    for (std::size_t c = 0; c < 2; ++c)
+      h[c] = solve(size_, masked([&](const Value& v) { return frame_.slope(v.normal)[c]; }));
+    return {h[0][0], (h[0][1] + h[1][0]) / 2, h[1][1]};
+  }
+
   static bool has_normal(const Value& v) { return !PN_average<double, 3>::is_zero(v.normal); }
 
   template <class Function>

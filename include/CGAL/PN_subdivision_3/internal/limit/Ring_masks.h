@@ -21,9 +21,13 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The matrix that maps the values of a ring to those of the next round, by rows of (place, weight).
+// A row over the places of a ring: (place, weight).
 template <class FT>
-using Ring_matrix = std::vector<std::vector<std::pair<std::uint32_t, FT>>>;
+using Ring_row = std::vector<std::pair<std::uint32_t, FT>>;
+
+// The matrix that maps the values of a ring to those of the next round, by its rows.
+template <class FT>
+using Ring_matrix = std::vector<Ring_row<FT>>;
 
 // What the places of a ring tell of the plane: the neighbors, or the corners of a face, in turn.
 struct Ring_layout

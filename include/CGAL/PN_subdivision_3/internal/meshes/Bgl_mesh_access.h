@@ -153,6 +153,7 @@ public:
   Vertex vertex(Index v) const { return vertices_[v]; }
   Halfedge halfedge_at(Index h) const { return halfedge_descriptor(h); }
   typename Traits::edge_descriptor edge_at(Index e) const { return edge(edges_[e], graph_); }
+  Face face_at(Index f) const { return faces_[f]; }
 
   std::string vertex_name(Index v) const override
   {

@@ -11,6 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
@@ -60,20 +62,22 @@ public:
   {}
 
   // a linear scheme has no use for normals
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
   void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                  Vertex_map vertex_map) const
+                  Vertex_map vertex_map, const Carry& carry) const
   {
     if constexpr (is_pn)
-      subdivide(access, points, normals, edge_map, vertex_map);
+      subdivide(access, points, normals, edge_map, vertex_map, carry);
     else
-      subdivide(access, points, No_normal_map(), edge_map, vertex_map);
+      subdivide(access, points, No_normal_map(), edge_map, vertex_map, carry);
   }
 
 private:
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
   void subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                 Vertex_map vertex_map) const
+                 Vertex_map vertex_map, const Carry& carry) const
   {
     constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
     using Vertex_normal_map = std::conditional_t<has_corner_normals, No_normal_map, Normal_map>;
@@ -100,21 +104,33 @@ private:
     Mesh_writer<Value, Access, Point_map, Vertex_normal_map> writer(access, points, vertex_normals,
                                                                     is_near_overflow);
     Corner_writer corners(access, level, normals);
+    Carried_through<FT, typename Scheme::Host, Carry> carried(
+      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      sharpness<Carry>(level, edges, vertices), for_chunks_);
     Refiner refiner(scheme_, std::move(level), std::move(creases), {values.begin(), values.end()},
                     for_chunks_);
     std::vector<Value>().swap(values);
 
-    plain_.grow_and_refine(access, size, refiner, rounds);
+    plain_.grow_and_refine(access, size, refiner, rounds, [&] {
+      carried.before_cut(refiner.level());
+      auto round = refiner.next_round();
+      carried.begin_creased_round(scheme_, round, refiner.creases(), false);
+      refiner.refine(round, carried.rows(), carried.child());
+      carried.end_round();
+    });
+    carried.before_cut(refiner.level());
     auto last = refiner.next_round();
+    carried.begin_creased_round(scheme_, last, refiner.creases(), true);
     const Slot_values on_creases = last.crease_values(for_chunks_);
     if constexpr (has_corner_normals)
-      put_corners(access, size, refiner, last, on_creases, writer, corners);
+      put_corners(access, size, refiner, last, on_creases, writer, corners, carried.rows());
     else {
-      Plain::put_values(refiner.refiner(), last.round(), writer);
+      Plain::put_values(refiner.refiner(), last.round(), writer, carried.rows());
       put_crease_vertices(on_creases, last.number_of_vertices(), writer);
       Plain::grow_fully(access, size, refiner);
     }
     last.close();
+    carried.put(refiner.refiner(), last.round());
     put_constraints(last.refined_creases(), size, edges, vertices, rounds);
     tangents.put_refined(last.refined_creases(), static_cast<Index>(size.edges));
     plain_.report_last_round(rounds, size);
@@ -124,7 +140,9 @@ private:
       edges.keep();
       vertices.keep();
       tangents.keep();
+      carried.keep();
     });
+    carried.visit(access, refiner.refiner(), last.round());
   }
 
   // a linear scheme has no use for tangents either
@@ -198,6 +216,23 @@ private:
       if (is_given[v]) values[v].normal = given[v].normal;
   }
 
+  // what is sharp besides the seams of attributes
+  template <class Carry, class Edges, class Vertices>
+  Control_sharpness sharpness([[maybe_unused]] const Level_connectivity& level,
+                              [[maybe_unused]] const Edges& edges,
+                              [[maybe_unused]] const Vertices& vertices) const
+  {
+    Control_sharpness result;
+    if constexpr (!Carry::is_empty) {
+      result.border = Border_of<Scheme>::get(scheme_);
+      for (Index e = 0; e < level.number_of_edges(); ++e)
+        result.edges.push_back(edges.sharpness(e));
+      for (Index v = 0; v < level.number_of_vertices(); ++v)
+        result.vertices.push_back(vertices.sharpness(v));
+    }
+    return result;
+  }
+
   // The values of a vertex follow one another. With several of them it has their mean normal.
   template <class Writer>
   static void put_crease_vertices(const Slot_values& on_creases, Index number_of_vertices,
@@ -219,15 +254,18 @@ private:
 
   template <class Access, class Last, class Writer, class Corner_writer>
   void put_corners(Access& access, const Level_size& size, Refiner& refiner, Last& last,
-                   const Slot_values& on_creases, Writer& writer, Corner_writer& corners) const
+                   const Slot_values& on_creases, Writer& writer, Corner_writer& corners,
+                   const typename Refiner::Refiner::Rows_sink* rows) const
   {
     const Index n = last.number_of_vertices();
     const Creases<FT>& creases = last.refined_creases();
     boost::container::vector<Value> values(creases.number_of_slots, boost::container::default_init);
-    refiner.refiner().evaluate(last.round(), refiner.refiner().transfers(last.round()), 0, n,
-                               [&](Index first, const Value* new_values, Index number) {
-                                 std::copy(new_values, new_values + number, values.begin() + first);
-                               });
+    refiner.refiner().evaluate(
+      last.round(), refiner.refiner().transfers(last.round()), 0, n,
+      [&](Index first, const Value* new_values, Index number) {
+        std::copy(new_values, new_values + number, values.begin() + first);
+      },
+      rows);
     for (const auto& slot : on_creases) values[slot.first] = slot.second;
     Plain::grow_fully(access, size, refiner);
     writer.begin_old_vertices();

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -68,6 +69,7 @@ class Mesh_subdivision
   using Refiner = Level_refiner<Scheme, Average>;
   using One_round = typename Refiner::One_round;
   using Transfers = typename Refiner::Transfers;
+  using Rows_sink = typename Refiner::Rows_sink;
 
 public:
   using Round_done = Function_ref<void(unsigned, std::size_t)>;
@@ -80,13 +82,13 @@ public:
   {}
 
   // a linear scheme has no use for normals
-  template <class Access, class Point_map, class Normal_map>
-  void operator()(Access& access, Point_map points, Normal_map normals) const
+  template <class Access, class Point_map, class Normal_map, class Carry>
+  void operator()(Access& access, Point_map points, Normal_map normals, const Carry& carry) const
   {
     if constexpr (is_pn)
-      subdivide(access, points, normals);
+      subdivide(access, points, normals, carry);
     else
-      subdivide(access, points, No_normal_map());
+      subdivide(access, points, No_normal_map(), carry);
   }
 
   // \name Steps of a call
@@ -100,9 +102,9 @@ public:
 
   // With several threads the mesh grows while the levels before the last one are made; with one it
   // gets its edges and faces by grow_fully(), when the old values are gone.
-  template <class Access, class Any_refiner>
-  void grow_and_refine(Access& access, const Level_size& size, Any_refiner& refiner,
-                       unsigned rounds) const
+  template <class Access, class Any_refiner, class Refine>
+  void grow_and_refine(Access& access, const Level_size& size, const Any_refiner& refiner,
+                       unsigned rounds, const Refine& refine) const
   {
     const Caller_precision<FT> precision;
     run_together<Concurrency_tag>(
@@ -115,7 +117,7 @@ public:
       [&] {
         const typename Caller_precision<FT>::In_this_thread scope(precision);
         for (unsigned k = 1; k < rounds; ++k) {
-          refiner.refine();
+          refine();
           round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
         }
       });
@@ -137,29 +139,34 @@ public:
   }
 
   template <class Writer>
-  static void put_values(const Refiner& refiner, const One_round& last, Writer& writer)
+  static void put_values(const Refiner& refiner, const One_round& last, Writer& writer,
+                         const Rows_sink* rows = nullptr)
   {
     const auto new_vertices = static_cast<Index>(last.refined_size().vertices);
     const Index old_vertices = (std::min)(new_vertices, writer.number_of_old_vertices());
     const Transfers transfers = refiner.transfers(last);
-    put_range(refiner, last, transfers, old_vertices, new_vertices, writer);
+    put_range(refiner, last, transfers, old_vertices, new_vertices, writer, rows);
     writer.begin_old_vertices();
-    put_range(refiner, last, transfers, 0, old_vertices, writer);
+    put_range(refiner, last, transfers, 0, old_vertices, writer, rows);
   }
 
   template <class Writer>
   static void put_range(const Refiner& refiner, const One_round& last, const Transfers& transfers,
-                        Index begin, Index end, const Writer& writer)
+                        Index begin, Index end, const Writer& writer, const Rows_sink* rows)
   {
     if constexpr (Writer::has_own_maps || !is_parallel_v<Concurrency_tag>)
-      refiner.evaluate(last, transfers, begin, end, [&](Index first, const Value* values, Index n) {
-        writer.put_values(first, values, n);
-      });
+      refiner.evaluate(
+        last, transfers, begin, end,
+        [&](Index first, const Value* values, Index n) { writer.put_values(first, values, n); },
+        rows);
     else {
       boost::container::vector<Value> refined(end - begin, boost::container::default_init);
-      refiner.evaluate(last, transfers, begin, end, [&](Index first, const Value* values, Index n) {
-        std::copy(values, values + n, refined.begin() + (first - begin));
-      });
+      refiner.evaluate(
+        last, transfers, begin, end,
+        [&](Index first, const Value* values, Index n) {
+          std::copy(values, values + n, refined.begin() + (first - begin));
+        },
+        rows);
       writer.put_values(begin, refined.data(), end - begin);
     }
   }
@@ -190,8 +197,8 @@ public:
   }
 
 private:
-  template <class Access, class Point_map, class Normal_map>
-  void subdivide(Access& access, Point_map points, Normal_map normals) const
+  template <class Access, class Point_map, class Normal_map, class Carry>
+  void subdivide(Access& access, Point_map points, Normal_map normals, const Carry& carry) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
@@ -201,15 +208,28 @@ private:
     auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
     Mesh_writer<Value, Access, Point_map, Normal_map> writer(access, points, normals,
                                                              is_any_near_overflow(values));
+    Carried_through<FT, typename Scheme::Host, Carry> carried(
+      carry, access, level, std::vector<Index>(), Control_sharpness(), for_chunks_);
     Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    grow_and_refine(access, size, refiner, rounds);
+    grow_and_refine(access, size, refiner, rounds, [&] {
+      const One_round round = refiner.next_round();
+      carried.begin_round(scheme_, round, refiner.level(), false);
+      refiner.refine(round, carried.rows(), carried.child());
+      carried.end_round();
+    });
     const One_round last = refiner.next_round();
-    put_values(refiner, last, writer);
+    carried.begin_round(scheme_, last, refiner.level(), true);
+    put_values(refiner, last, writer, carried.rows());
     grow_fully(access, size, refiner);
+    carried.put(refiner, last);
     report_last_round(rounds, size);
-    put_connectivity(refiner, last, access, [&] { writer.keep(); });
+    put_connectivity(refiner, last, access, [&] {
+      writer.keep();
+      carried.keep();
+    });
+    carried.visit(access, refiner, last);
     if constexpr (!Scheme::Host::keeps_vertices) access.trim(size, writer.has_own_maps);
   }
 

@@ -62,6 +62,7 @@ public:
   Vertex vertex(Index v) const { return Vertex(v); }
   Halfedge halfedge_at(Index h) const { return Halfedge(h); }
   typename Mesh::Edge_index edge_at(Index e) const { return typename Mesh::Edge_index(e); }
+  Face face_at(Index f) const { return Face(f); }
 
   std::string vertex_name(Index v) const override { return "vertex " + std::to_string(v); }
   std::string halfedge_name(Index h) const override { return "half-edge " + std::to_string(h); }

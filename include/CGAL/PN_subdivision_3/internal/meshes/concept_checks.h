@@ -13,6 +13,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
@@ -44,6 +45,10 @@ struct Used_parameters
 using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
 using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                                          internal_np::vertex_normal_map_t>;
+using Interpolation_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
+                  internal_np::vertex_is_constrained_t>;
 using Subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
@@ -306,6 +311,39 @@ constexpr bool check_subdivision_arguments()
     else
       return false;
   }
+}
+
+template <class Mesh, class Item>
+constexpr bool is_attribute_of_v = false;
+template <class Mesh, template <class> class Item, class Map>
+constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
+  Is_property_map_of<Map, typename Item<Map>::template Key<Mesh>>::value;
+
+template <class Mesh, class Attributes>
+struct Check_attributes
+{
+  static constexpr bool value = Is_attributes<Attributes>::value;
+  static_assert(value,
+                "PN_subdivision_3: the attributes are neither made by attributes(...) nor an "
+                "Attribute_table");
+};
+template <class Mesh, class... Items>
+struct Check_attributes<Mesh, Attributes<Items...>>
+{
+  static constexpr bool value = (is_attribute_of_v<Mesh, Items> && ...);
+  static_assert(value, "PN_subdivision_3: the map of an attribute is no property map of the "
+                       "mesh's vertices, half-edges, edges or faces, as its name says");
+};
+
+// Attributes are forwarded: a table is an lvalue that is not const
+template <class Mesh, class Attributes>
+constexpr bool check_attributes()
+{
+  constexpr bool is_const_table =
+    std::is_same_v<std::remove_reference_t<Attributes>, const Attribute_table>;
+  static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
+                                 "to be refined");
+  return !is_const_table && Check_attributes<Mesh, std::decay_t<Attributes>>::value;
 }
 
 template <class Mesh, class Normal_map, class NamedParameters>

@@ -33,8 +33,9 @@ struct Scheme_name<Scheme, std::void_t<decltype(std::string(Scheme::name()))>>
 {
   static std::string get() { return "the scheme " + std::string(Scheme::name()); }
 };
+// not by std::void_t, too: to clang++ the two would be one
 template <class Scheme>
-struct Scheme_name<Scheme, std::void_t<typename Scheme::Adapted_scheme>>
+struct Scheme_name<Scheme, std::enable_if_t<(sizeof(typename Scheme::Adapted_scheme) != 0)>>
   : Scheme_name<typename Scheme::Adapted_scheme>
 {};
 

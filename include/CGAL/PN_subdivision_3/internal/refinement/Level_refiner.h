@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
@@ -40,6 +41,9 @@ public:
   using Value = typename One_round::Value;
   using Sink = typename One_round::Sink;
   using Transfers = typename One_round::Transfers;
+  using Rows_sink = typename One_round::Rows_sink;
+  // takes the child of a level, which is still there
+  using Child_sink = Function_ref<void(const Level_connectivity&)>;
   using Stored_value = typename One_round::Stored_value;
   using Values = boost::container::vector<Stored_value>;
 
@@ -61,32 +65,38 @@ public:
   unsigned rounds_done() const { return rounds_done_; }
 
   // \pre the level stays while the round is used
-  One_round next_round() const { return {scheme_, level_, level_, rounds_done_ + 1}; }
+  One_round next_round() const { return {scheme_, level_, rounds_done_ + 1}; }
 
-  void refine()
+  void refine() { refine(next_round()); }
+  void refine(const One_round& round, const Rows_sink* rows_sink = nullptr,
+              const Child_sink* child_sink = nullptr)
   {
-    const One_round round = next_round();
-    Values values = refined_values(round, round.refined_size().vertices);
-    replace(round, round.refined_size(), std::move(values));
+    Values values = refined_values(round, round.refined_size().vertices, rows_sink);
+    replace(round, round.refined_size(), std::move(values), child_sink);
   }
 
   // the first ones are those of the new vertices
-  Values refined_values(const One_round& round, std::size_t number_of_values) const
+  Values refined_values(const One_round& round, std::size_t number_of_values,
+                        const Rows_sink* rows_sink = nullptr) const
   {
     Values refined(number_of_values, boost::container::default_init);
-    evaluate(round, transfers(round), 0, static_cast<Index>(round.refined_size().vertices),
-             [&](Index first, const Value* values, Index number) {
-               std::copy(values, values + number, refined.begin() + first);
-             });
+    evaluate(
+      round, transfers(round), 0, static_cast<Index>(round.refined_size().vertices),
+      [&](Index first, const Value* values, Index number) {
+        std::copy(values, values + number, refined.begin() + first);
+      },
+      rows_sink);
     return refined;
   }
 
   // the child, with room for further elements, and its values take the place of the level
-  void replace(const One_round& round, const Level_size& room, Values&& values)
+  void replace(const One_round& round, const Level_size& room, Values&& values,
+               const Child_sink* child_sink = nullptr)
   {
     Level_connectivity child(round.refined_size(), room);
     child.set_uniform_degree(Scheme::Host::refined_degree);
     connect(round, child);
+    if (child_sink != nullptr) (*child_sink)(child);
     level_ = std::move(child);
     values_ = std::move(values);
     ++rounds_done_;
@@ -101,12 +111,12 @@ public:
   // The new vertices [begin, end) of a round. The sink gets a few neighboring ones with every call,
   // which come from several threads if for_chunks does.
   void evaluate(const One_round& round, const Transfers& transfers, Index begin, Index end,
-                Sink sink) const
+                Sink sink, const Rows_sink* rows_sink = nullptr) const
   {
     const Precision precision;
     for_chunks_(end - begin, [&](Index first, Index last) {
       const typename Precision::In_this_thread scope(precision);
-      round.evaluate(begin + first, begin + last, values_.data(), transfers, sink);
+      round.evaluate(begin + first, begin + last, values_.data(), transfers, sink, rows_sink);
     });
   }
 

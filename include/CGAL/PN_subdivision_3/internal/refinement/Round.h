@@ -45,28 +45,25 @@ public:
   using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
   static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
+  // takes (first new vertex, its row and those of the vertices behind it)
+  using Rows_sink = Function_ref<void(Index, const Stencil_block<FT>&)>;
   // takes (first new vertex, values, how many)
   using Sink = Function_ref<void(Index, const Value*, Index)>;
   // takes (new vertices, values, how many)
   using List_sink = Function_ref<void(const Index*, const Value*, Index)>;
 
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number)
-    : Round(scheme, level, level, number)
+    : Round(scheme, level, number, [] {})
   {}
-  // rows from `mask_level`, whose vertices the values belong to
-  Round(const Scheme& scheme, const Level_connectivity& host_level,
-        const Level_connectivity& mask_level, unsigned number)
-    : Round(scheme, Host(host_level, number), Host::refined_size(host_level.size(), number),
-            mask_level, number)
-  {}
-  // the level of the host may be cut open to that of the mask after the host has been made
-  Round(const Scheme& scheme, Host&& host, const Level_size& refined_size,
-        const Level_connectivity& mask_level, unsigned number)
-    : mask_level_(mask_level)
-    , host_(std::move(host))
-    , mask_(scheme.template mask<FT>(mask_level, number))
-    , normal_mask_(make_normal_mask(scheme, mask_level, number))
-    , size_(refined_size)
+  // cut() may cut the level open, for the masks, once its host has been made
+  template <class Cut>
+  Round(const Scheme& scheme, const Level_connectivity& level, unsigned number, const Cut& cut)
+    : mask_level_(level)
+    , host_(level, number)
+    , size_(Host::refined_size(level.size(), number))
+    , mask_((cut(), scheme.template mask<FT>(level, number)))
+    , normal_mask_(make_normal_mask(scheme, level, number))
+    , number_of_old_vertices_(level.number_of_vertices())
     , number_(number)
   {}
 
@@ -100,17 +97,18 @@ public:
     }
   }
 
-  // computes the new vertices [begin, end) from the old values, and hands them to the sink block by
-  // block
+  // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by
+  // block. Whoever averages something else, too, gets the rows of the blocks.
   void evaluate(Index begin, Index end, const Stored_value* old, const Transfers& transfers,
-                Sink sink) const
+                Sink sink, const Rows_sink* rows_sink = nullptr) const
   {
     evaluate_blocks(
       begin, end, old, [](Index i) { return i; },
       [&](Index first, Value* values, Index n) {
         transfers.put(first, n, values);
         sink(first, values, n);
-      });
+      },
+      rows_sink);
   }
 
   // the new vertices that are listed, to the same bits; as the rows have them, without transfers
@@ -160,7 +158,7 @@ private:
   // the i-th of the new vertices is vertex(i)
   template <class Vertex, class Block_sink>
   void evaluate_blocks(Index begin, Index end, const Stored_value* old, const Vertex& vertex,
-                       const Block_sink& sink) const
+                       const Block_sink& sink, const Rows_sink* rows_sink = nullptr) const
   {
     Stencil_block<FT> rows;
     [[maybe_unused]] Normal_rows normal_rows{};
@@ -168,6 +166,7 @@ private:
     for (Index first = begin; first < end;) {
       const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
       compute(first, n, vertex, rows, normal_rows, old, values.data());
+      if (rows_sink != nullptr) (*rows_sink)(first, rows);
       sink(first, values.data(), n);
       first += n;
     }
@@ -247,9 +246,10 @@ private:
 
   const Level_connectivity& mask_level_;
   Host host_;
+  Level_size size_;
   Mask mask_;
   Normal_mask normal_mask_;
-  Level_size size_;
+  Index number_of_old_vertices_;
   unsigned number_;
   std::vector<Index> of_others_;
 };

@@ -97,6 +97,10 @@ public:
   {
     run_(n, f);
   }
+  bool has_threads() const
+  {
+    return run_ != &run;
+  }
 
 private:
   static void run(Index n, Function f)

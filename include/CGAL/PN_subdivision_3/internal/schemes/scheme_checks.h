@@ -47,7 +47,8 @@ void check_quadrilaterals(const Level_connectivity& level, const Element_names& 
                      "quadrilaterals only; apply one round of Catmull-Clark first");
 }
 
-// The interpolatory schemes have no rule for an interior vertex of valence 2.
+// The interpolatory schemes have no rule for an interior vertex of valence 2, and Doo-Sabin would make a face
+// with two corners of it, which is no face of a polygon mesh.
 template <class Element_names>
 void check_interior_valences(const Level_connectivity& level, const Element_names& names)
 {

@@ -1,0 +1,134 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_ATTRIBUTES_H
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_H
+
+#include <CGAL/PN_subdivision_3/Control_element.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+whether all edges of refined meshes that lie on control edges are parts of them. Schemes that split edges carry
+attributes of edges and seams of attributes of corners, the others (Doo-Sabin, \f$ \sqrt{3} \f$) refuse both.
+*/
+template <class Scheme>
+constexpr bool splits_edges_v = internal::Splits_edges<typename Scheme::Host>::value;
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map whose values at vertices are refined by the scheme's linear rows, see `Attribute_traits`. Keys are
+/// vertices.
+template <class Map>
+internal::Vertex_attribute<Map> vertex_attribute(Map map)
+{
+  return {map};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map whose values at corners are refined: that of a half-edge belongs to its face, at its target; border
+/// half-edges are neither read nor written. Keys are half-edges, values can be compared by `==`.
+template <class Map>
+internal::Corner_attribute<Map> corner_attribute(Map map, Corner_rule rule = Corner_rule::smooth)
+{
+  return {map, rule};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map whose values the halves of an edge inherit; all other new edges get `T()`. Keys are edges.
+template <class Map>
+internal::Edge_attribute<Map> edge_attribute(Map map)
+{
+  return {map};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map whose values faces inherit from the control face that they come from, see `face_parents()`. Keys are
+/// faces.
+template <class Map>
+internal::Face_attribute<Map> face_attribute(Map map)
+{
+  return {map};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map that gets where the refined faces come from. Keys are faces. Values are `Control_element`s, or integers: the
+/// number of the control face in the order of `faces(mesh)`, which with Doo-Sabin subdivision is for a face that
+/// comes from an edge or a vertex the least one of the faces there.
+template <class Map>
+internal::Face_parents<Map> face_parents(Map map)
+{
+  return {map};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map that gets the control vertices, edges and faces that the refined vertices come from, lie on or lie in. Keys
+/// are vertices, values `Control_element`s.
+template <class Map>
+internal::Vertex_parents<Map> vertex_parents(Map map)
+{
+  return {map};
+}
+
+/// \ingroup PkgPNSubdivision3Attributes
+/// a map that gets the control edges and faces that the refined edges lie on or lie in. Keys are edges, values
+/// `Control_element`s.
+template <class Map>
+internal::Edge_parents<Map> edge_parents(Map map)
+{
+  return {map};
+}
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+returns what `subdivide()` is to carry beside points and normals: any number of the results of
+`vertex_attribute()`, `corner_attribute()`, `edge_attribute()`, `face_attribute()`, `face_parents()`,
+`vertex_parents()` and `edge_parents()`.
+*/
+template <class... Items>
+internal::Attributes<Items...> attributes(const Items&... items)
+{
+  return {std::tuple<Items...>(items...)};
+}
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+whether a map of corners has a seam: an edge at one of whose ends the values of its two faces differ. Maps with seams
+need a scheme that splits edges, see `splits_edges_v`.
+\tparam Values a property map of half-edges whose values can be compared, or an `Attribute_array`
+*/
+template <class PolygonMesh, class Values>
+bool has_seam(const PolygonMesh& mesh, const Values& values)
+{
+  bool result = false;
+  internal::with_mesh_access(mesh, [&](const auto& access) {
+    result = internal::has_seam(access, internal::checked_level(access), values);
+  });
+  return result;
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_ATTRIBUTES_H

@@ -1,0 +1,258 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
+#define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+namespace internal {
+
+template <class T, class FT, class = void>
+struct Has_product : std::false_type
+{};
+template <class T, class FT>
+struct Has_product<T, FT,
+                   std::void_t<decltype(T(std::declval<const T&>() * std::declval<const FT&>()))>>
+  : std::true_type
+{};
+
+// w v for a value of the user's, with the weight on whatever side and in whatever precision it is taken
+template <class T, class FT>
+T scaled_value(const T& v, const FT& w)
+{
+  if constexpr (Has_product<T, FT>::value)
+    return T(v * w);
+  else if constexpr (Has_product<T, double>::value)
+    return T(v * double(CGAL::to_double(w)));
+  else
+    return T(double(CGAL::to_double(w)) * v);
+}
+
+// A component of an attribute, which is computed in FT. Integers are rounded, and kept in the range of their type.
+template <class T, class FT>
+FT component_to_ft(const T& t)
+{
+  if constexpr (std::is_same_v<T, FT>)
+    return t;
+  else
+    return FT(static_cast<double>(t));
+}
+template <class T, class FT>
+T component_from_ft(const FT& x)
+{
+  if constexpr (std::is_same_v<T, FT>)
+    return x;
+  else if constexpr (std::is_integral_v<T>) {
+    const double rounded = std::round(double(CGAL::to_double(x)));
+    constexpr auto least = (std::numeric_limits<T>::min)(), most = (std::numeric_limits<T>::max)();
+    if (!(rounded > static_cast<double>(least))) return least;
+    return rounded < static_cast<double>(most) ? static_cast<T>(rounded) : most;
+  } else
+    return static_cast<T>(CGAL::to_double(x));
+}
+
+template <class T, class FT>
+constexpr bool is_component_v = std::is_arithmetic_v<T> || std::is_same_v<T, FT>;
+
+template <class FT, std::size_t n>
+struct Components
+{
+  using Sum = std::array<FT, n>;
+  static constexpr bool has_components = true;
+};
+
+template <class T, class = void>
+struct Cartesian_dimension
+{
+  static constexpr int value = 0;
+};
+template <class T>
+struct Cartesian_dimension<T, std::void_t<typename Kernel_traits<T>::Kernel::Vector_2>>
+{
+  using Kernel = typename Kernel_traits<T>::Kernel;
+  template <class U>
+  static constexpr bool is = std::is_same_v<T, U>;
+  static constexpr int value = is<typename Kernel::Point_2> || is<typename Kernel::Vector_2>   ? 2
+                               : is<typename Kernel::Point_3> || is<typename Kernel::Vector_3> ? 3
+                                                                                               : 0;
+};
+
+template <class T, class = void>
+struct Eigen_size
+{
+  static constexpr int value = 0;
+};
+template <class T>
+struct Eigen_size<T, std::void_t<typename T::Scalar, decltype(T::SizeAtCompileTime)>>
+{
+  static constexpr int value =
+    std::is_arithmetic_v<typename T::Scalar> ? int(T::SizeAtCompileTime) : 0; // below 0 if dynamic
+};
+
+template <class T, class = void>
+struct Is_color : std::false_type
+{};
+template <class T>
+struct Is_color<
+  T, std::void_t<decltype(std::declval<T&>().red()), decltype(std::declval<T&>().green()),
+                 decltype(std::declval<T&>().blue()), decltype(std::declval<T&>().alpha()),
+                 decltype(T(std::declval<unsigned char>(), std::declval<unsigned char>(),
+                            std::declval<unsigned char>(), std::declval<unsigned char>()))>>
+  : std::true_type
+{};
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Attributes
+
+How values of type `T` are averaged with weights of type `FT`. Specialize it for a type of your own that has no `+`
+and no product with numbers, or that is to be computed in another type than itself.
+
+`Sum` is what values are held as between the rounds; `to_sum()` and `to_value()` convert once, before the first round
+and after the last. The average of v<sub>0</sub>, v<sub>1</sub>, ... is v<sub>0</sub> + &sum; w<sub>j</sub>
+(v<sub>j</sub> - v<sub>0</sub>): equal values stay equal, bit for bit.
+
+Known are
+<ul>
+<li> `float`, `double` and the number type of the computation itself,
+<li> integers, rounded and kept in their range at the end,
+<li> `std::array` of these, Eigen's vectors and matrices of fixed size,
+<li> points and vectors of \cgal, in 2D and 3D,
+<li> `CGAL::IO::Color`, rounded and kept between 0 and 255 at the end,
+<li> every other type with `a + b` and `a * w` (or `w * a`), which is computed in itself.
+</ul>
+*/
+template <class T, class FT, class = void>
+struct Attribute_traits
+{
+  using Sum = T;
+
+  static Sum to_sum(const T& t) { return t; }
+  static T to_value(const Sum& s) { return s; }
+  /// `Sum` is an array of numbers `FT`, which need no `difference()`.
+  static constexpr bool has_components = false;
+  /// returns w (v - origin).
+  static Sum difference(const FT& w, const Sum& v, const Sum& origin)
+  {
+    return internal::scaled_value(Sum(v + internal::scaled_value(origin, FT(-1))), w);
+  }
+};
+
+/// \cond SKIP_IN_MANUAL
+template <class T, class FT>
+struct Attribute_traits<T, FT, std::enable_if_t<internal::is_component_v<T, FT>>>
+  : internal::Components<FT, 1>
+{
+  using Sum = typename internal::Components<FT, 1>::Sum;
+  static Sum to_sum(const T& t) { return {internal::component_to_ft<T, FT>(t)}; }
+  static T to_value(const Sum& s) { return internal::component_from_ft<T, FT>(s[0]); }
+};
+
+template <class T, std::size_t n, class FT>
+struct Attribute_traits<std::array<T, n>, FT, std::enable_if_t<internal::is_component_v<T, FT>>>
+  : internal::Components<FT, n>
+{
+  using Sum = typename internal::Components<FT, n>::Sum;
+  static Sum to_sum(const std::array<T, n>& t)
+  {
+    Sum s;
+    for (std::size_t c = 0; c < n; ++c) s[c] = internal::component_to_ft<T, FT>(t[c]);
+    return s;
+  }
+  static std::array<T, n> to_value(const Sum& s)
+  {
+    std::array<T, n> t;
+    for (std::size_t c = 0; c < n; ++c) t[c] = internal::component_from_ft<T, FT>(s[c]);
+    return t;
+  }
+};
+
+template <class T, class FT>
+struct Attribute_traits<T, FT, std::enable_if_t<(internal::Eigen_size<T>::value > 0)>>
+  : internal::Components<FT, std::size_t(internal::Eigen_size<T>::value)>
+{
+  using Scalar = typename T::Scalar;
+  static constexpr auto n = std::size_t(internal::Eigen_size<T>::value);
+  using Sum = typename internal::Components<FT, n>::Sum;
+  static Sum to_sum(const T& t)
+  {
+    Sum s;
+    for (std::size_t c = 0; c < n; ++c) s[c] = internal::component_to_ft<Scalar, FT>(t.data()[c]);
+    return s;
+  }
+  static T to_value(const Sum& s)
+  {
+    T t;
+    for (std::size_t c = 0; c < n; ++c) t.data()[c] = internal::component_from_ft<Scalar, FT>(s[c]);
+    return t;
+  }
+};
+
+template <class T, class FT>
+struct Attribute_traits<
+  T, FT,
+  std::enable_if_t<(internal::Cartesian_dimension<T>::value > 0) &&
+                   internal::is_component_v<typename Kernel_traits<T>::Kernel::FT, FT>>>
+  : internal::Components<FT, std::size_t(internal::Cartesian_dimension<T>::value)>
+{
+  using Coordinate = typename Kernel_traits<T>::Kernel::FT;
+  static constexpr int n = internal::Cartesian_dimension<T>::value;
+  using Sum = typename internal::Components<FT, std::size_t(n)>::Sum;
+  static Sum to_sum(const T& t)
+  {
+    Sum s;
+    for (int c = 0; c < n; ++c)
+      s[std::size_t(c)] = internal::component_to_ft<Coordinate, FT>(t.cartesian(c));
+    return s;
+  }
+  static T to_value(const Sum& s)
+  {
+    const auto x = [&](std::size_t c) { return internal::component_from_ft<Coordinate, FT>(s[c]); };
+    if constexpr (n == 2)
+      return T(x(0), x(1));
+    else
+      return T(x(0), x(1), x(2));
+  }
+};
+
+template <class T, class FT>
+struct Attribute_traits<T, FT, std::enable_if_t<internal::Is_color<T>::value>>
+  : internal::Components<FT, 4>
+{
+  using Sum = typename internal::Components<FT, 4>::Sum;
+  static Sum to_sum(const T& t)
+  {
+    return {FT(int(t.red())), FT(int(t.green())), FT(int(t.blue())), FT(int(t.alpha()))};
+  }
+  static T to_value(const Sum& s)
+  {
+    const auto channel = [&](std::size_t c) {
+      return internal::component_from_ft<unsigned char, FT>(s[c]);
+    };
+    return T(channel(0), channel(1), channel(2), channel(3));
+  }
+};
+/// \endcond
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H

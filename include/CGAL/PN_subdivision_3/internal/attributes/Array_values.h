@@ -1,0 +1,175 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ARRAY_VALUES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ARRAY_VALUES_H
+
+#include <CGAL/PN_subdivision_3/Control_element.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/container/vector.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// refuses an array that does not fit its elements
+inline void check_array(const Attribute_array& array, std::size_t number, const char* kind)
+{
+  const auto n = [](std::size_t x) { return std::to_string(x); };
+  if (array.dimension == 0)
+    throw std::invalid_argument(std::string("PN_subdivision_3: an attribute of ") + kind +
+                                " has dimension 0");
+  if (array.values.size() / array.dimension == number && array.values.size() % array.dimension == 0)
+    return;
+  throw std::invalid_argument(std::string("PN_subdivision_3: an attribute of ") + kind + " has " +
+                              n(array.values.size()) + " values, but the mesh has " + n(number) +
+                              " of them with " + n(array.dimension) + " each");
+}
+
+// An array of edges.
+class Copied_array : public Copied_values
+{
+public:
+  Copied_array(Attribute_array& array, std::size_t number)
+    : array_(array)
+  {
+    check_array(array, number, "edges");
+  }
+
+  void put(const std::vector<Index>& sources) override
+  {
+    const std::size_t d = array_.dimension;
+    result_.assign(sources.size() * d, 0);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      if (sources[i] != null)
+        for (std::size_t c = 0; c < d; ++c) result_[i * d + c] = array_.values[sources[i] * d + c];
+  }
+  void keep() noexcept override { array_.values.swap(result_); }
+
+private:
+  Attribute_array& array_;
+  std::vector<double> result_;
+};
+
+// An array of vertices or corners, computed in FT.
+template <class FT>
+class Array_values : public Row_values<FT>
+{
+public:
+  using typename Row_values<FT>::Index;
+  using typename Row_values<FT>::Entry;
+  using Row_values<FT>::null;
+
+  Array_values(Attribute_array& array, std::size_t number, const char* kind)
+    : array_(array)
+    , dimension_(array.dimension)
+  {
+    check_array(array, number, kind);
+  }
+
+  bool are_equal(Index a, Index b) const override
+  {
+    for (std::size_t c = 0; c < dimension_; ++c)
+      if (!(array_.values[a * dimension_ + c] == array_.values[b * dimension_ + c])) return false;
+    return true;
+  }
+  void begin(const std::vector<Index>& sources) override
+  {
+    old_.resize(sources.size() * dimension_);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
+        old_[i * dimension_ + c] = FT(array_.values[sources[i] * dimension_ + c]);
+  }
+
+  void begin_round(std::size_t number_of_values) override
+  {
+    new_.resize(number_of_values * dimension_, boost::container::default_init);
+  }
+  void evaluate(Index first, const Stencil_block<FT>& rows) override
+  {
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
+      set(first + r, rows.begin(r), rows.end(r));
+  }
+  void evaluate(Index value, const Entry* begin, const Entry* end) override
+  {
+    set(value, begin, end);
+  }
+  void copy(Index from, Index to) override
+  {
+    for (std::size_t c = 0; c < dimension_; ++c)
+      new_[to * dimension_ + c] = new_[from * dimension_ + c];
+  }
+  void end_round() override
+  {
+    old_ = std::move(new_);
+    new_ = Values();
+  }
+
+  void put_all(Index number) override { put(first_indices(number)); }
+  void put(const std::vector<Index>& sources) override
+  {
+    result_.assign(sources.size() * dimension_, 0);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
+        result_[i * dimension_ + c] = double(CGAL::to_double(old_[sources[i] * dimension_ + c]));
+  }
+  void keep() noexcept override { array_.values.swap(result_); }
+
+private:
+  using Values = boost::container::vector<FT>;
+
+  template <class Any_entry>
+  void set(std::size_t value, const Any_entry* begin, const Any_entry* end)
+  {
+    component_average<FT>(
+      begin, end, dimension_,
+      [&](std::size_t v, std::size_t c) -> const FT& { return old_[v * dimension_ + c]; },
+      [&](std::size_t c, const FT& x) { new_[value * dimension_ + c] = x; });
+  }
+
+  Attribute_array& array_;
+  const std::size_t dimension_;
+  Values old_, new_;
+  std::vector<double> result_;
+};
+
+// The parents of the faces of a table.
+class Face_parent_array : public Origin_values
+{
+public:
+  explicit Face_parent_array(std::vector<std::uint32_t>& parents)
+    : parents_(parents)
+  {}
+
+  void begin(std::size_t number_of_elements) override { result_.resize(number_of_elements); }
+  void set(Index element, const Control_element&, Index face) override { result_[element] = face; }
+  void keep() noexcept override { parents_.swap(result_); }
+
+private:
+  std::vector<std::uint32_t>& parents_;
+  std::vector<std::uint32_t> result_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ARRAY_VALUES_H

@@ -1,0 +1,343 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_ROUNDS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_ROUNDS_H
+
+#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Control_faces.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Linear_corners.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Smooth_corners.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Attributes through the rounds of a call: begin_round(), the rows() and the child() of the round, end_round();
+// after the last one put().
+template <class FT, class Host>
+class Attribute_rounds
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Rows_sink = Function_ref<void(Index, const Stencil_block<FT>&)>;
+  using Child_sink = Function_ref<void(const Level_connectivity&)>;
+  using Kinds = Level_origins::Kinds;
+  using Rules = Origin_rules<Host>;
+
+  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases; `visited` the origins
+  // that a visitor asks for
+  Attribute_rounds(Carried_attributes<FT>&& carried, Kinds visited, const Level_connectivity& level,
+                   const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
+                   const Element_names& names, const For_chunks& for_chunks)
+    : carried_(std::move(carried))
+    , for_chunks_(for_chunks)
+  {
+    std::vector<Index> slot_vertices = first_indices(level.number_of_vertices());
+    slot_vertices.insert(slot_vertices.end(), extra_slots.begin(), extra_slots.end());
+    for (auto& values : carried_.vertices) {
+      values->begin(slot_vertices);
+      by_rows_.push_back({values.get(), {}, true});
+    }
+    for (auto& corner : carried_.corners)
+      begin_corners(corner, level, slot_vertices, sharpness, names);
+    wanted_ = carried_.needed_origins();
+    wanted_.vertices = wanted_.vertices || visited.vertices;
+    wanted_.edges = wanted_.edges || visited.edges;
+    wanted_.faces = wanted_.faces || visited.faces;
+    if constexpr (!Splits_edges<Host>::value) {
+      if (!carried_.edges.empty()) refuse("there is an attribute of edges, but the");
+      if (wanted_.faces) control_faces_ = Control_faces(level);
+    }
+  }
+  Attribute_rounds(const Attribute_rounds&) = delete;
+  Attribute_rounds& operator=(const Attribute_rounds&) = delete;
+
+  template <class Scheme, class One_round>
+  void begin_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+                   bool is_last)
+  {
+    using Mask = std::decay_t<decltype(round.mask())>;
+    begin(scheme, round, level, std::shared_ptr<const Mask>(),
+          static_cast<std::size_t>(round.refined_size().vertices), is_last);
+  }
+  // `level` is the whole one; it stays until the round ends
+  template <class Scheme, class Crease_round>
+  void begin_creased_round(const Scheme& scheme, const Crease_round& round,
+                           Level_connectivity& level, const Creases<FT>& creases, bool is_last)
+  {
+    using Mask = std::decay_t<decltype(round.round().mask())>;
+    std::shared_ptr<const Mask> smooth_mask;
+    if (round.needs_smooth_rules()) {
+      Crease_round::count_valences(level, creases);
+      smooth_mask =
+        std::make_shared<const Mask>(scheme.template mask<FT>(level, round.round().number()));
+    }
+    const auto& refined = round.refined();
+    charts_take_rows_ = false; // rows are of slots of the creases
+    begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, is_last);
+    crease_rows_.clear();
+    copies_.clear();
+    if (by_rows_.empty()) return;
+    const Cut_level<FT> cut(level, creases);
+    Crease_rows<FT, Mask> rows(level, cut, creases, refined, round.round().mask(),
+                               smooth_mask.get());
+    rows.for_each([&](Index slot, const Entry_row<FT>& row) {
+      if (slot < round.number_of_vertices()) crease_rows_.emplace_back(slot, row);
+    });
+    for (const Crease_star& star : refined.creases.stars)
+      for (Index w = 1; w < star.number_of_wedges; ++w)
+        copies_.emplace_back(star.vertex, star.slot(w));
+  }
+
+  // null if there is nothing to do with the rows, or the child, of a round
+  const Rows_sink* rows() const
+  {
+    return by_rows_.empty() && smooth_.empty() ? nullptr : &rows_sink_;
+  }
+  const Child_sink* child() const
+  {
+    return linear_.empty() && smooth_.empty() ? nullptr : &child_sink_;
+  }
+  // whether put() needs the refined level
+  bool needs_refined_level() const { return !carried_.corners.empty(); }
+
+  void end_round()
+  {
+    for (const By_rows& by_rows : by_rows_) {
+      for (const auto& [slot, row] : crease_rows_)
+        by_rows.values->evaluate(slot, row.begin(), row.end());
+      for (const auto& [from, to] : copies_) by_rows.values->copy(from, to);
+      Smooth_corners<FT>::keep_values(*by_rows.values, by_rows.kept_vertices);
+      by_rows.values->end_round();
+    }
+    for (Row_values<FT>* values : linear_) values->end_round();
+    if (refined_origins_) origins_ = std::move(*refined_origins_);
+    refined_origins_.reset();
+  }
+
+  // where the elements of the last round come from
+  template <class One_round>
+  Rules rules(const One_round& last, const Level_connectivity& level) const
+  {
+    return {last.host(), level, origins_, last.number()};
+  }
+
+  // puts everything for the elements of the refined mesh, which has been made large enough
+  void put(const Level_size& size, const Level_connectivity* refined, const Rules& rules)
+  {
+    for (auto& values : carried_.vertices) values->put_all(static_cast<Index>(size.vertices));
+    for (std::size_t i = 0; i < carried_.corners.size(); ++i)
+      carried_.corners[i].values->put(values_of_corners(i, *refined));
+    if (!carried_.edges.empty()) put_edges(size, rules);
+    if (!carried_.faces.empty()) put_faces(size, rules);
+    put_origins(carried_.vertex_origins, size.vertices, [&](Index v) { return rules.vertex(v); });
+    put_origins(carried_.edge_origins, size.edges, [&](Index e) { return rules.edge(e); });
+    put_origins(carried_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
+  }
+  void keep() noexcept { carried_.keep(); }
+
+private:
+  static constexpr Index null = Level_connectivity::null;
+
+  struct By_rows
+  {
+    Row_values<FT>* values;
+    std::vector<Index> kept_vertices;
+    bool is_of_vertices;
+  };
+  struct On_rows
+  {
+    void operator()(Index first, const Stencil_block<FT>& rows) const
+    {
+      for (const By_rows& by_rows : self.by_rows_) by_rows.values->evaluate(first, rows);
+      if (self.charts_take_rows_)
+        for (Smooth_corners<FT>& corners : self.smooth_) corners.evaluate(first, rows);
+    }
+    Attribute_rounds& self;
+  };
+  struct On_child
+  {
+    void operator()(const Level_connectivity& child) const
+    {
+      if constexpr (Splits_edges<Host>::value)
+        for (Row_values<FT>* values : self.linear_)
+          Linear_corners<FT, Host>(*self.host_, *self.level_, child, *values)(self.for_chunks_);
+      for (Smooth_corners<FT>& corners : self.smooth_) self.end_smooth_round_(corners);
+    }
+    Attribute_rounds& self;
+  };
+
+  [[noreturn]] static void refuse(const std::string& what)
+  {
+    throw std::invalid_argument(
+      "PN_subdivision_3: " + what +
+      " scheme keeps no edges: refine without this attribute, or by a scheme that splits edges");
+  }
+
+  void begin_corners(Corner_attribute_values<FT>& corner, const Level_connectivity& level,
+                     const std::vector<Index>& slot_vertices, const Control_sharpness& sharpness,
+                     const Element_names& names)
+  {
+    Row_values<FT>& values = *corner.values;
+    if (corner.rule == Corner_rule::linear) {
+      if (!Splits_edges<Host>::value) refuse("an attribute of corners is linear, but the");
+      values.begin(faced_halfedges(level));
+      linear_.push_back(&values);
+      corner_kinds_.push_back({Corner_kind::linear, 0});
+      return;
+    }
+    Charts<FT> charts(level, sharpness, [&](Index h, Index g) { return values.are_equal(h, g); });
+    std::vector<Index> corner_of_slots = charts.corner_of_slots();
+    if (charts.has_seams()) {
+      if (!Splits_edges<Host>::value)
+        refuse("an attribute of corners has a seam at the edge of " +
+               names.halfedge_name(2 * charts.first_seam()) + ", but the");
+      values.begin(corner_of_slots);
+      corner_kinds_.push_back({Corner_kind::smooth, smooth_.size()});
+      smooth_.emplace_back(values, std::move(charts));
+      return;
+    }
+    for (std::size_t slot = corner_of_slots.size(); slot < slot_vertices.size(); ++slot)
+      corner_of_slots.push_back(corner_of_slots[slot_vertices[slot]]);
+    values.begin(corner_of_slots);
+    by_rows_.push_back(
+      {&values, Host::keeps_vertices ? charts.kept_vertices() : std::vector<Index>(), false});
+    corner_kinds_.push_back({Corner_kind::by_rows, 0});
+  }
+
+  template <class Scheme, class One_round, class Mask>
+  void begin([[maybe_unused]] const Scheme& scheme, const One_round& round,
+             const Level_connectivity& level,
+             [[maybe_unused]] const std::shared_ptr<const Mask>& smooth_mask,
+             std::size_t number_of_values, bool is_last)
+  {
+    for (const By_rows& by_rows : by_rows_)
+      if (is_last && by_rows.is_of_vertices)
+        by_rows.values->begin_last_round(number_of_values, for_chunks_.has_threads());
+      else
+        by_rows.values->begin_round(number_of_values);
+    const Level_size size = round.refined_size();
+    if constexpr (Splits_edges<Host>::value) {
+      for (Smooth_corners<FT>& corners : smooth_)
+        corners.begin_round(level, static_cast<Index>(size.vertices), charts_take_rows_);
+      end_smooth_round_ = [&scheme, &round, &level, smooth_mask,
+                           this](Smooth_corners<FT>& corners) {
+        corners.end_round(scheme, round, level, smooth_mask.get(), for_chunks_);
+      };
+    }
+    for (Row_values<FT>* values : linear_)
+      values->begin_round(static_cast<std::size_t>(size.halfedges()));
+    host_ = &round.host();
+    level_ = &level;
+    if (!is_last && wanted_.any())
+      refined_origins_ = Level_origins::of_child(rules(round, level), size,
+                                                 Level_origins::needed<Host>(wanted_), for_chunks_);
+  }
+
+  static std::vector<Index> faced_halfedges(const Level_connectivity& level)
+  {
+    std::vector<Index> result(level.number_of_halfedges(), null);
+    for (Index h = 0; h < level.number_of_halfedges(); ++h)
+      if (!level.is_border(h)) result[h] = h;
+    return result;
+  }
+
+  std::vector<Index> values_of_corners(std::size_t i, const Level_connectivity& refined) const
+  {
+    const auto [kind, rank] = corner_kinds_[i];
+    std::vector<Index> values = faced_halfedges(refined);
+    if (kind != Corner_kind::linear)
+      for (Index& h : values)
+        if (h != null) h = refined.target(h);
+    if (kind == Corner_kind::smooth)
+      smooth_[rank].for_each_extra_corner(refined, [&](Index h, Index slot) { values[h] = slot; });
+    return values;
+  }
+
+  void put_edges(const Level_size& size, const Rules& rules)
+  {
+    std::vector<Index> sources(size.edges);
+    for (Index e = 0; e < sources.size(); ++e) {
+      const Origin origin = rules.edge(e);
+      sources[e] = origin.kind == Origin::Kind::edge ? origin.index : null;
+    }
+    for (auto& values : carried_.edges) values->put(sources);
+  }
+  void put_faces(const Level_size& size, const Rules& rules)
+  {
+    std::vector<Index> sources(size.faces);
+    for (Index f = 0; f < sources.size(); ++f) sources[f] = control_faces_(rules.face(f));
+    for (auto& values : carried_.faces) values->put(sources);
+  }
+  template <class Origin_of>
+  void put_origins(typename Carried_attributes<FT>::template List<Origin_values>& list,
+                   std::uint64_t number, const Origin_of& origin_of)
+  {
+    for (auto& values : list) {
+      values->begin(static_cast<std::size_t>(number));
+      for (Index i = 0; i < number; ++i) {
+        const Origin origin = origin_of(i);
+        values->set(i, control_element(origin), control_faces_(origin));
+      }
+    }
+  }
+
+  enum class Corner_kind { by_rows, smooth, linear };
+
+  Carried_attributes<FT> carried_;
+  const For_chunks for_chunks_;
+  Kinds wanted_;
+  Control_faces control_faces_;
+  Level_origins origins_;
+  std::optional<Level_origins> refined_origins_;
+  std::vector<By_rows> by_rows_;
+  std::vector<Smooth_corners<FT>> smooth_;
+  std::vector<Row_values<FT>*> linear_;
+  std::vector<std::pair<Corner_kind, std::size_t>> corner_kinds_; // the rank in smooth_
+  // of the round
+  const Host* host_ = nullptr;
+  const Level_connectivity* level_ = nullptr;
+  bool charts_take_rows_ = true;
+  std::function<void(Smooth_corners<FT>&)> end_smooth_round_;
+  std::vector<std::pair<Index, Entry_row<FT>>> crease_rows_;
+  std::vector<std::pair<Index, Index>> copies_;
+  const On_rows on_rows_{*this};
+  const On_child on_child_{*this};
+  const Rows_sink rows_sink_{on_rows_};
+  const Child_sink child_sink_{on_child_};
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ATTRIBUTE_ROUNDS_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What a Carrier carries through the rounds of a call, and the steps of the call that serve it.
+template <class FT, class Host, class Carry, bool = Carry::is_empty>
+class Carried_through
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Rounds = Attribute_rounds<FT, Host>;
+
+  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases
+  template <class Access>
+  Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
+                  const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
+                  const For_chunks& for_chunks)
+    : carry_(carry)
+    , rounds_(carry.template read<FT>(access, level), Carry::visited, level, extra_slots, sharpness,
+              access, for_chunks)
+  {}
+
+  template <class Scheme, class One_round>
+  void begin_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+                   bool is_last)
+  {
+    rounds_.begin_round(scheme, round, level, is_last);
+  }
+  // a round with creases cuts its level open
+  void before_cut(const Level_connectivity& level) { whole_.emplace(level); }
+  template <class Scheme, class Crease_round>
+  void begin_creased_round(const Scheme& scheme, const Crease_round& round,
+                           const Creases<FT>& creases, bool is_last)
+  {
+    rounds_.begin_creased_round(scheme, round, *whole_, creases, is_last);
+  }
+  const typename Rounds::Rows_sink* rows() const { return rounds_.rows(); }
+  const typename Rounds::Child_sink* child() const { return rounds_.child(); }
+  void end_round() { rounds_.end_round(); }
+
+  // ends the last round, of which the refiner has the level, and puts what it gives
+  template <class Refiner, class One_round>
+  void put(const Refiner& refiner, const One_round& last)
+  {
+    std::optional<Level_connectivity> refined;
+    if (rounds_.needs_refined_level()) {
+      refined.emplace(last.refined_size());
+      refiner.connect(last, *refined);
+      if (child() != nullptr) (*child())(*refined);
+    }
+    rounds_.end_round();
+    rounds_.put(last.refined_size(), refined ? &*refined : nullptr,
+                rounds_.rules(last, refiner.level()));
+  }
+  void keep() noexcept { rounds_.keep(); }
+
+  template <class Access, class Refiner, class One_round>
+  void visit(const Access& access, const Refiner& refiner, const One_round& last) const
+  {
+    carry_.visit(access, last.refined_size(), rounds_.rules(last, refiner.level()));
+  }
+
+private:
+  const Carry& carry_;
+  Rounds rounds_;
+  std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
+};
+
+// With nothing to carry there is nothing to do.
+template <class FT, class Host, class Carry>
+class Carried_through<FT, Host, Carry, true>
+{
+public:
+  template <class... Arguments>
+  explicit Carried_through(const Carry&, const Arguments&...)
+  {}
+  template <class... Arguments>
+  void begin_round(const Arguments&...) const
+  {}
+  void before_cut(const Level_connectivity&) const {}
+  template <class... Arguments>
+  void begin_creased_round(const Arguments&...) const
+  {}
+  static constexpr std::nullptr_t rows() { return nullptr; }
+  static constexpr std::nullptr_t child() { return nullptr; }
+  void end_round() const {}
+  template <class... Arguments>
+  void put(const Arguments&...) const
+  {}
+  void keep() const noexcept {}
+  template <class... Arguments>
+  void visit(const Arguments&...) const
+  {}
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H

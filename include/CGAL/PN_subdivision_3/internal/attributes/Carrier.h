@@ -1,0 +1,128 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
+
+#include <CGAL/PN_subdivision_3/Control_element.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// \name Visitors
+// Whether a visitor has the member that is called for every refined element of a kind.
+
+template <class Visitor, class Mesh, class = void>
+struct Visits_vertices : std::false_type
+{};
+template <class Visitor, class Mesh>
+struct Visits_vertices<Visitor, Mesh,
+                       std::void_t<decltype(std::declval<Visitor&>().vertex_created(
+                         std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
+                         std::declval<const Control_element&>()))>> : std::true_type
+{};
+
+template <class Visitor, class Mesh, class = void>
+struct Visits_edges : std::false_type
+{};
+template <class Visitor, class Mesh>
+struct Visits_edges<Visitor, Mesh,
+                    std::void_t<decltype(std::declval<Visitor&>().edge_created(
+                      std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
+                      std::declval<const Control_element&>()))>> : std::true_type
+{};
+
+template <class Visitor, class Mesh, class = void>
+struct Visits_faces : std::false_type
+{};
+template <class Visitor, class Mesh>
+struct Visits_faces<Visitor, Mesh,
+                    std::void_t<decltype(std::declval<Visitor&>().face_created(
+                      std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
+                      std::declval<const Control_element&>()))>> : std::true_type
+{};
+
+template <class Visitor, class = void>
+struct Visits_rounds : std::false_type
+{};
+template <class Visitor>
+struct Visits_rounds<Visitor,
+                     std::void_t<decltype(std::declval<Visitor&>().round_done(0u, std::size_t()))>>
+  : std::true_type
+{};
+
+template <class Visitor, class Mesh>
+constexpr bool check_visitor()
+{
+  constexpr bool visits = Visits_rounds<Visitor>::value || Visits_vertices<Visitor, Mesh>::value ||
+                          Visits_edges<Visitor, Mesh>::value || Visits_faces<Visitor, Mesh>::value;
+  static_assert(visits, "PN_subdivision_3: the visitor has none of the members round_done(), "
+                        "vertex_created(), edge_created(), face_created()");
+  return visits;
+}
+
+// What a call carries beside points and normals: its attributes, and what its visitor asks for.
+template <class Mesh, class Visitor, class Attributes>
+struct Carrier
+{
+  using Size = Level_size;
+  using Index = Level_connectivity::Index;
+
+  static constexpr Level_origins::Kinds visited{Visits_vertices<Visitor, Mesh>::value,
+                                                Visits_edges<Visitor, Mesh>::value,
+                                                Visits_faces<Visitor, Mesh>::value};
+  // there is nothing to carry, whatever the attributes
+  static constexpr bool is_empty = std::is_same_v<std::decay_t<Attributes>, No_attributes> &&
+                                   !visited.vertices && !visited.edges && !visited.faces;
+
+  template <class FT, class Access>
+  Carried_attributes<FT> read(const Access& access, const Level_connectivity& level) const
+  {
+    return read_attributes<FT>(access, level, attributes);
+  }
+
+  // calls the visitor for the elements of the refined mesh
+  template <class Access, class Rules>
+  void visit(const Access& access, const Size& size, const Rules& rules) const
+  {
+    (void)access, (void)size, (void)rules;
+    if constexpr (visited.vertices)
+      for (Index v = 0; v < size.vertices; ++v)
+        visitor.vertex_created(access.vertex(v), control_element(rules.vertex(v)));
+    if constexpr (visited.edges)
+      for (Index e = 0; e < size.edges; ++e)
+        visitor.edge_created(access.edge_at(e), control_element(rules.edge(e)));
+    if constexpr (visited.faces)
+      for (Index f = 0; f < size.faces; ++f)
+        visitor.face_created(access.face_at(f), control_element(rules.face(f)));
+  }
+
+  Visitor& visitor;
+  Attributes& attributes;
+};
+
+struct Nothing_carried
+{
+  static constexpr bool is_empty = true;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
+#include <CGAL/PN_subdivision_3/internal/creases/crease_blend.h>
+#include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The linear rows of new vertices on creases, by slots: what Crease_pass does with points where there are no
+// tangents. Values of a slot may be the vertex's own in every wedge, or differ from wedge to wedge.
+template <class FT, class Mask>
+class Crease_rows
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Row = Entry_row<FT>;
+  using Entry = typename Row::Entry;
+
+  // `mask` is that of the cut level, `smooth_mask` that of the uncut one, or null if no rule needs it. If some
+  // creases are seams (by their control edges), slots between them with a single face keep their values.
+  Crease_rows(const Level_connectivity& level, const Cut_level<FT>& cut, const Creases<FT>& creases,
+              const Refined_creases<FT>& refined, const Mask& mask, const Mask* smooth_mask,
+              const std::vector<bool>* is_seam = nullptr)
+    : level_(level)
+    , cut_(cut)
+    , creases_(creases)
+    , refined_(refined)
+    , mask_(mask)
+    , is_seam_(is_seam)
+  {
+    if (smooth_mask == nullptr) return;
+    slots_.emplace(level, creases);
+    shares_.emplace(level, *slots_, *smooth_mask);
+  }
+
+  // calls f(new slot, row) for all slots of new vertices on creases; those of a vertex one after the other
+  template <class Function>
+  void for_each(const Function& f)
+  {
+    for (std::size_t i = 0; i < creases_.stars.size(); ++i) star(static_cast<Index>(i), f);
+    for (std::size_t i = 0; i < creases_.edges.size(); ++i) edge(static_cast<Index>(i), f);
+  }
+
+private:
+  static constexpr Index null = Level_connectivity::null;
+
+  template <class Function>
+  void star(Index i, const Function& f)
+  {
+    const Crease_star& star = creases_.stars[i];
+    const Wedge_join join =
+      keep(creases_, star, [&](const Crease_end& e) { return refined_.rank[e.crease] != null; });
+    const Vertex_rule parent = creases_.rule(star);
+    const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), join.ends.size(),
+                                          star.is_border && join.has_inner_end);
+    const Index new_star = refined_.star[i];
+    const Index wedges = new_star == null ? 1 : refined_.creases.stars[new_star].number_of_wedges;
+    for (Index w = 0; w < wedges; ++w) {
+      const auto old = std::find(join.wedge.begin(), join.wedge.end(), w);
+      const Index slot = star.slot(static_cast<Index>(old - join.wedge.begin()));
+      vertex_row(star, slot, parent);
+      if (!is_same_rule(parent, child)) {
+        const double part = weight_of_parent_rule(creases_, star);
+        if (part < 1) {
+          blended_ = row_;
+          child_row(star, slot, child, join, w);
+          blend(FT(part));
+        }
+      }
+      f(new_star == null ? star.vertex : refined_.creases.stars[new_star].slot(w), row_);
+    }
+  }
+
+  void vertex_row(const Crease_star& star, Index slot, Vertex_rule rule)
+  {
+    row_.clear();
+    if (rule == Vertex_rule::corner || (is_on_seam(star) && is_on_one_face(slot)))
+      row_.add(slot, FT(1));
+    else if (rule == Vertex_rule::crease)
+      mask_.vertex(slot, row_);
+    else
+      shares_->vertex(star.vertex, row_);
+  }
+
+  bool is_on_seam(const Crease_star& star) const
+  {
+    if (is_seam_ == nullptr) return false;
+    for (Index i = 0; i < star.number_of_ends; ++i)
+      if ((*is_seam_)[creases_.edge(creases_.end(star, i)).control_edge]) return true;
+    return false;
+  }
+  bool is_on_one_face(Index slot) const
+  {
+    const Level_connectivity& cut = cut_.connectivity();
+    return cut.is_border_vertex(slot) && cut.valence(slot) == 2;
+  }
+
+  // as if only the ends of `join` existed
+  void child_row(const Crease_star& star, Index slot, Vertex_rule rule, const Wedge_join& join,
+                 Index wedge)
+  {
+    if (rule != Vertex_rule::crease || join.ends.size() == star.number_of_ends)
+      return vertex_row(star, slot, rule);
+    row_.clear();
+    mask_.vertex(star.vertex, row_); // its weights are those of any crease
+    FT own(0);
+    std::array<FT, 2> along{FT(0), FT(0)};
+    std::size_t next = 0;
+    for (const Entry* e = row_.begin(); e != row_.end(); ++e)
+      (e->vertex == star.vertex ? own : along[(std::min)(next++, std::size_t(1))]) += e->weight;
+    const std::array<Crease_end, 2> ends{creases_.end(star, join.ends[0]),
+                                         creases_.end(star, join.ends[1])};
+    const Crease_edge<FT>& first = creases_.edge(ends[0]);
+    const bool is_behind_first =
+      first.has_after(ends[0].side) && join.wedge[star.wedge(first.after[ends[0].side])] == wedge;
+    row_.clear();
+    row_.add(is_behind_first ? far_after(ends[0]) : far_before(ends[0]), along[0]);
+    row_.add(is_behind_first ? far_before(ends[1]) : far_after(ends[1]), along[1]);
+    row_.add(slot, own);
+  }
+  // the slot of the other end of an edge, behind it and before it
+  Index far_after(const Crease_end& e) const { return creases_.edge(e).before[1 - e.side]; }
+  Index far_before(const Crease_end& e) const { return creases_.edge(e).after[1 - e.side]; }
+
+  template <class Function>
+  void edge(Index i, const Function& f)
+  {
+    const Crease_edge<FT>& e = creases_.edges[i];
+    const Index rank = refined_.rank[i];
+    const Index vertex = level_.number_of_vertices() + e.edge;
+    const Crease_star* star =
+      rank == null ? nullptr : &refined_.creases.stars[refined_.first_edge_star + rank];
+    const Index wedges = star == nullptr ? 1 : star->number_of_wedges;
+    for (Index w = 0; w < wedges; ++w) {
+      row_.clear();
+      mask_.edge(w == 0 ? e.edge : cut_.second_copy(i), row_);
+      if (e.sharpness < 1) {
+        blended_ = row_;
+        row_.clear();
+        shares_->edge(e.edge, row_);
+        blend(FT(e.sharpness));
+      }
+      f(star == nullptr ? vertex : star->slot(w), row_);
+    }
+  }
+
+  // row becomes part * blended + (1 - part) * row
+  void blend(const FT& part)
+  {
+    Row other;
+    std::swap(row_, other);
+    for (const Entry* e = blended_.begin(); e != blended_.end(); ++e)
+      row_.add(e->vertex, FT(part * e->weight));
+    for (const Entry* e = other.begin(); e != other.end(); ++e)
+      row_.add(e->vertex, FT(FT(FT(1) - part) * e->weight));
+  }
+
+  const Level_connectivity& level_;
+  const Cut_level<FT>& cut_;
+  const Creases<FT>& creases_;
+  const Refined_creases<FT>& refined_;
+  const Mask& mask_;
+  const std::vector<bool>* is_seam_;
+  std::optional<Corner_slots<FT>> slots_;
+  std::optional<Slot_shares<FT, Mask>> shares_;
+  Row row_, blended_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H

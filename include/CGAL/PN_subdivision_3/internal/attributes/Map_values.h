@@ -1,0 +1,244 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_MAP_VALUES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_MAP_VALUES_H
+
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
+
+#include <boost/container/vector.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The kinds of elements that a map may have as keys.
+struct Vertex_keys
+{
+  template <class Access>
+  static auto at(const Access& access, Level_connectivity::Index i)
+  {
+    return access.vertex(i);
+  }
+};
+struct Corner_keys
+{
+  template <class Access>
+  static auto at(const Access& access, Level_connectivity::Index i)
+  {
+    return access.halfedge_at(i);
+  }
+};
+struct Edge_keys
+{
+  template <class Access>
+  static auto at(const Access& access, Level_connectivity::Index i)
+  {
+    return access.edge_at(i);
+  }
+};
+struct Face_keys
+{
+  template <class Access>
+  static auto at(const Access& access, Level_connectivity::Index i)
+  {
+    return access.face_at(i);
+  }
+};
+
+template <class Map>
+constexpr bool is_readable_v = std::is_convertible_v<typename boost::property_traits<Map>::category,
+                                                     boost::readable_property_map_tag>;
+
+// A map of the user's and what it had for the control elements, which it gets back unless the new values
+// are kept.
+template <class Access, class Map, class Keys>
+class Restored_map
+{
+public:
+  using Index = Level_connectivity::Index;
+  using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
+
+  // `elements` are those that are read, in ascending order; none if the map cannot be read
+  Restored_map(const Access& access, Map map, const std::vector<Index>& elements)
+    : access_(access)
+    , map_(map)
+    , elements_(elements)
+  {
+    if constexpr (is_readable_v<Map>) {
+      old_.reserve(elements.size());
+      for (const Index i : elements) old_.push_back(get(map_, Keys::at(access_, i)));
+    }
+  }
+  ~Restored_map()
+  {
+    if (!is_changed_) return;
+    for (std::size_t i = 0; i < old_.size(); ++i) try {
+        put(map_, Keys::at(access_, elements_[i]), T(old_[i]));
+      } catch (...) {
+      }
+  }
+  Restored_map(const Restored_map&) = delete;
+  Restored_map& operator=(const Restored_map&) = delete;
+
+  // the position in elements() is not the number of the element where some are left out
+  const std::vector<Index>& elements() const { return elements_; }
+  const std::vector<T>& old() const { return old_; }
+  void begin() { is_changed_ = true; }
+  void set(Index element, const T& value) { put(map_, Keys::at(access_, element), value); }
+  void keep() noexcept { is_changed_ = false; }
+
+private:
+  const Access& access_;
+  Map map_;
+  std::vector<Index> elements_;
+  std::vector<T> old_;
+  bool is_changed_ = false;
+};
+
+// all control elements
+inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
+{
+  std::vector<Level_connectivity::Index> result(n);
+  for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<Level_connectivity::Index>(i);
+  return result;
+}
+
+// A map of faces or edges.
+template <class Access, class Map, class Keys>
+class Copied_map : public Copied_values
+{
+public:
+  Copied_map(const Access& access, Map map, std::size_t number)
+    : map_(access, map, first_indices(number))
+  {}
+
+  void put(const std::vector<Index>& sources) override
+  {
+    using T = typename Restored_map<Access, Map, Keys>::T;
+    map_.begin();
+    for (Index i = 0; i < sources.size(); ++i)
+      map_.set(i, sources[i] == null ? T() : T(map_.old()[sources[i]]));
+  }
+  void keep() noexcept override { map_.keep(); }
+
+private:
+  Restored_map<Access, Map, Keys> map_;
+};
+
+// A map of vertices or corners.
+template <class Access, class Map, class Keys, class FT>
+class Row_map : public Row_values<FT>
+{
+public:
+  using typename Row_values<FT>::Index;
+  using typename Row_values<FT>::Entry;
+
+  Row_map(const Access& access, Map map, const std::vector<Index>& elements)
+    : map_(access, map, elements)
+    , position_(elements.empty() ? 0 : elements.back() + 1)
+  {
+    for (Index i = 0; i < elements.size(); ++i) position_[elements[i]] = i;
+  }
+
+  bool are_equal(Index a, Index b) const override
+  {
+    if constexpr (std::is_same_v<Keys, Corner_keys>)
+      return map_.old()[position_[a]] == map_.old()[position_[b]];
+    else
+      return a == b;
+  }
+  void begin(const std::vector<Index>& sources) override
+  {
+    old_.clear();
+    old_.reserve(sources.size());
+    for (const Index i : sources)
+      old_.push_back(i == Row_values<FT>::null ? typename Traits::Sum()
+                                               : Traits::to_sum(map_.old()[position_[i]]));
+  }
+
+  void begin_round(std::size_t number_of_values) override
+  {
+    new_.resize(number_of_values, boost::container::default_init);
+  }
+  void begin_last_round(std::size_t number_of_values, bool has_threads) override
+  {
+    puts_at_once_ = !has_threads || has_concurrent_put_v<Map>;
+    if (puts_at_once_)
+      map_.begin();
+    else
+      begin_round(number_of_values);
+  }
+  void evaluate(Index first, const Stencil_block<FT>& rows) override
+  {
+    const auto average = [&](std::size_t r) {
+      return affine_average<FT, Traits>(rows.begin(r), rows.end(r), old_.data());
+    };
+    const std::size_t n = rows.number_of_rows();
+    if (puts_at_once_)
+      for (std::size_t r = 0; r < n; ++r) map_.set(first + Index(r), Traits::to_value(average(r)));
+    else
+      for (std::size_t r = 0; r < n; ++r) new_[first + r] = average(r);
+  }
+  void evaluate(Index value, const Entry* begin, const Entry* end) override
+  {
+    const auto average = affine_average<FT, Traits>(begin, end, old_.data());
+    if (puts_at_once_)
+      map_.set(value, Traits::to_value(average));
+    else
+      new_[value] = average;
+  }
+  void copy(Index from, Index to) override
+  {
+    if (!puts_at_once_) new_[to] = new_[from];
+  }
+  void end_round() override
+  {
+    if (puts_at_once_) return;
+    old_ = std::move(new_);
+    new_ = Values();
+  }
+
+  void put_all(Index number) override
+  {
+    if (!puts_at_once_) put(first_indices(number));
+  }
+  void put(const std::vector<Index>& sources) override
+  {
+    map_.begin();
+    for (Index i = 0; i < sources.size(); ++i)
+      if (sources[i] != Row_values<FT>::null) map_.set(i, Traits::to_value(old_[sources[i]]));
+  }
+  void keep() noexcept override { map_.keep(); }
+
+private:
+  using Restored = Restored_map<Access, Map, Keys>;
+  using Traits = Attribute_traits<typename Restored::T, FT>;
+  using Values = boost::container::vector<typename Traits::Sum>;
+
+  Restored map_;
+  std::vector<Index> position_; // of a control element among those that are read
+  Values old_, new_;
+  bool puts_at_once_ = false;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_MAP_VALUES_H

@@ -1,0 +1,239 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H
+
+#include <CGAL/PN_subdivision_3/Control_element.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
+#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Origin_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What attributes() takes. Each adds itself to what a call carries.
+
+template <class Map>
+struct Vertex_attribute
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::vertex_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Row_map<Access, Map, Vertex_keys, FT>;
+    c.vertices.push_back(
+      std::make_unique<Values>(access, map, first_indices(level.number_of_vertices())));
+  }
+  Map map;
+};
+
+// the half-edges that have a face
+inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivity& level)
+{
+  std::vector<Level_connectivity::Index> result;
+  result.reserve(static_cast<std::size_t>(level.size().corners));
+  for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h)
+    if (!level.is_border(h)) result.push_back(h);
+  return result;
+}
+
+template <class Map>
+struct Corner_attribute
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Row_map<Access, Map, Corner_keys, FT>;
+    c.corners.push_back({std::make_unique<Values>(access, map, corners_of(level)), rule});
+  }
+  Map map;
+  Corner_rule rule;
+};
+
+template <class Map>
+struct Edge_attribute
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::edge_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Copied_map<Access, Map, Edge_keys>;
+    c.edges.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
+  }
+  Map map;
+};
+
+template <class Map>
+struct Face_attribute
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::face_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Copied_map<Access, Map, Face_keys>;
+    c.faces.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
+  }
+  Map map;
+};
+
+template <class Map>
+struct Face_parents
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::face_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Origin_map<Access, Map, Face_keys>;
+    c.face_origins.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
+  }
+  Map map;
+};
+
+template <class Map>
+struct Vertex_parents
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::vertex_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Origin_map<Access, Map, Vertex_keys>;
+    c.vertex_origins.push_back(std::make_unique<Values>(access, map, level.number_of_vertices()));
+  }
+  Map map;
+};
+
+template <class Map>
+struct Edge_parents
+{
+  template <class Mesh>
+  using Key = typename boost::graph_traits<Mesh>::edge_descriptor;
+
+  template <class FT, class Access>
+  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  {
+    using Values = Origin_map<Access, Map, Edge_keys>;
+    c.edge_origins.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
+  }
+  Map map;
+};
+
+// the result of attributes()
+template <class... Items>
+struct Attributes
+{
+  std::tuple<Items...> items;
+};
+
+struct No_attributes
+{};
+
+template <class T>
+struct Is_attributes : std::false_type
+{};
+template <class... Items>
+struct Is_attributes<Attributes<Items...>> : std::true_type
+{};
+template <>
+struct Is_attributes<No_attributes> : std::true_type
+{};
+template <>
+struct Is_attributes<Attribute_table> : std::true_type
+{};
+
+template <class FT, class Access>
+Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity&,
+                                       const No_attributes&)
+{
+  return {};
+}
+
+template <class FT, class Access, class... Items>
+Carried_attributes<FT> read_attributes(const Access& access, const Level_connectivity& level,
+                                       const Attributes<Items...>& attributes)
+{
+  Carried_attributes<FT> carried;
+  std::apply([&](const Items&... items) { (items.read(access, level, carried), ...); },
+             attributes.items);
+  return carried;
+}
+
+template <class FT, class Access>
+Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity& level,
+                                       Attribute_table& table)
+{
+  Carried_attributes<FT> c;
+  for (Attribute_array& array : table.vertices)
+    c.vertices.push_back(
+      std::make_unique<Array_values<FT>>(array, level.number_of_vertices(), "vertices"));
+  for (Attribute_array& array : table.corners)
+    c.corners.push_back({std::make_unique<Array_values<FT>>(array, level.number_of_halfedges(),
+                                                            "corners (half-edges)"),
+                         array.rule});
+  for (Attribute_array& array : table.edges)
+    c.edges.push_back(std::make_unique<Copied_array>(array, level.number_of_edges()));
+  if (table.has_face_parents)
+    c.face_origins.push_back(std::make_unique<Face_parent_array>(table.face_parents));
+  return c;
+}
+
+// whether the values of corners have a seam
+template <class Access, class Map>
+bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
+{
+  Row_map<Access, Map, Corner_keys, double> values(access, map, corners_of(level));
+  return Charts<double>(level, Control_sharpness(),
+                        [&](auto h, auto g) { return values.are_equal(h, g); })
+    .has_seams();
+}
+template <class Access>
+bool has_seam(const Access&, const Level_connectivity& level, const Attribute_array& array)
+{
+  Attribute_array copy = array;
+  Array_values<double> values(copy, level.number_of_halfedges(), "corners (half-edges)");
+  return Charts<double>(level, Control_sharpness(),
+                        [&](auto h, auto g) { return values.are_equal(h, g); })
+    .has_seams();
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_READ_ATTRIBUTES_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_FUNCTIONAL_TOWER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_FUNCTIONAL_TOWER_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/PN_row_blocks.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What is done to the rings of a kind in every round, in double.
+struct Ring_rule
+{
+  using Entry = Stencil<double>::Entry;
+  using Row = std::vector<Entry>;
+
+  static Row row(const Ring_row<double>& r)
+  {
+    Row result;
+    for (const auto& [place, weight] : r) result.push_back({place, weight});
+    return result;
+  }
+  static std::vector<Row> rows(const Ring_matrix<double>& m)
+  {
+    std::vector<Row> result;
+    for (const auto& r : m) result.push_back(row(r));
+    return result;
+  }
+
+  std::vector<Row> rows_of_points, rows_of_normals;
+  Row limit, normal_limit;
+  std::vector<std::vector<double>> tangents; // over all places; none if there is no tangent plane
+  double error_factor = 1, error_ratio = 0;  // see Ring_class
+
+  std::size_t size() const { return rows_of_points.size(); }
+};
+
+// How well limits shall be known.
+struct Limit_precision
+{
+  double tolerance = 0; // absolute
+  unsigned min_depth = 0, max_depth = 0;
+  bool with_blocks = true;        // not only the limits themselves
+  bool with_second_forms = false; // of the surface
+};
+
+// The limit of a ring and the tangents there, for fixed normals as linear functions of the points of
+// the ring: found at some depth of the tower of rings, and pulled back to its base by the transposed
+// blocks of the PN averages.
+//
+// Of each place there is a block of `rows` rows: those of the limit point, then, if there are tangents,
+// those of the vectors t_a = sum T_aj [(1 - N N^T)(p_j - o) + N (n_j + N).(p_j - o) / ((n_j + N).N)].
+template <int dimension, int tangents>
+class Functional_tower
+{
+public:
+  using Value = Point_normal<double, dimension>;
+  using Vector = Eigen_vector<dimension>;
+  using Average = PN_average<double, dimension>;
+  static constexpr int rows = dimension * (1 + tangents);
+  using Block = Eigen::Matrix<double, rows, dimension>;
+
+  // Refines the ring until the limit is estimated to be known to the tolerance; `ring` is best given
+  // relative to its center. Blocks are only made if they are wanted.
+  void run(const Ring_rule& rule, const std::vector<Value>& ring, const Limit_precision& precision)
+  {
+    rule_ = &rule;
+    if (levels_.empty()) levels_.resize(1);
+    levels_[0] = ring;
+    error_ = 0;
+    limit_ = limit_at(0);
+    double last_step = 0;
+    const unsigned max_depth = is_exact_at_once() ? 0 : precision.max_depth;
+    depth_ = 0;
+    while (depth_ < max_depth) {
+      const Value last = limit_;
+      refine(++depth_);
+      limit_ = limit_at(depth_);
+      const double step = distance(limit_.point, last.point);
+      error_ = rule.error_factor * (std::max)(step, rule.error_ratio * last_step);
+      last_step = step;
+      if (error_ <= precision.tolerance && depth_ >= precision.min_depth) break;
+    }
+    if (!precision.with_blocks) return;
+    set_functionals();
+    for (unsigned d = depth_; d-- > 0;) pull_back(d);
+  }
+
+  const Value& limit() const { return limit_; }
+  double error() const { return error_; }
+  // the ring at the top
+  const std::vector<Value>& top() const { return levels_[depth_]; }
+  unsigned depth() const { return depth_; }
+  // of place p at the base of the tower
+  const Block& block(std::size_t p) const { return blocks_[p]; }
+
+private:
+  bool is_exact_at_once() const
+  {
+    return rule_->limit.size() == 1 ||
+           std::all_of(levels_[0].begin(), levels_[0].end(),
+                       [](const Value& v) { return Average::is_zero(v.normal); });
+  }
+
+  Value average(const Ring_rule::Row& row, const Ring_rule::Row& normal_row, unsigned depth) const
+  {
+    const Value* old = levels_[depth].data();
+    return average_(row.data(), row.data() + row.size(), normal_row.data(),
+                    normal_row.data() + normal_row.size(), old);
+  }
+  Value limit_at(unsigned depth) const { return average(rule_->limit, rule_->normal_limit, depth); }
+  void refine(unsigned depth)
+  {
+    if (levels_.size() <= depth) levels_.resize(depth + 1);
+    levels_[depth].resize(rule_->size());
+    for (std::size_t p = 0; p < rule_->size(); ++p)
+      levels_[depth][p] = average(rule_->rows_of_points[p], rule_->rows_of_normals[p], depth - 1);
+  }
+
+  static double distance(const Coordinates<double, dimension>& a,
+                         const Coordinates<double, dimension>& b)
+  {
+    return (to_eigen<dimension>(a) - to_eigen<dimension>(b)).norm();
+  }
+
+  // the functionals of the ring at the top of the tower
+  void set_functionals()
+  {
+    const std::vector<Value>& ring = levels_[depth_];
+    blocks_.assign(rule_->size(), Block::Zero());
+    const Ring_rule::Row& row = rule_->limit;
+    row_blocks_.assign(row.data(), row.data() + row.size(), ring, limit_.normal);
+    const Vector& n = row_blocks_.normal();
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      auto b = blocks_[row[j].vertex].template topRows<dimension>();
+      b += row[j].weight * n * row_blocks_.direction(j).transpose();
+      b.diagonal().array() += row[j].weight;
+    }
+    if constexpr (tangents > 0)
+      if (!rule_->tangents.empty()) set_tangents();
+  }
+
+  void set_tangents()
+  {
+    using Square = Eigen::Matrix<double, dimension, dimension>;
+    const std::vector<Value>& ring = levels_[depth_];
+    const Vector n = to_eigen<dimension>(limit_.normal);
+    const bool has_normal = !Average::is_zero(limit_.normal);
+    for (int a = 0; a < tangents; ++a) {
+      const std::vector<double>& mask = rule_->tangents[static_cast<std::size_t>(a)];
+      Square sum = Square::Zero();
+      for (std::size_t p = 0; p < ring.size(); ++p) {
+        if (mask[p] == 0) continue;
+        Square g = Square::Identity();
+        if (has_normal) {
+          const Vector s = to_eigen<dimension>(ring[p].normal) + n;
+          g += n * (s / (std::max)(s.dot(n), 1. / 1024) - n).transpose();
+        }
+        g *= mask[p];
+        blocks_[p].template middleRows<dimension>(dimension * (1 + a)) += g;
+        sum += g;
+      }
+      for (Block& b : blocks_)
+        b.template middleRows<dimension>(dimension * (1 + a)) -=
+          sum * b.template topRows<dimension>();
+    }
+  }
+
+  // from the ring at depth + 1 to that at depth
+  void pull_back(unsigned depth)
+  {
+    next_.swap(blocks_);
+    blocks_.assign(rule_->size(), Block::Zero());
+    for (std::size_t p = 0; p < rule_->size(); ++p) {
+      const Ring_rule::Row& row = rule_->rows_of_points[p];
+      row_blocks_.assign(row.data(), row.data() + row.size(), levels_[depth],
+                         levels_[depth + 1][p].normal);
+      const Eigen::Matrix<double, rows, 1> x = next_[p] * row_blocks_.normal();
+      for (std::size_t j = 0; j < row.size(); ++j)
+        blocks_[row[j].vertex] +=
+          row[j].weight * (next_[p] + x * row_blocks_.direction(j).transpose());
+    }
+  }
+
+  Average average_;
+  const Ring_rule* rule_ = nullptr;
+  std::vector<std::vector<Value>> levels_;
+  std::vector<Block> blocks_, next_;
+  PN_row_blocks<dimension> row_blocks_;
+  Value limit_{};
+  double error_ = 0;
+  unsigned depth_ = 0;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_FUNCTIONAL_TOWER_H

@@ -1,0 +1,160 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATION_DATA_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATION_DATA_H
+
+#include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Limit_matrix.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What is to be interpolated, and how well.
+template <int dimension>
+struct Interpolation_data
+{
+  using Index = std::uint32_t;
+
+  Vectors<dimension> points;       // of all vertices
+  Vectors<dimension> normals;      // likewise; unit vectors or zero
+  Vectors<dimension> binormals;    // likewise, of curves in space only
+  std::vector<Index> vertices;     // those to be interpolated
+  std::vector<char> is_at_border;  // of all vertices
+  std::vector<double> edge_length; // likewise, the mean
+  bool takes_normals = true;       // if not, the scheme is linear
+  double tolerance = 0;            // absolute
+  unsigned max_depth = 12, max_steps = 60;
+
+  // the limit points shall be known better than they have to be met
+  Limit_precision precision() const
+  {
+    Limit_precision p;
+    p.tolerance = tolerance / 50;
+    p.max_depth = max_depth;
+    return p;
+  }
+};
+
+template <int dimension>
+struct Interpolation_result
+{
+  Vectors<dimension> points;  // of the control net
+  Vectors<dimension> normals; // its control normals
+  Limit_interpolation_report report;
+};
+
+template <int dimension>
+std::vector<Point_normal<double, dimension>>
+to_values(const Vectors<dimension>& points, const Vectors<dimension>& normals, bool takes_normals)
+{
+  std::vector<Point_normal<double, dimension>> values(points.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    values[v].point = to_coordinates<dimension>(points[v]);
+    values[v].normal.fill(0);
+    if (takes_normals) values[v].normal = to_coordinates<dimension>(normals[v]);
+  }
+  return values;
+}
+
+// the largest side of the box of the points
+template <int dimension>
+double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
+{
+  if (points.empty()) return 0;
+  Eigen_vector<dimension> least = points[0], greatest = points[0];
+  for (const Eigen_vector<dimension>& p : points) {
+    least = least.cwiseMin(p);
+    greatest = greatest.cwiseMax(p);
+  }
+  return (greatest - least).maxCoeff();
+}
+
+// takes vertices without a normal off those to be interpolated; how many
+template <int dimension>
+std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
+{
+  const auto has_none = [&](auto v) { return data.normals[v].isZero(0); };
+  const std::size_t before = data.vertices.size();
+  data.vertices.erase(std::remove_if(data.vertices.begin(), data.vertices.end(), has_none),
+                      data.vertices.end());
+  return before - data.vertices.size();
+}
+
+// The numbers of the unknowns: those of some vertices.
+class Unknowns
+{
+public:
+  using Index = std::uint32_t;
+
+  Unknowns(const std::vector<Index>& vertices, std::size_t number_of_vertices)
+    : number_(number_of_vertices, -1)
+  {
+    for (std::size_t i = 0; i < vertices.size(); ++i) number_[vertices[i]] = static_cast<int>(i);
+  }
+  // of a vertex; negative if it has none
+  int operator[](Index v) const { return number_[v]; }
+
+private:
+  std::vector<int> number_;
+};
+
+// the factor of the matrix of the linear limit points
+template <int dimension, class Functionals>
+Limit_matrix make_limit_matrix(const Interpolation_data<dimension>& data,
+                               const std::vector<Functionals>& functionals,
+                               const Unknowns& unknowns)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<char> is_at_border;
+  for (std::size_t i = 0; i < functionals.size(); ++i) {
+    is_at_border.push_back(data.is_at_border[data.vertices[i]]);
+    for (const auto& e : functionals[i].entries)
+      if (e.weight != 0 && unknowns[e.vertex] >= 0)
+        entries.emplace_back(static_cast<int>(i), unknowns[e.vertex], e.weight);
+  }
+  const auto n = static_cast<Eigen::Index>(functionals.size());
+  Row_matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return Limit_matrix(matrix, is_at_border);
+}
+
+template <class Functionals>
+void note_evaluation(const std::vector<Functionals>& functionals,
+                     Limit_interpolation_report& report)
+{
+  report.error = 0;
+  report.depth = 0;
+  for (const Functionals& f : functionals) {
+    report.error = (std::max)(report.error, f.error);
+    report.depth = (std::max)(report.depth, f.depth);
+  }
+}
+
+// NaN counts as infinite
+inline double finite_or_infinite(double x)
+{
+  return std::isfinite(x) ? x : std::numeric_limits<double>::infinity();
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATION_DATA_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_LIMIT_FUNCTIONALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_LIMIT_FUNCTIONALS_H
+
+#include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The limit at a vertex, and the tangents there, for fixed control normals as linear functions of the
+// control points; and the weights of the limit point of the linear scheme.
+template <int dimension, int tangents>
+struct Limit_functionals
+{
+  using Index = std::uint32_t;
+  using Vector = Eigen_vector<dimension>;
+  using Block = typename Functional_tower<dimension, tangents>::Block;
+
+  struct Entry
+  {
+    Index vertex;
+    double weight;
+    Block block;
+
+    static Block zero() { return Block::Zero(); }
+  };
+
+  std::vector<Entry> entries; // a vertex may occur more than once
+  Index center = 0;
+  Vector control_normal = Vector::Zero(); // of the limit
+  Vector limit_point = Vector::Zero();    // of the points that it was evaluated for
+  // Of the limit surface as a map of vectors: its normal turns by -second_form x towards a point at x.
+  // Zero where it is not known.
+  Eigen::Matrix<double, dimension, dimension> second_form =
+    Eigen::Matrix<double, dimension, dimension>::Zero();
+  double error = 0; // estimated, of the limit point
+  unsigned depth = 0;
+  bool has_tangents = false;
+
+  // The blocks of a limit point sum to the identity and those of a tangent to 0: taking the points
+  // relative to the center saves digits.
+  Vector limit(const Vectors<dimension>& p) const
+  {
+    Vector sum = p[center];
+    for (const Entry& e : entries)
+      sum += e.block.template topRows<dimension>() * (p[e.vertex] - p[center]);
+    return sum;
+  }
+  Vector tangent(int a, const Vectors<dimension>& p) const
+  {
+    Vector sum = Vector::Zero();
+    for (const Entry& e : entries)
+      sum +=
+        e.block.template middleRows<dimension>(dimension * (1 + a)) * (p[e.vertex] - p[center]);
+    return sum;
+  }
+
+  // The normal of the limit surface or curve, on the side of the control normal; the control normal
+  // where there is none, and `other` where there is not even that.
+  Vector surface_normal(const Vectors<dimension>& p, const Vector& other) const
+  {
+    const Vector n = control_normal.squaredNorm() > 0.5 ? control_normal : other;
+    if constexpr (tangents > 0)
+      if (has_tangents) {
+        const Vector normal = normal_of_tangents(p, n);
+        const double cosine = normal.dot(n), length = normal.norm();
+        if (std::isfinite(length) && std::abs(cosine) > 1e-10 * length && length > 0)
+          return (cosine < 0 ? -1 : 1) / length * normal;
+      }
+    return n;
+  }
+
+private:
+  Vector normal_of_tangents(const Vectors<dimension>& p, [[maybe_unused]] const Vector& n) const
+  {
+    const Vector t = tangent(0, p);
+    if constexpr (tangents == 2) {
+      const Vector u = tangent(1, p);
+      const double size = t.squaredNorm() + u.squaredNorm();
+      const Vector normal = t.cross(u);
+      return normal.norm() > 1e-10 * size ? normal : Vector(Vector::Zero());
+    } else {
+      const double size = t.squaredNorm();
+      return size > 0 ? Vector(n - t.dot(n) / size * t) : Vector(Vector::Zero());
+    }
+  }
+};
+
+// Where limit functionals come from: a mesh with a scheme, or a polygon with a mask. What solves for
+// control points knows no more of either.
+template <int dimension, int tangents>
+class Limit_source
+{
+public:
+  using Index = std::uint32_t;
+  using Functionals = Limit_functionals<dimension, tangents>;
+  using Values = std::vector<Point_normal<double, dimension>>;
+
+  Limit_source() = default;
+  Limit_source(const Limit_source&) = delete;
+  Limit_source& operator=(const Limit_source&) = delete;
+  virtual ~Limit_source() = default;
+
+  // at some vertices, none twice, of the control points and normals `values`
+  virtual std::vector<Functionals> operator()(const Values& values,
+                                              const std::vector<Index>& vertices,
+                                              const Limit_precision& precision) = 0;
+};
+
+using Surface_limits = Limit_source<3, 2>;
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_LIMIT_FUNCTIONALS_H

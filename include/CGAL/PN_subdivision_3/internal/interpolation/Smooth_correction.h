@@ -1,0 +1,157 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_SMOOTH_CORRECTION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_SMOOTH_CORRECTION_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/PN_row_blocks.h>
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The smallest smooth change d of control points, sum |U d|^2 + 1e-6 |d|^2 with the umbrella Laplacian
+// U, that fulfils linear conditions on it. Vertices further than some rings of faces from all that have
+// conditions stay. Conditions that contradict each other are met as well as they can be.
+class Smooth_correction
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Eigen_vector<3>;
+
+  // sum of coefficient . d over the vertices
+  using Condition = std::vector<std::pair<Index, Vector>>;
+
+  Smooth_correction(const Level_connectivity& level, const std::vector<Index>& vertices,
+                    unsigned rings)
+    : level_(level)
+    , place_(level.number_of_vertices(), -1)
+  {
+    find_free(vertices, rings);
+    set_energy();
+  }
+
+  // Factors the system; whether it is regular.
+  bool set_conditions(const std::vector<Condition>& conditions)
+  {
+    std::vector<Eigen::Triplet<double>> entries = energy_;
+    const auto n = static_cast<int>(3 * free_.size());
+    const auto m = static_cast<int>(conditions.size());
+    for (int i = 0; i < m; ++i) {
+      for (const auto& [v, c] : conditions[static_cast<std::size_t>(i)]) {
+        if (place_[v] < 0) continue;
+        for (int k = 0; k < 3; ++k) {
+          entries.emplace_back(n + i, 3 * place_[v] + k, c[k]);
+          entries.emplace_back(3 * place_[v] + k, n + i, c[k]);
+        }
+      }
+      entries.emplace_back(n + i, n + i, -1e-13);
+    }
+    Eigen::SparseMatrix<double> system(n + m, n + m);
+    system.setFromTriplets(entries.begin(), entries.end());
+    factor_.compute(system);
+    return factor_.info() == Eigen::Success;
+  }
+
+  // Adds the change for which the conditions have these values. \pre set_conditions()
+  bool add_to(Vectors<3>& points, const std::vector<double>& values) const
+  {
+    const auto n = static_cast<Eigen::Index>(3 * free_.size());
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n + static_cast<Eigen::Index>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) b[n + static_cast<Eigen::Index>(i)] = values[i];
+    const Eigen::VectorXd x = factor_.solve(b);
+    if (!x.allFinite()) return false;
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      points[free_[i]] += x.segment<3>(3 * static_cast<Eigen::Index>(i));
+    return true;
+  }
+
+private:
+  void find_free(const std::vector<Index>& vertices, unsigned rings)
+  {
+    std::vector<Index> front, next;
+    const auto add = [&](Index v) {
+      if (place_[v] >= 0) return;
+      place_[v] = static_cast<int>(free_.size());
+      free_.push_back(v);
+      next.push_back(v);
+    };
+    for (const Index v : vertices) add(v);
+    for (unsigned r = 0; r < rings && !next.empty(); ++r) {
+      front.swap(next);
+      next.clear();
+      for (const Index v : front) for_each_in_faces(v, add);
+    }
+  }
+
+  template <class Function>
+  void for_each_in_faces(Index v, const Function& f) const
+  {
+    if (level_.is_isolated(v)) return;
+    const Index first = level_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      f(level_.source(h));
+      if (!level_.is_border(h))
+        for (Index g = level_.next(h); g != h; g = level_.next(g)) f(level_.target(g));
+      h = level_.next_around_target(h);
+    } while (h != first);
+  }
+
+  // of each coordinate
+  void set_energy()
+  {
+    std::vector<Eigen::Triplet<double>> umbrella;
+    std::vector<char> is_done(level_.number_of_vertices(), 0);
+    int row = 0;
+    const auto add_row = [&](Index v) {
+      if (is_done[v] != 0 || level_.is_isolated(v)) return;
+      is_done[v] = 1;
+      const double share = 1. / level_.valence(v);
+      if (place_[v] >= 0) umbrella.emplace_back(row, place_[v], 1.);
+      level_.for_each_neighbor(level_.halfedge_of_vertex(v), [&](Index w) {
+        if (place_[w] >= 0) umbrella.emplace_back(row, place_[w], -share);
+      });
+      ++row;
+    };
+    for (const Index v : free_) {
+      add_row(v);
+      for_each_in_faces(v, add_row);
+    }
+    Eigen::SparseMatrix<double> u(row, static_cast<Eigen::Index>(free_.size()));
+    u.setFromTriplets(umbrella.begin(), umbrella.end());
+    const Eigen::SparseMatrix<double> q = u.transpose() * u;
+    for (Eigen::Index c = 0; c < q.outerSize(); ++c)
+      for (Eigen::SparseMatrix<double>::InnerIterator e(q, c); e; ++e)
+        for (int k = 0; k < 3; ++k)
+          energy_.emplace_back(3 * static_cast<int>(e.row()) + k, 3 * static_cast<int>(c) + k,
+                               e.value());
+    for (int i = 0; i < static_cast<int>(3 * free_.size()); ++i) energy_.emplace_back(i, i, 1e-6);
+  }
+
+  const Level_connectivity& level_;
+  std::vector<int> place_; // of a vertex among the free ones
+  std::vector<Index> free_;
+  std::vector<Eigen::Triplet<double>> energy_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_SMOOTH_CORRECTION_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATE_MESH_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATE_MESH_H
+
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Control_normal_solution.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_writer.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Mesh_limit_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/read_interpolation_data.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class PolygonMesh, class Scheme, class NamedParameters>
+constexpr void check_interpolation_arguments()
+{
+  static_assert(
+    are_used_v<Interpolation_parameters, NamedParameters>,
+    "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
+    "vertex_point_map, vertex_normal_map, geom_traits, edge_is_constrained_map, "
+    "vertex_is_constrained_map");
+  static_assert(
+    Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
+    "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
+    "Loop, or their modified forms");
+}
+
+inline void check_tolerance(double tolerance)
+{
+  if (!(tolerance >= 0))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a tolerance must be a number that is not negative");
+}
+
+template <class Options>
+void check_interpolation_options(const Options& options)
+{
+  check_tolerance(options.tolerance);
+  if (options.mode == Limit_interpolation_mode::slide &&
+      options.free == Limit_interpolation_free::smooth)
+    throw std::invalid_argument(
+      "PN_subdivision_3: control points slide where they are interpolated "
+      "only: take Limit_interpolation_free::fixed, or the mode "
+      "limit_points");
+}
+
+// Points and normals of a mesh, and what is around the vertices; refuses what is sharp.
+template <class FT, class Access, class Scheme, class Mesh, class NamedParameters>
+Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme& scheme,
+                                              const Level_connectivity& level, const Mesh& mesh,
+                                              const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  check_scheme(scheme, level, access);
+  refuse_sharp_elements(scheme, access, level, Parameters::edge_constraint_map(np),
+                        Parameters::vertex_constraint_map(np));
+  Interpolation_data<3> data = read_points_and_normals<FT>(
+    access, scheme, level, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+  data.takes_normals = is_pn_v<Scheme>;
+  set_surroundings(level, data);
+  return data;
+}
+
+inline Interpolation_result<3> interpolate_by_sliding(const Level_connectivity& level,
+                                                      Control_normal_estimate estimate,
+                                                      Interpolation_data<3>& data,
+                                                      Surface_limits& source)
+{
+  estimate_missing_normals(level, estimate, data);
+  const std::size_t left_out = leave_out_without_normal(data);
+  auto result = Slide_interpolation<3, 2>(data, source)();
+  result.report.left_out = left_out;
+  return result;
+}
+
+// all control points move, as smoothly as they can
+inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& level,
+                                                    Interpolation_data<3> data,
+                                                    Surface_limits& source,
+                                                    Vectors<3> control_normals)
+{
+  std::vector<Prescribed_vertex> prescribed;
+  for (const auto v : data.vertices) {
+    prescribed.emplace_back().vertex = v;
+    prescribed.back().point = data.points[v];
+  }
+  data.normals = std::move(control_normals);
+  Prescription prescription(level, data, source, prescribed);
+  return prescription((std::numeric_limits<unsigned>::max)());
+}
+
+template <class Options>
+Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
+                                         Control_normal_estimate estimate, const Options& options,
+                                         Interpolation_data<3>& data, Surface_limits& source)
+{
+  if (options.mode == Limit_interpolation_mode::slide)
+    return interpolate_by_sliding(level, estimate, data, source);
+  const bool solves = options.normals == Limit_interpolation_normals::solved && data.takes_normals;
+  Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
+  auto result = options.free == Limit_interpolation_free::smooth
+                  ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
+                  : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
+  control_normals.note(result.report);
+  return result;
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_INTERPOLATE_MESH_H

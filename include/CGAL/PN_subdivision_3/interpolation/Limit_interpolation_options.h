@@ -1,0 +1,111 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_OPTIONS_H
+#define CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_OPTIONS_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+namespace internal {
+
+struct All_vertices
+{};
+
+} // namespace internal
+
+/// \ingroup PkgPNSubdivision3Interpolation
+/// What interpolation makes of a vertex.
+enum class Limit_interpolation_mode {
+  /// the limit surface passes through the point; control normals are the given ones, and the control
+  /// point slides along them. The fairest, and exact on spheres and circular cylinders.
+  slide,
+  /// the limit point of each vertex is its point
+  limit_points
+};
+
+/// \ingroup PkgPNSubdivision3Interpolation
+/// Which control normals `Limit_interpolation_mode::limit_points` takes.
+enum class Limit_interpolation_normals {
+  given, ///< the given ones
+  solved ///< those of which the limit is the given ones, where they can be found
+};
+
+/// \ingroup PkgPNSubdivision3Interpolation
+/// What happens to the control points of vertices that are not interpolated.
+enum class Limit_interpolation_free {
+  fixed, ///< they stay
+  smooth ///< they move along, as smoothly as they can; for `Limit_interpolation_mode::limit_points`
+};
+
+/*!
+\ingroup PkgPNSubdivision3Interpolation
+
+How `interpolate_limit_points()` and `interpolate_curve()` proceed.
+
+\tparam VertexMap a model of `ReadablePropertyMap` from vertices to `bool`; by default all vertices are
+  interpolated
+*/
+template <class VertexMap = internal::All_vertices>
+struct Limit_interpolation_options
+{
+  Limit_interpolation_mode mode = Limit_interpolation_mode::slide;
+  Limit_interpolation_normals normals = Limit_interpolation_normals::given;
+  Limit_interpolation_free free = Limit_interpolation_free::fixed;
+  /// how far the limit may be from the points, as a part of the largest side of their bounding box.
+  double tolerance = 1e-12;
+  /// the most rounds of refinement about a vertex.
+  unsigned max_depth = 12;
+  /// the most steps, of which each solves one linear system.
+  unsigned max_steps = 60;
+  /// which vertices are interpolated; not used for curves.
+  VertexMap vertices = VertexMap();
+};
+
+/// \ingroup PkgPNSubdivision3Interpolation
+/// What interpolation has reached. Lengths are in the unit of the coordinates.
+struct Limit_interpolation_report
+{
+  /// the largest distance that remains: in mode `slide` between a point and the limit surface, along
+  /// the normal; in mode `limit_points` between a point and its limit point.
+  double residual = 0;
+  /// `prescribe_limit_data()`: the largest angle between a prescribed normal and that of the surface, in
+  /// radians.
+  double normal_residual = 0;
+  /// an estimate of the error of `residual` that comes from evaluating the limit points.
+  double error = 0;
+  /// what was asked for.
+  double tolerance = 0;
+  /// how many linear systems were solved. Zero: the limit surface of the data passed through them.
+  unsigned steps = 0;
+  /// the most rounds of refinement about a vertex.
+  unsigned depth = 0;
+  /// the largest distance of a point from its own limit point.
+  double slip = 0;
+  /// the largest slip as a part of the mean length of the edges at the vertex; above 1/4 the net is too
+  /// coarse for mode `slide`.
+  double slip_of_edge = 0;
+  /// the largest angle between the given normals of neighbors, in degrees; above 60 the net is too
+  /// coarse for its normals.
+  double normal_angle = 0;
+  /// mode `slide`: the iteration with surface normals did not come to its end; control normals were
+  /// taken instead.
+  bool fallback = false;
+  /// vertices that were to be interpolated but have no normal to slide along, or whose control normals
+  /// could not be solved for and are the given ones.
+  std::size_t left_out = 0;
+
+  bool is_within_tolerance() const { return residual <= tolerance; }
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_OPTIONS_H

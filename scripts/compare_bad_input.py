@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Thirty bad inputs through CGAL, OpenMesh, OpenSubdiv and this package, as a page of the manual.
+
+    scripts/compare_bad_input.py [--print]
+
+Compiles test/PN_subdivision_3/peers/peers_on_bad_input.cpp (packages libopenmesh-dev, libosd-dev), runs it with
+the command in build/release, and writes doc/PN_subdivision_3/bad_input.txt, or prints the table.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCE = ROOT / "test" / "PN_subdivision_3" / "peers" / "peers_on_bad_input.cpp"
+WORK = ROOT / "build" / "peers"
+COMMAND = ROOT / "build" / "release" / "src" / "pn_subdivide" / "pn_subdivide"
+PAGE = ROOT / "doc" / "PN_subdivision_3" / "bad_input.txt"
+
+
+def version(header, name):
+    match = re.search(rf"#\s*define\s+{name}\s+\"?([\w.]+)", pathlib.Path("/usr/include", header).read_text())
+    return match.group(1) if match else "?"
+
+
+def table():
+    WORK.mkdir(parents=True, exist_ok=True)
+    program = WORK / "peers_on_bad_input"
+    subprocess.run(["g++", "-std=c++17", "-O1", "-DNDEBUG", "-DNOMINMAX", "-w", "-frounding-math", f"-I{ROOT}/include",
+                    "-isystem", "/usr/include/eigen3", str(SOURCE), "-o", str(program),
+                    "-lOpenMeshCore", "-losdCPU", "-lgmp", "-lmpfr"], check=True)
+    output = subprocess.run([str(program), str(COMMAND)], check=True, capture_output=True, text=True).stdout
+    return [line.split("\t") for line in output.splitlines()]
+
+
+def page(rows):
+    openmesh = int(version("OpenMesh/Core/System/config.h", "OM_VERSION"), 16)  # 0x90000
+    versions = (f"CGAL {version('CGAL/version.h', 'CGAL_VERSION')}, OpenMesh {openmesh >> 16 & 15}.{openmesh >> 8 & 255}, "
+                f"OpenSubdiv {version('opensubdiv/version.h', 'OPENSUBDIV_VERSION').lstrip('v').replace('_', '.')}")
+    peers = rows[0][2::2]
+    lines = [f"| input | {' | '.join(peers)} |", "| :-- " + "| :-: " * len(peers) + "|"]
+    for row in rows[1:]:
+        cells = [f"<b>{c}</b>" if c in ("crash", "garbage", "hangs") else c for c in row[2::2]]
+        lines.append(f"| {row[0]} | {' | '.join(cells)} |")
+    counts = {p: [row[2 + 2 * i] for row in rows[1:]] for i, p in enumerate(peers)}
+    words = ("right", "accepts", "refusal", "garbage", "crash", "hangs")
+    summary = ["| | " + " | ".join(words) + " |", "| :-- " + "| :-: " * len(words) + "|"]
+    summary += [f"| {p} | " + " | ".join(str(counts[p].count(w)) for w in words) + " |" for p in peers]
+    newline = "\n"
+    return f"""// written by scripts/compare_bad_input.py
+namespace CGAL {{
+/*!
+\\page PN_subdivision_3_bad_input Bad Input, Here and Elsewhere
+
+\\cgalAutoToc
+
+{len(rows) - 1} inputs that are wrong or unusual, one round of Catmull-Clark (or Loop, where it says so), in Release builds
+with `NDEBUG`, each in a process of its own: {versions}, this package, and its command with an OFF file.
+
+- *right*: the result of the scheme, finite, with the right numbers of vertices and faces;
+- *accepts*: no oriented 2-manifold, but a complete and finite result by a rule of the library's own;
+- *refusal*: an exception, an error code or a null result before anything is refined, or the mesh cannot be made;
+- <b>garbage</b>: coordinates that are not finite, elements that are missing, or a mesh where there is none, without a word;
+- <b>crash</b>: ended by a signal; <b>hangs</b>: not done within 30 seconds of a processor.
+
+The first three are what a program can live with. CGAL and this package (its functions) read a `Surface_mesh` that
+`add_face()` has built, so what that refuses, both refuse; an index beyond the vertices is an error of the program that
+builds the mesh, for each library that takes it unchecked. Peers state their preconditions, and most of what is
+bold here violates one of them; the table says what then happens, not that it is forbidden.
+
+{newline.join(lines)}
+
+In sum:
+
+{newline.join(summary)}
+
+The table is written by `scripts/compare_bad_input.py`, the inputs are in `test/PN_subdivision_3/peers/Bad_inputs.h`.
+*/
+}} /* namespace CGAL */
+"""
+
+
+def main():
+    rows = table()
+    if "--print" in sys.argv:
+        for row in rows:
+            print("\n    ".join([row[0] + " (" + row[1] + ")"] +
+                                [f"{rows[0][i]}: {row[i]} {row[i + 1]}" for i in range(2, len(row), 2)]))
+    else:
+        PAGE.write_text(page(rows))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# The tests under tools that find what tests alone do not.
+#
+#   scripts/sanitize.sh [address|threads|containers|valgrind|all] [TEST...]
+#
+# address      address and undefined-behaviour sanitizers over the suite
+# threads      thread sanitizer over the tests of Parallel_tag
+# containers   tests with the checked containers of libstdc++ (_GLIBCXX_DEBUG), with GoogleTest compiled likewise
+# valgrind     the command of build/release on a few meshes
+#
+# TEST: only these programs, as test_curves; without one all that the tool is for (an hour or two on two cores).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+tool=${1:-all}
+tests=("${@:2}")
+jobs=${JOBS:-$(nproc)}
+launcher=()
+if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+# configures a preset, builds the tests (or all) and runs them
+preset()
+{
+  local name=$1 programs=("${@:2}") filter=()
+  cmake --preset "$name" -DPN_SUBDIVISION_3_BENCHMARKS=OFF -DPN_SUBDIVISION_3_EXAMPLES=OFF "${launcher[@]}" >/dev/null
+  if [[ ${#programs[@]} -gt 0 ]]; then
+    filter=(-R "^($(IFS='|'; echo "${programs[*]}"))(\\.|\$)")
+    cmake --build --preset "$name" -j "$jobs" --target "${programs[@]}"
+  else
+    cmake --build --preset "$name" -j "$jobs"
+  fi
+  ctest --preset "$name" --parallel "$jobs" --no-tests=error "${filter[@]}"
+}
+
+address() { preset asan-ubsan "${tests[@]}"; }
+
+threads()
+{
+  local programs=("${tests[@]}")
+  [[ ${#programs[@]} -gt 0 ]] || programs=(test_kernels test_mesh_types test_scheme_properties test_scheme_suite)
+  preset tsan "${programs[@]}"
+}
+
+containers()
+{
+  local programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
+  [[ ${#programs[@]} -gt 0 ]] || programs=(test_curves test_schemes test_bad_input test_creases_mesh test_scheme_suite)
+  local flags=(-std=c++17 -O1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
+               -Itest/PN_subdivision_3 -Itest/PN_subdivision_3/support -I"$gtest" -I"$gtest/include"
+               -isystem /usr/include/eigen3 -DPN_DATA_DIR="\"$PWD/data/meshes\"" -DPN_TEST_REAL_MESH_DIR='""'
+               -DPN_TEST_EXTRA_MESH_DIR='""')
+  mkdir -p "$folder"
+  g++ "${flags[@]}" -c "$gtest/src/gtest-all.cc" -o "$folder/gtest-all.o"
+  g++ "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
+  for name in "${programs[@]}"; do
+    source=$(ls test/PN_subdivision_3/*/"$name".cpp)
+    local sources=("$source" "$(dirname "$source")/${name#test_}"_*.cpp) objects=()
+    for source in "${sources[@]}"; do
+      [[ -e $source ]] || continue
+      objects+=("$folder/$(basename "$source" .cpp).o")
+      g++ "${flags[@]}" -c "$source" -o "${objects[-1]}"
+    done
+    g++ "${objects[@]}" "$folder"/gtest-all.o "$folder"/gtest_main.o -o "$folder/$name" -lgmp -lmpfr -lpthread
+    "$folder/$name" --gtest_brief=1
+  done
+}
+
+valgrind_on_command()
+{
+  local command=build/release/src/pn_subdivide/pn_subdivide folder
+  cmake --preset release "${launcher[@]}" >/dev/null
+  cmake --build --preset release -j "$jobs" --target pn_subdivide
+  folder=$(mktemp -d)
+  local check=(valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite)
+  printf '0 0\n1 0\n1 1\n' >"$folder/polygon.txt"
+  "${check[@]}" $command surface data/meshes/cube.off "$folder/cube.ply" --levels 2 --quiet
+  "${check[@]}" $command surface data/meshes/creased_plate.ply "$folder/plate.obj" --quiet
+  "${check[@]}" $command surface data/meshes/mixed_borders.off "$folder/mixed.vtp" --curvature gaussian --quiet
+  "${check[@]}" $command curve "$folder/polygon.txt" "$folder/curve.txt" --scheme chaikin --quiet
+  rm -r "$folder"
+}
+
+case $tool in
+  address | threads | containers) "$tool" ;;
+  valgrind) valgrind_on_command ;;
+  all) address && threads && containers && valgrind_on_command ;;
+  *) sed -n '/^#   scripts/,/^set/p' "$0" | sed '$d'; exit 2 ;;
+esac
+echo "$tool: no findings"

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "curve/interpolate_curve.h"
+
+#include "io/Error.h"
+
+#include <CGAL/PN_subdivision_3/interpolate_curve.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace pn_subdivide {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+void require_interpolation(const std::string& scheme, const Curve_rule& rule)
+{
+  using Interpolatory = PN::Dubuc_Deslauriers_mask;
+  if (!std::holds_alternative<Interpolatory>(rule.scheme.mask) && scheme != "bspline:3")
+    throw Usage_error("--interpolate: curves of " + scheme +
+                      " cannot be made to pass through points; take bspline:3");
+  if (rule.normal_scheme)
+    throw Usage_error(
+      "--interpolate and --normal-scheme exclude each other: interpolation is for one "
+      "scheme of points and normals");
+  if (rule.end == PN::Curve_end::none)
+    throw Usage_error("--interpolate and --end none exclude each other: without its ends the curve "
+                      "does not pass through them");
+}
+
+Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule,
+                                       Interpolation_mode mode)
+{
+  // other masks interpolate anyway
+  const auto* const mask = std::get_if<PN::B_spline_mask>(&rule.scheme.mask);
+  if (mask == nullptr) return {};
+  PN::Limit_interpolation_options<> options;
+  options.mode = mode;
+  return std::visit(
+    [&](auto& points) {
+      auto result = rule.linear
+                      ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, options)
+                      : PN::interpolate_curve(points, *mask, rule.end, options);
+      points = std::move(result.first);
+      return result.second;
+    },
+    curve.points);
+}
+
+Interpolation_report joined(const Interpolation_report& a, const Interpolation_report& b)
+{
+  // of two parts the one that misses its tolerance by more
+  const bool is_a = a.residual * b.tolerance > b.residual * a.tolerance;
+  Interpolation_report worst = is_a ? a : b;
+  worst.error = std::max(a.error, b.error);
+  worst.steps = std::max(a.steps, b.steps);
+  worst.slip_of_edge = std::max(a.slip_of_edge, b.slip_of_edge);
+  worst.left_out = a.left_out + b.left_out;
+  worst.fallback = a.fallback || b.fallback;
+  return worst;
+}
+
+} // namespace pn_subdivide

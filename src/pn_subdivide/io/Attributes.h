@@ -1,0 +1,90 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_ATTRIBUTES_H
+#define PN_SUBDIVIDE_ATTRIBUTES_H
+
+#include "io/Scalar_type.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pn_subdivide {
+
+// The last number is 0 in the plane. Where there is none, all three are NaN.
+using Texture_point = std::array<double, 3>;
+
+bool is_none(const Texture_point& t);
+// An order in which all that are none are equal and behind the others.
+bool is_less(const Texture_point& a, const Texture_point& b);
+bool are_equal(const Texture_point& a, const Texture_point& b);
+
+// A number for each vertex, or for each face, as a file has it.
+struct Column
+{
+  std::string name;
+  Scalar_type type = Scalar_type::float64;
+  std::vector<double> values; // of the type
+  // Where the values stand for words, as materials and groups do: those of 0, 1, and so on. Others
+  // stand for nothing.
+  std::vector<std::string> words;
+};
+
+using Columns = std::vector<Column>;
+using Column_group = std::vector<const Column*>;
+
+// What a file says of vertices, faces and corners besides points and normals.
+struct Attributes
+{
+  Columns of_vertices, of_faces;
+
+  // Texture coordinates of the corners, face by face, or empty.
+  std::vector<Texture_point> texture;
+  Scalar_type texture_type = Scalar_type::float64;
+
+  std::vector<std::string> texture_files, material_files; // as the file names them
+
+  bool empty() const { return of_vertices.empty() && of_faces.empty() && texture.empty(); }
+};
+
+// Is there a texture point that is not in the plane?
+bool has_depth(const std::vector<Texture_point>& texture);
+
+// nullptr if there is none
+const Column* find_column(const Columns& columns, const std::string& name);
+
+// The columns of a color: red, green, blue and perhaps alpha, of one type. Empty if there is none.
+Column_group find_color(const Columns& columns);
+
+// The columns of texture coordinates of vertices: s and t, u and v, or texture_u and texture_v. Empty
+// if there are none.
+Column_group find_texture(const Columns& columns);
+
+// Element i gets what element rows[i] had.
+template <class T, class Index>
+void select(std::vector<T>& values, const std::vector<Index>& rows)
+{
+  if (values.empty()) return;
+  std::vector<T> selected;
+  selected.reserve(rows.size());
+  for (const Index i : rows) selected.push_back(values[static_cast<std::size_t>(i)]);
+  values = std::move(selected);
+}
+
+template <class Index>
+void select(Columns& columns, const std::vector<Index>& rows)
+{
+  for (Column& column : columns) select(column.values, rows);
+}
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_ATTRIBUTES_H

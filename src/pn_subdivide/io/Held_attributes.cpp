@@ -1,0 +1,83 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Held_attributes.h"
+
+#include "io/Obj_attributes.h"
+#include "io/Text_reader.h"
+
+#include <algorithm>
+
+namespace pn_subdivide {
+namespace {
+
+bool contains(const Column_group& group, const Column& column)
+{
+  return std::find(group.begin(), group.end(), &column) != group.end();
+}
+
+std::string name_of(const Column& column, const Columns& columns, const std::string& elements)
+{
+  if (column.name != "alpha" && contains(find_color(columns), column))
+    return "colors of " + elements;
+  if (elements == "vertices" && contains(find_texture(columns), column))
+    return "texture coordinates of vertices";
+  for (const Obj_statement& statement : obj_statements)
+    if (elements == "faces" && column.name == statement.column) return statement.plural;
+  return "'" + Text_reader::printable(column.name) + "' of " + elements;
+}
+
+} // namespace
+
+std::vector<std::string> Held_attributes::rest() const
+{
+  std::vector<std::string> names;
+  const auto add = [&names](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  if (!texture_ && !attributes_.texture.empty()) add("texture coordinates");
+  for (const Column& column : attributes_.of_vertices)
+    if (taken_.count(&column) == 0) add(name_of(column, attributes_.of_vertices, "vertices"));
+  for (const Column& column : attributes_.of_faces)
+    if (taken_.count(&column) == 0) add(name_of(column, attributes_.of_faces, "faces"));
+  if (!texture_files_ && !attributes_.texture_files.empty()) add("names of texture files");
+  if (!material_files_ && !attributes_.material_files.empty()) add("names of material files");
+  return names;
+}
+
+Column_group all_of(const Columns& columns)
+{
+  Column_group group;
+  for (const Column& column : columns) group.push_back(&column);
+  return group;
+}
+
+std::vector<Texture_point> texture_of_vertices(const Mesh_data& mesh)
+{
+  const std::vector<Texture_point>& of_corners = mesh.attributes.texture;
+  const Column_group columns = find_texture(mesh.attributes.of_vertices);
+  std::vector<Texture_point> result(mesh.points.size(), {0, 0, 0});
+  if (of_corners.empty()) {
+    if (columns.empty()) return {};
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] = {columns[0]->values[v], columns[1]->values[v], 0};
+    return result;
+  }
+  std::vector<bool> is_set(result.size(), false);
+  std::size_t corner = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      const Texture_point& t = of_corners[corner++];
+      if (is_none(t) || (is_set[v] && result[v] != t)) return {};
+      result[v] = t;
+      is_set[v] = true;
+    }
+  return result;
+}
+
+} // namespace pn_subdivide

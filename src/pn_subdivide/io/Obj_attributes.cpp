@@ -1,0 +1,151 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Obj_attributes.h"
+
+#include "io/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pn_subdivide {
+
+const Obj_statement obj_statements[4] = {{"o", "object", "objects", true},
+                                         {"g", "group", "groups", true},
+                                         {"usemtl", "material", "materials", true},
+                                         {"s", "smoothing_group", "smoothing groups", false}};
+
+bool Obj_attributes::read(std::string_view keyword, Text_reader& in, Mesh_data& mesh)
+{
+  if (keyword == "vt") {
+    read_texture_point(in);
+    return true;
+  }
+  if (keyword == "mtllib") {
+    mesh.attributes.material_files.emplace_back(in.name());
+    return true;
+  }
+  for (std::size_t i = 0; i < std::size(obj_statements); ++i)
+    if (keyword == obj_statements[i].keyword) {
+      read_statement(obj_statements[i], states_[i], in, mesh);
+      return true;
+    }
+  return false;
+}
+
+void Obj_attributes::read_texture_point(Text_reader& in)
+{
+  Texture_point t = {0, 0, 0};
+  std::size_t i = 0;
+  do {
+    t[i] = in.number("a texture coordinate");
+    if (!std::isfinite(t[i])) in.fail("a texture coordinate that is not finite");
+  } while (++i < t.size() && !in.at_end_of_line());
+  points_.push_back(t);
+}
+
+void Obj_attributes::read_color(Text_reader& in)
+{
+  ++vertices_;
+  const std::size_t left = in.words_left();
+  if (left < 3) return;
+  if (left > 3) in.number("a weight");
+  colors_.resize(vertices_ - 1, {1, 1, 1});
+  const double red = in.number("a color");
+  const double green = in.number("a color");
+  const double blue = in.number("a color");
+  for (const double x : {red, green, blue})
+    if (!(x >= 0 && x <= 1)) in.fail("a color out of range: its numbers must be from 0 to 1");
+  colors_.push_back({red, green, blue});
+}
+
+void Obj_attributes::read_statement(const Obj_statement& statement, State& state, Text_reader& in,
+                                    Mesh_data& mesh)
+{
+  std::string_view name = in.name();
+  if (name.empty()) name = "default";
+  if (!statement.has_words) {
+    double number = 0;
+    if (name == "on")
+      number = 1;
+    else if (name != "off") {
+      const bool is_number =
+        name.size() < 10 && name.find_first_not_of("0123456789") == std::string_view::npos;
+      if (!is_number) {
+        mesh.drop("smoothing groups that are no number");
+        return;
+      }
+      number = std::stod(std::string(name));
+    }
+    if (number == 0 && !state.is_used) return; // as it is without
+    state.value = number;
+  } else {
+    auto& words = state.column.words;
+    const auto place = state.numbers.find(name);
+    if (place == state.numbers.end()) {
+      state.value = static_cast<double>(words.size());
+      state.numbers.emplace(std::string(name), state.value);
+      words.emplace_back(name);
+    } else {
+      state.value = place->second;
+    }
+  }
+  if (!state.is_used) state.column.values.assign(faces_, statement.has_words ? -1 : 0);
+  state.is_used = true;
+}
+
+void Obj_attributes::end_face()
+{
+  ++faces_;
+  for (State& state : states_)
+    if (state.is_used) state.column.values.push_back(state.value);
+}
+
+void Obj_attributes::put(Mesh_data& mesh)
+{
+  put_texture(mesh);
+  put_colors(mesh);
+  for (std::size_t i = 0; i < std::size(obj_statements); ++i) {
+    if (!states_[i].is_used) continue;
+    Column& column = states_[i].column;
+    column.name = obj_statements[i].column;
+    column.type = Scalar_type::int32;
+    mesh.attributes.of_faces.push_back(std::move(column));
+  }
+}
+
+void Obj_attributes::put_texture(Mesh_data& mesh) const
+{
+  for (const Corner& c : corners_)
+    if (c.point >= points_.size())
+      throw Error("line " + std::to_string(c.line) + ": the face's texture index " +
+                  std::to_string(c.point + 1) + " is out of range, there are " +
+                  std::to_string(points_.size()) + " texture coordinates");
+  if (corners_.empty()) {
+    if (!points_.empty()) mesh.drop("texture coordinates that no face has");
+    return;
+  }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  mesh.attributes.texture.assign(mesh.number_of_corners(), {nan, nan, nan});
+  for (const Corner& c : corners_) mesh.attributes.texture[c.corner] = points_[c.point];
+}
+
+void Obj_attributes::put_colors(Mesh_data& mesh)
+{
+  if (colors_.empty()) return;
+  colors_.resize(vertices_, {1, 1, 1}); // white, where there is none
+  for (std::size_t i = 0; i < 3; ++i) {
+    Column column;
+    column.name = i == 0 ? "red" : i == 1 ? "green" : "blue";
+    for (const auto& color : colors_) column.values.push_back(color[i]);
+    mesh.attributes.of_vertices.push_back(std::move(column));
+  }
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_OBJ_ATTRIBUTES_H
+#define PN_SUBDIVIDE_OBJ_ATTRIBUTES_H
+
+#include "io/Mesh_data.h"
+#include "io/Text_reader.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pn_subdivide {
+
+// The columns of faces that OBJ has statements for, and the plural of what these are for people.
+struct Obj_statement
+{
+  const char *keyword, *column, *plural;
+  bool has_words;
+};
+extern const Obj_statement obj_statements[4];
+
+// What an OBJ file says besides points, normals and faces: texture coordinates (vt), colors behind the
+// points, objects (o), groups (g), materials (usemtl) and smoothing groups (s), which hold for the
+// faces that follow them, and the names of material files (mtllib).
+class Obj_attributes
+{
+public:
+  std::size_t number_of_texture_points() const { return points_.size(); }
+
+  // Reads the rest of the line; false if the keyword is none of these.
+  bool read(std::string_view keyword, Text_reader& in, Mesh_data& mesh);
+
+  // The rest of a vertex's line: a weight, which says nothing here, a color, or both.
+  void read_color(Text_reader& in);
+
+  // `corner` counts through all faces, `point` through the lines vt; there is one call for each face
+  // when its corners are known.
+  void add_corner(std::size_t corner, std::size_t point, std::size_t line)
+  {
+    corners_.push_back({corner, point, line});
+  }
+  void end_face();
+
+  // To be called when all is read.
+  void put(Mesh_data& mesh);
+
+private:
+  struct Corner
+  {
+    std::size_t corner, point, line;
+  };
+
+  // A column and its value for the faces to come.
+  struct State
+  {
+    bool is_used = false;
+    double value = -1;
+    Column column;
+    std::map<std::string, double, std::less<>> numbers; // of the words
+  };
+
+  void read_texture_point(Text_reader& in);
+  void read_statement(const Obj_statement& statement, State& state, Text_reader& in,
+                      Mesh_data& mesh);
+  void put_texture(Mesh_data& mesh) const;
+  void put_colors(Mesh_data& mesh);
+
+  std::vector<Texture_point> points_;
+  std::vector<Corner> corners_;
+  std::vector<std::array<double, 3>> colors_;
+  std::size_t vertices_ = 0, faces_ = 0;
+  State states_[4]; // of `obj_statements`
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_OBJ_ATTRIBUTES_H

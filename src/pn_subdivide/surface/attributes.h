@@ -1,0 +1,73 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_SURFACE_ATTRIBUTES_H
+#define PN_SUBDIVIDE_SURFACE_ATTRIBUTES_H
+
+#include "io/Attributes.h"
+#include "io/Report.h"
+#include "surface/Surface.h"
+
+#include <CGAL/PN_subdivision_3/attributes.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pn_subdivide {
+
+// A mesh's corners and the faces that they belong to, before its faces are split.
+class Old_elements
+{
+public:
+  explicit Old_elements(const Surface& surface);
+
+  // The attributes of faces and corners become those of the split faces.
+  void follow(const Surface& surface, const Triangulation& triangulation,
+              Attributes& attributes) const;
+
+private:
+  std::vector<std::size_t> corner_, face_; // by half-edge
+};
+
+// Attributes on their way through the rounds: the library gets the numbers of vertices and corners,
+// which follow the rows of the scheme, and tells the parents of faces, from which these have their
+// values.
+class Carried_attributes
+{
+public:
+  using Table = CGAL::PN_subdivision_3::Attribute_table;
+
+  Carried_attributes(const Surface& surface, Attributes attributes);
+
+  // To be refined along with the mesh.
+  Table& table() { return table_; }
+
+  // Drops texture coordinates with seams or gaps, with a warning, if the scheme keeps no edges. Notes
+  // which integers are averaged.
+  void suit(const Surface& surface, const std::string& scheme, const std::string& input,
+            Report& report);
+
+  // Those of the refined mesh. Integers are rounded, colors stay in range.
+  Attributes take(const Surface& refined);
+
+private:
+  using Range = std::pair<double, double>;
+
+  std::vector<std::string> averaged_integers() const; // but for those of colors
+  void take_texture(const Surface& refined);
+
+  Attributes attributes_;     // without the numbers that are in the table
+  std::vector<Range> ranges_; // of the columns of vertices
+  Table table_;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_SURFACE_ATTRIBUTES_H

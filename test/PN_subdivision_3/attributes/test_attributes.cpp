@@ -1,0 +1,621 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Attributes in floating point: every type of values, charts and seams, copies, tables, several threads, and what is
+// refused.
+
+#include "Mesh_cases.h"
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using namespace mesh_cases;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using V = Mesh::Vertex_index;
+using H = Mesh::Halfedge_index;
+
+template <class Key, class T>
+auto add(Mesh& mesh, const char* name, const T& value = T())
+{
+  return mesh.add_property_map<Key, T>(name, value).first;
+}
+
+Mesh make(const Soup& soup)
+{
+  Mesh mesh;
+  build(soup, mesh);
+  return mesh;
+}
+
+// a type of the user's with + and a product only
+struct Load
+{
+  double force = 0, mass = 0;
+  friend Load operator+(const Load& a, const Load& b)
+  {
+    return {a.force + b.force, a.mass + b.mass};
+  }
+  friend Load operator*(double w, const Load& a) { return {w * a.force, w * a.mass}; }
+};
+
+double ulps(double a, double b, double size)
+{
+  return std::abs(a - b) / (size * std::numeric_limits<double>::epsilon());
+}
+
+double linear_function(const Kernel::Point_3& p)
+{
+  return 0.3 * p.x() - 0.7 * p.y() + 1.1 * p.z() + 0.1;
+}
+
+} // namespace
+
+TEST(Attributes, ConstantsKeepTheirBits)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double value : {0.1, -0.0, 1e308, 5e-324, inf, std::nan("")}) {
+    Mesh mesh = make(mixed_with_border());
+    auto t = add<V, double>(mesh, "t", value);
+    auto f = add<V, float>(mesh, "f", float(value));
+    auto l = add<V, Load>(mesh, "l", {0.1, 7});
+    auto u = add<H, double>(mesh, "u", value);
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(3),
+                  PN::attributes(PN::vertex_attribute(t), PN::vertex_attribute(f),
+                                 PN::vertex_attribute(l), PN::corner_attribute(u)));
+    const auto same = [](auto a, auto b) {
+      return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
+    };
+    for (auto v : mesh.vertices()) {
+      EXPECT_TRUE(same(t[v], value)) << t[v] << " " << value;
+      EXPECT_TRUE(same(f[v], float(value)));
+      EXPECT_TRUE(same(l[v].force, 0.1));
+    }
+    for (auto h : mesh.halfedges())
+      if (!mesh.is_border(h)) {
+        EXPECT_TRUE(same(u[h], value)) << u[h] << " " << value;
+      }
+  }
+}
+
+TEST(Attributes, LinearFunctionsStayToFourUlp)
+{
+  Mesh mesh = make(mixed_with_border());
+  auto t = add<V, double>(mesh, "t");
+  double size = 0;
+  for (auto v : mesh.vertices()) {
+    t[v] = linear_function(mesh.point(v));
+    size = std::max(size, std::abs(t[v]));
+  }
+  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()), params::number_of_iterations(4),
+                PN::attributes(PN::vertex_attribute(t)));
+  for (auto v : mesh.vertices()) EXPECT_LE(ulps(t[v], linear_function(mesh.point(v)), size), 4);
+}
+
+// All types say what the coordinates of the points, which are refined by the same rows, say.
+TEST(Attributes, OfEveryType)
+{
+  Mesh mesh = make(cube());
+  auto f = add<V, float>(mesh, "f");
+  auto a = add<V, std::array<float, 2>>(mesh, "a");
+  auto e = add<V, Eigen::Vector3d>(mesh, "e", Eigen::Vector3d(0, 0, 0));
+  auto p = add<V, Kernel::Point_2>(mesh, "p");
+  auto w = add<V, Kernel::Vector_3>(mesh, "w");
+  auto l = add<V, Load>(mesh, "l");
+  auto i = add<V, int>(mesh, "i");
+  auto b = add<V, std::uint8_t>(mesh, "b");
+  auto c = add<V, CGAL::IO::Color>(mesh, "c");
+  for (auto v : mesh.vertices()) {
+    const auto& q = mesh.point(v);
+    const int level = int(v.idx());
+    f[v] = float(q.x());
+    a[v] = {float(q.x()), float(q.y())};
+    e[v] = Eigen::Vector3d(q.x(), q.y(), q.z());
+    p[v] = {q.x(), q.y()};
+    w[v] = q - CGAL::ORIGIN;
+    l[v] = {q.x(), q.y()};
+    i[v] = int(1000 * q.x());
+    b[v] = std::uint8_t(level % 2 == 0 ? 255 : 0);
+    c[v] = CGAL::IO::Color((unsigned char)(q.x() > 0 ? 255 : 0), 7, 255, 0);
+  }
+  // Kobbelt's weights are negative, too: values beyond the greatest are cut off
+  PN::subdivide(
+    mesh, PN::linear(PN::Kobbelt_scheme()), params::number_of_iterations(2),
+    PN::attributes(PN::vertex_attribute(f), PN::vertex_attribute(a), PN::vertex_attribute(e),
+                   PN::vertex_attribute(p), PN::vertex_attribute(w), PN::vertex_attribute(l),
+                   PN::vertex_attribute(i), PN::vertex_attribute(b), PN::vertex_attribute(c)));
+  bool has_overshoot = false;
+  for (auto v : mesh.vertices()) {
+    const auto& q = mesh.point(v);
+    const auto near = [](double x, double y) { return std::abs(x - y) < 1e-14; };
+    EXPECT_FLOAT_EQ(f[v], float(q.x()));
+    EXPECT_FLOAT_EQ(a[v][1], float(q.y()));
+    EXPECT_TRUE(near(e[v].x(), q.x()) && near(e[v].y(), q.y()) && near(e[v].z(), q.z()));
+    EXPECT_TRUE(near(p[v].x(), q.x()) && near(p[v].y(), q.y()));
+    EXPECT_TRUE(near(w[v].x(), q.x()) && near(w[v].z(), q.z()));
+    EXPECT_TRUE(near(l[v].force, q.x()) && near(l[v].mass, q.y()));
+    EXPECT_NEAR(i[v], 1000 * q.x(), 0.5 + 1e-9);
+    const double red = 255 * (q.x() + 1) / 2;
+    has_overshoot = has_overshoot || red > 255.5 || red < -0.5;
+    EXPECT_NEAR(c[v].red(), std::min(255., std::max(0., red)), 0.5 + 1e-9);
+    EXPECT_EQ(c[v].green(), 7);
+    EXPECT_EQ(c[v].blue(), 255);
+    EXPECT_EQ(c[v].alpha(), 0);
+  }
+  EXPECT_TRUE(has_overshoot);
+  EXPECT_EQ(b[V(0)], 255);
+}
+
+TEST(Attributes, FacesAndEdgesInherit)
+{
+  Mesh mesh = make(mixed_with_border());
+  auto patch = add<Mesh::Face_index, std::string>(mesh, "patch");
+  auto mark = add<Mesh::Edge_index, bool>(mesh, "mark", false);
+  auto parent = add<Mesh::Face_index, int>(mesh, "parent");
+  for (auto f : mesh.faces()) patch[f] = "patch " + std::to_string(f.idx());
+  std::size_t marks = 0;
+  for (auto e : mesh.edges())
+    if (e.idx() % 3 == 0) {
+      mark[e] = true;
+      ++marks;
+    }
+  PN::subdivide(
+    mesh, PN::linear(PN::CatmullClark_scheme()), params::number_of_iterations(2),
+    PN::attributes(PN::face_attribute(patch), PN::edge_attribute(mark), PN::face_parents(parent)));
+  std::size_t halves = 0;
+  for (auto e : mesh.edges()) halves += mark[e];
+  EXPECT_EQ(halves, 4 * marks);
+  for (auto f : mesh.faces()) EXPECT_EQ(patch[f], "patch " + std::to_string(parent[f]));
+}
+
+// \name Charts
+
+namespace {
+
+using Uv = std::array<double, 2>;
+
+// a value for each corner of a soup: by face and position in the face
+struct Charts
+{
+  Soup soup;
+  std::vector<std::vector<Uv>> uv;
+};
+
+// a grid with several charts: three that meet in a point, one of a single face, and a slit that ends inside;
+// of quads with two triangles, of quads or of triangles
+Charts charts_of_grid(bool triangles, bool some_triangles = true)
+{
+  const std::size_t n = 6;
+  Charts c;
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t j = 0; j <= n; ++j)
+      c.soup.points.push_back({double(i), double(j), std::sin(double(i + 2 * j))});
+  const auto v = [&](std::size_t i, std::size_t j) { return i * (n + 1) + j; };
+  const auto add_face = [&](const Polygon& f, std::size_t i, std::size_t j) {
+    const int chart = i == 1 && j == 1 ? 3 : i < 3 ? 0 : j < 2 ? 1 : 2;
+    c.soup.faces.push_back(f);
+    c.uv.emplace_back();
+    for (const std::size_t k : f) {
+      const double x = double(k / (n + 1)), y = double(k % (n + 1));
+      Uv uv{x + 0.2 * y * y + 20 * chart, y + 0.1 * x * y};
+      // the slit along x = 5 from y = 6 down to y = 4, where it ends
+      if (i == 5 && x == 5 && y > 4) uv[0] += 3 * (y - 4);
+      c.uv.back().push_back(uv);
+    }
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const Polygon f{v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1)};
+      if (triangles) {
+        add_face({f[0], f[1], f[2]}, i, j);
+        add_face({f[0], f[2], f[3]}, i, j);
+      } else if (some_triangles && i == 4 && j == 3) { // other polygons
+        add_face({f[0], f[1], f[2]}, i, j);
+        add_face({f[0], f[2], f[3]}, i, j);
+      } else
+        add_face(f, i, j);
+    }
+  return c;
+}
+
+// the half-edge of the mesh's face that leads to a vertex
+H corner(const Mesh& mesh, Mesh::Face_index f, std::size_t vertex)
+{
+  for (auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+    if (mesh.target(h).idx() == vertex) return h;
+  return Mesh::null_halfedge();
+}
+
+template <class Map>
+void put_uv(const Charts& c, const Mesh& mesh, Map uv)
+{
+  for (auto f : mesh.faces())
+    for (std::size_t i = 0; i < c.soup.faces[f.idx()].size(); ++i)
+      uv[corner(mesh, f, c.soup.faces[f.idx()][i])] = c.uv[f.idx()][i];
+}
+
+// The charts as a surface of their own in the plane: the mesh cut open, with the vertices that are to stay.
+struct Cut_open
+{
+  explicit Cut_open(const Charts& c)
+  {
+    Soup soup;
+    std::map<std::pair<std::size_t, Uv>, std::size_t> number;
+    std::vector<std::size_t> origin;
+    for (std::size_t f = 0; f < c.soup.faces.size(); ++f) {
+      soup.faces.emplace_back();
+      for (std::size_t i = 0; i < c.soup.faces[f].size(); ++i) {
+        const Uv uv = c.uv[f][i];
+        const auto [it, is_new] = number.try_emplace({c.soup.faces[f][i], uv}, soup.points.size());
+        if (is_new) {
+          soup.points.push_back({uv[0], uv[1], 0});
+          origin.push_back(c.soup.faces[f][i]);
+        }
+        soup.faces.back().push_back(it->second);
+      }
+    }
+    build(soup, mesh);
+    // edges of the uncut surface that are on the cut one's border
+    std::map<std::size_t, std::set<std::pair<std::size_t, std::size_t>>> cuts;
+    for (auto e : mesh.edges())
+      if (mesh.is_border(e)) {
+        std::size_t a = origin[mesh.vertex(e, 0).idx()], b = origin[mesh.vertex(e, 1).idx()];
+        if (a > b) std::swap(a, b);
+        cuts[a].insert({a, b});
+        cuts[b].insert({a, b});
+      }
+    stays = mesh.add_property_map<V, bool>("stays", false).first;
+    for (auto v : mesh.vertices()) {
+      const auto it = cuts.find(origin[v.idx()]);
+      stays[v] = it != cuts.end() && it->second.size() != 2;
+    }
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<V, bool> stays;
+};
+
+// The faces as polygons in the plane, from their least corner on, in units of 1e-7. Nothing is near the bounds of
+// rounding: coordinates are multiples of 1 / (10 2^n).
+template <class Uv_of>
+std::multiset<std::vector<std::pair<long, long>>> polygons(const Mesh& mesh, const Uv_of& uv_of)
+{
+  std::multiset<std::vector<std::pair<long, long>>> result;
+  for (auto f : mesh.faces()) {
+    std::vector<std::pair<long, long>> p;
+    for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Uv uv = uv_of(h);
+      p.emplace_back(std::lround(1e7 * uv[0] + 0.3), std::lround(1e7 * uv[1] + 0.3));
+    }
+    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+    result.insert(p);
+  }
+  return result;
+}
+
+} // namespace
+
+template <class Scheme>
+class Chart_attributes : public ::testing::Test
+{};
+using Chart_schemes = ::testing::Types<PN::CatmullClark_scheme, PN::Loop_scheme,
+                                       PN::Butterfly_scheme, PN::Kobbelt_scheme>;
+TYPED_TEST_SUITE(Chart_attributes, Chart_schemes);
+
+// Charts are refined as if they were surfaces in the plane.
+TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)
+{
+  constexpr bool creases = std::is_same_v<TypeParam, PN::CatmullClark_scheme> ||
+                           std::is_same_v<TypeParam, PN::Loop_scheme>;
+  const Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3,
+                                  !std::is_same_v<TypeParam, PN::Kobbelt_scheme>);
+  Mesh mesh = make(c.soup);
+  auto uv = add<H, Uv>(mesh, "uv");
+  put_uv(c, mesh, uv);
+  EXPECT_TRUE(PN::has_seam(mesh, uv));
+  Cut_open cut(c);
+  EXPECT_GT(cut.mesh.number_of_vertices(), mesh.number_of_vertices() + 10);
+  PN::subdivide(mesh, PN::linear(TypeParam()), params::number_of_iterations(2),
+                PN::attributes(PN::corner_attribute(uv)));
+  if constexpr (creases)
+    PN::subdivide(cut.mesh, PN::with_border(PN::linear(TypeParam()), PN::Border::corners),
+                  params::number_of_iterations(2).vertex_is_constrained_map(cut.stays));
+  else // the control points stay anyhow
+    PN::subdivide(cut.mesh, PN::linear(TypeParam()), params::number_of_iterations(2));
+  const auto expected = polygons(cut.mesh, [&](H h) {
+    const auto& p = cut.mesh.point(cut.mesh.target(h));
+    return Uv{p.x(), p.y()};
+  });
+  EXPECT_EQ(polygons(mesh, [&](H h) { return uv[h]; }), expected);
+}
+
+// Linear values: corners of every face are refined as if it were alone.
+TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
+{
+  const Charts c = charts_of_grid(TypeParam::Host::refined_degree == 3,
+                                  !std::is_same_v<TypeParam, PN::Kobbelt_scheme>);
+  Mesh mesh = make(c.soup);
+  auto uv = add<H, Uv>(mesh, "uv");
+  auto parent = add<Mesh::Face_index, int>(mesh, "parent");
+  put_uv(c, mesh, uv);
+  PN::subdivide(
+    mesh, PN::linear(TypeParam()), params::number_of_iterations(2),
+    PN::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear), PN::face_parents(parent)));
+  // the areas of the parts are the area of the face
+  const auto area = [](const std::vector<Uv>& p) {
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Uv &a = p[i], &b = p[(i + 1) % p.size()];
+      sum += (a[0] * b[1] - a[1] * b[0]) / 2;
+    }
+    return sum;
+  };
+  std::vector<double> areas(c.uv.size(), 0);
+  std::vector<std::set<Uv>> corners(c.uv.size());
+  for (auto f : mesh.faces()) {
+    std::vector<Uv> p;
+    for (auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      p.push_back(uv[h]);
+      corners[std::size_t(parent[f])].insert(uv[h]);
+    }
+    areas[std::size_t(parent[f])] += area(p);
+  }
+  for (std::size_t f = 0; f < c.uv.size(); ++f) {
+    EXPECT_NEAR(areas[f], area(c.uv[f]), 1e-9);
+    for (const Uv& p : c.uv[f]) EXPECT_EQ(corners[f].count(p), 1u);
+    const std::size_t m = c.uv[f].size();
+    EXPECT_EQ(corners[f].size(), TypeParam::Host::refined_degree == 3 ? 15u : 6 * m + 1);
+  }
+}
+
+// \name Tables, threads
+
+namespace {
+
+struct Results
+{
+  std::vector<double> scalar, color;
+  std::vector<Uv> uv;
+  std::vector<int> mark, parent;
+  friend bool operator==(const Results& a, const Results& b)
+  {
+    return std::tie(a.scalar, a.color, a.uv, a.mark, a.parent) ==
+           std::tie(b.scalar, b.color, b.uv, b.mark, b.parent);
+  }
+};
+
+double scalar_of(V v)
+{
+  return std::sin(1.7 * v.idx());
+}
+
+template <class Tag>
+Results by_maps(const Charts& c)
+{
+  Mesh mesh = make(c.soup);
+  auto scalar = add<V, double>(mesh, "scalar");
+  auto color = add<V, std::array<double, 3>>(mesh, "color");
+  auto uv = add<H, Uv>(mesh, "uv");
+  auto mark = add<Mesh::Edge_index, int>(mesh, "mark");
+  auto parent = add<Mesh::Face_index, int>(mesh, "parent");
+  for (auto v : mesh.vertices()) {
+    scalar[v] = scalar_of(v);
+    color[v] = {scalar[v], scalar[v] * scalar[v], 1};
+  }
+  for (auto e : mesh.edges()) mark[e] = int(e.idx() % 5);
+  put_uv(c, mesh, uv);
+  PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(4),
+                     PN::attributes(PN::vertex_attribute(scalar), PN::vertex_attribute(color),
+                                    PN::corner_attribute(uv), PN::edge_attribute(mark),
+                                    PN::face_parents(parent)));
+  Results r;
+  for (auto v : mesh.vertices()) {
+    r.scalar.push_back(scalar[v]);
+    r.color.insert(r.color.end(), color[v].begin(), color[v].end());
+  }
+  for (auto h : mesh.halfedges()) r.uv.push_back(mesh.is_border(h) ? Uv{0, 0} : uv[h]);
+  for (auto e : mesh.edges()) r.mark.push_back(mark[e]);
+  for (auto f : mesh.faces()) r.parent.push_back(parent[f]);
+  return r;
+}
+
+template <class Tag>
+Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0)
+{
+  Mesh mesh = control;
+  PN::Attribute_table table;
+  table.vertices.resize(2);
+  table.vertices[1].dimension = 3;
+  for (auto v : mesh.vertices()) {
+    const double s = scalar_of(v);
+    table.vertices[0].values.push_back(s);
+    for (double x : {s, s * s, 1.}) table.vertices[1].values.push_back(x);
+  }
+  for (unsigned i = 0; i < extra; ++i) table.vertices[0].values.push_back(0);
+  auto uv = add<H, Uv>(mesh, "uv");
+  put_uv(c, mesh, uv);
+  table.corners.resize(1);
+  table.corners[0].dimension = 2;
+  for (auto h : mesh.halfedges())
+    for (double x : uv[h]) table.corners[0].values.push_back(x);
+  EXPECT_TRUE(PN::has_seam(mesh, table.corners[0]));
+  table.edges.resize(1);
+  for (auto e : mesh.edges()) table.edges[0].values.push_back(double(e.idx() % 5));
+  table.has_face_parents = true;
+  PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(4), table);
+  Results r;
+  r.scalar = table.vertices[0].values;
+  r.color = table.vertices[1].values;
+  for (std::size_t i = 0; i < table.corners[0].values.size(); i += 2)
+    r.uv.push_back({table.corners[0].values[i], table.corners[0].values[i + 1]});
+  for (double x : table.edges[0].values) r.mark.push_back(int(x));
+  for (std::uint32_t p : table.face_parents) r.parent.push_back(int(p));
+  return r;
+}
+
+} // namespace
+
+TEST(Attributes, AreTheSameInTablesAndByThreads)
+{
+  const Charts c = charts_of_grid(false);
+  const Mesh control = make(c.soup);
+  const Results expected = by_maps<CGAL::Sequential_tag>(c);
+  EXPECT_GT(expected.scalar.size(), 9000u);
+  EXPECT_EQ(by_table<CGAL::Sequential_tag>(c, control), expected);
+#ifdef CGAL_LINKED_WITH_TBB
+  EXPECT_EQ(by_maps<CGAL::Parallel_tag>(c), expected);
+  EXPECT_EQ(by_table<CGAL::Parallel_tag>(c, control), expected);
+#endif
+}
+
+// Values that are carried change no bit of the points and normals.
+TEST(Attributes, LeaveThePointsAlone)
+{
+  Mesh mesh = make(mixed_with_border()), other = mesh;
+  auto t = add<V, double>(mesh, "t", 1);
+  const auto np = params::number_of_iterations(3);
+  PN::subdivide(mesh, PN::CatmullClark_scheme(), np, PN::attributes(PN::vertex_attribute(t)));
+  PN::subdivide(other, PN::CatmullClark_scheme(), np);
+  EXPECT_EQ(points(mesh), points(other));
+  EXPECT_EQ(faces_of(mesh), faces_of(other));
+}
+
+// \name What is refused
+
+namespace {
+
+template <class Function>
+std::string message_of(const Function& f)
+{
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
+{
+  const Charts c = charts_of_grid(false);
+  Mesh mesh = make(c.soup);
+  const auto before = points(mesh);
+  EXPECT_NE(message_of([&] { by_table<CGAL::Sequential_tag>(c, mesh, 1); }).find("50 values"),
+            std::string::npos);
+
+  auto uv = add<H, Uv>(mesh, "uv");
+  auto mark = add<Mesh::Edge_index, int>(mesh, "mark");
+  EXPECT_FALSE(PN::has_seam(mesh, uv));
+  put_uv(c, mesh, uv);
+  const auto doo_sabin = [&](const auto& attributes) {
+    return message_of([&] {
+      PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()), params::default_values(), attributes);
+    });
+  };
+  EXPECT_NE(
+    doo_sabin(PN::attributes(PN::corner_attribute(uv))).find("seam at the edge of half-edge"),
+    std::string::npos);
+  EXPECT_NE(doo_sabin(PN::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear)))
+              .find("scheme keeps no edges"),
+            std::string::npos);
+  EXPECT_NE(doo_sabin(PN::attributes(PN::edge_attribute(mark))).find("scheme keeps no edges"),
+            std::string::npos);
+  EXPECT_EQ(points(mesh), before);
+}
+
+// A map without seams is carried by schemes that keep no edges, too.
+TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
+{
+  Mesh mesh = make(mixed_with_border());
+  auto t = add<V, double>(mesh, "t");
+  auto u = add<H, double>(mesh, "u");
+  for (auto v : mesh.vertices()) t[v] = scalar_of(v);
+  for (auto h : mesh.halfedges()) u[h] = t[mesh.target(h)];
+  PN::subdivide(mesh, PN::DooSabin_scheme(), params::number_of_iterations(2),
+                PN::attributes(PN::vertex_attribute(t), PN::corner_attribute(u)));
+  for (auto h : mesh.halfedges())
+    if (!mesh.is_border(h)) {
+      EXPECT_EQ(u[h], t[mesh.target(h)]);
+    }
+}
+
+// \name Failures
+
+namespace {
+
+struct Failure
+{};
+
+// a value whose n-th sum fails
+struct Fragile
+{
+  double x = 0;
+  friend Fragile operator+(const Fragile& a, const Fragile& b)
+  {
+    if (--left == 0) throw Failure();
+    return {a.x + b.x};
+  }
+  friend Fragile operator*(const Fragile& a, double w) { return {a.x * w}; }
+  static long left;
+};
+long Fragile::left = 0;
+
+} // namespace
+
+TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
+{
+  const Charts c = charts_of_grid(false);
+  const Mesh control = make(c.soup);
+  for (long n : {1L, 2L, 100L, 5000L}) {
+    Mesh mesh = control;
+    auto fragile = add<V, Fragile>(mesh, "fragile");
+    auto scalar = add<V, double>(mesh, "scalar");
+    auto uv = add<H, Uv>(mesh, "uv");
+    put_uv(c, mesh, uv);
+    for (auto v : mesh.vertices()) scalar[v] = fragile[v].x = scalar_of(v);
+    const Mesh before = mesh;
+    Fragile::left = n;
+    EXPECT_THROW(
+      PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(2),
+                    PN::attributes(PN::vertex_attribute(scalar), PN::corner_attribute(uv),
+                                   PN::vertex_attribute(fragile))),
+      Failure)
+      << n;
+    EXPECT_EQ(mesh.number_of_vertices(), before.number_of_vertices());
+    EXPECT_EQ(points(mesh), points(before));
+    EXPECT_EQ(faces_of(mesh), faces_of(before));
+    for (auto v : mesh.vertices()) EXPECT_EQ(scalar[v], scalar_of(v));
+    auto uv_before = before.property_map<H, Uv>("uv").first;
+    for (auto h : mesh.halfedges()) EXPECT_EQ(uv[h], uv_before[h]);
+  }
+}

@@ -1,0 +1,137 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// `pn_subdivide --interpolate` of surfaces and curves.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace {
+
+using Triple = std::array<double, 3>;
+
+class Pn_subdivide_interpolate : public Command_test
+{
+protected:
+  static std::string data(const char* file) { return std::string(PN_DATA_DIR) + "/" + file; }
+
+  // the vertices of a text PLY or OFF, or of a curve
+  std::vector<Triple> points(const std::string& file) const
+  {
+    std::istringstream in(Temporary_folder::content(file));
+    std::size_t count = 0;
+    bool is_ply = false;
+    std::vector<Triple> result;
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream words(line);
+      std::string word, type;
+      words >> word >> type;
+      if (word == "ply") is_ply = true;
+      if (word == "element" && type == "vertex") words >> count;
+      if (word == "end_header") break;
+      if (is_ply || word == "OFF" || word.empty() || word[0] == '#') continue;
+      double x = 0, y = 0;
+      if (std::sscanf(line.c_str(), "%lf %lf", &x, &y) == 2) result.push_back({x, y, 0});
+    }
+    for (std::string line; result.size() < count && std::getline(in, line);) {
+      Triple p{};
+      std::sscanf(line.c_str(), "%lf %lf %lf", &p[0], &p[1], &p[2]);
+      result.push_back(p);
+    }
+    return result;
+  }
+
+  static double distance(const Triple& a, const Triple& b)
+  {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+
+  void write(const char* file, const std::string& text) const
+  {
+    std::ofstream(folder.file(file)) << text;
+  }
+};
+
+// The limits of the vertices, which stay in front, are the points of the input.
+TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
+{
+  const std::string out = folder.file("out.ply"), in = folder.file("in.ply");
+  ASSERT_EQ(run("surface '" + data("torus_quads.ply") + "' '" + in + "' --levels 0 --ascii").code,
+            0);
+  const auto before = points(in);
+  ASSERT_FALSE(before.empty());
+  for (const char* options : {"--scheme modified-catmull-clark", "--scheme catmull-clark --linear",
+                              "--scheme catmull-clark --threads 2"}) {
+    const Outcome outcome = run("surface '" + in + "' '" + out +
+                                "' --levels 2 --ascii --limit --interpolate points " + options);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("interpolation: residual "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("estimated error "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("step"), std::string::npos) << outcome.err;
+    const auto after = points(out);
+    for (std::size_t v = 0; v < before.size(); ++v)
+      EXPECT_LE(distance(before[v], after[v]), 1e-7) << options << " " << v;
+  }
+}
+
+TEST_F(Pn_subdivide_interpolate, SpheresFromPointsAloneNeedNoStep)
+{
+  const std::string out = folder.file("out.ply");
+  const Outcome outcome = run("surface '" + data("sphere_quads.ply") + "' '" + out +
+                              "' --scheme modified-catmull-clark --levels 0 --ascii --interpolate "
+                              "slide --normals sphere:0,0,0");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find(" 0 steps"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Pn_subdivide_interpolate, Curves)
+{
+  write("ellipse.txt", "2 0\n1.2 0.8\n0 1\n-1.6 0.6\n-2 0\n-1.2 -0.8\n0 -1\n1.6 -0.6\n");
+  const std::string in = folder.file("ellipse.txt"), out = folder.file("out.txt");
+  const auto before = points(in);
+  for (const char* options : {"--closed", "--end reflect", "--closed --linear"}) {
+    const Outcome outcome = run("curve '" + in + "' '" + out +
+                                "' --scheme bspline:3 --levels 12 --interpolate points " + options);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("interpolation: residual "), std::string::npos) << outcome.err;
+    const auto after = points(out);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      EXPECT_LE(distance(before[i], after[i << 12]), 1e-6) << options << " " << i;
+  }
+}
+
+TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
+{
+  const std::string torus =
+    "surface '" + data("torus_quads.ply") + "' '" + folder.file("out.ply") + "' ";
+  expect_one_line(run(torus + "--interpolate yes"), 2, "it takes slide or points");
+  expect_one_line(run(torus + "--interpolate slide --scheme doo-sabin"), 2, "doo-sabin");
+  expect_one_line(run(torus + "--interpolate slide --scheme sqrt3"), 2, "sqrt3");
+  expect_one_line(run(torus + "--interpolate slide --scheme catmull-clark --normal-scheme kobbelt"),
+                  2, "exclude each other");
+  expect_one_line(run(torus + "--interpolate slide --scheme catmull-clark --sharp angle:1"), 1,
+                  "sharp edges");
+  write("line.txt", "0 0\n1 0\n2 1\n3 1\n");
+  const std::string curve =
+    "curve '" + folder.file("line.txt") + "' '" + folder.file("out.txt") + "' ";
+  expect_one_line(run(curve + "--scheme bspline:2 --interpolate slide"), 2, "bspline:2");
+  expect_one_line(run(curve + "--scheme bspline:3 --end none --interpolate slide"), 2,
+                  "--end none");
+  expect_one_line(run(curve + "--scheme bspline:3 --interpolate no"), 2,
+                  "it takes slide or points");
+}
+
+} // namespace

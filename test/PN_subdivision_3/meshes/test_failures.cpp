@@ -1,0 +1,213 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Allocations and maps that fail everywhere in what is more than a plain round: creases, limits, every host.
+
+#include "Failing_allocations.h"
+#include "Mesh_cases.h"
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using namespace mesh_cases;
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector = Kernel::Vector_3;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+
+struct User_failure : std::runtime_error
+{
+  User_failure()
+    : std::runtime_error("the user's map fails")
+  {}
+};
+
+// How often maps may still be read or written; the call after that fails, and no other one.
+long calls_left = std::numeric_limits<long>::max();
+
+template <class Map>
+struct Failing_map
+{
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  friend value_type get(const Failing_map& m, const key_type& k)
+  {
+    if (--calls_left == 0) throw User_failure();
+    return get(m.map, k);
+  }
+  friend void put(const Failing_map& m, const key_type& k, const value_type& x)
+  {
+    if (--calls_left == 0) throw User_failure();
+    put(m.map, k, x);
+  }
+  Map map;
+};
+template <class Map>
+Failing_map<Map> failing(Map map)
+{
+  return {map};
+}
+
+// a mesh with all that it may have
+template <class Mesh_>
+struct Tagged
+{
+  using Mesh = Mesh_;
+  template <class Tag>
+  using Map = typename boost::property_map<Mesh, Tag>::type;
+
+  explicit Tagged(const Soup& soup)
+  {
+    build(soup, mesh);
+    normals = get(CGAL::dynamic_vertex_property_t<Vector>(), mesh);
+    sharp = get(CGAL::dynamic_edge_property_t<double>(), mesh);
+    corners = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    corner_normals = get(CGAL::dynamic_halfedge_property_t<Vector>(), mesh);
+    put_normals(mesh_cases::normals(soup), mesh, normals);
+    int i = 0;
+    for (auto e : edges(mesh)) put(sharp, e, ++i % 3 == 0 ? 1.5 : 0);
+    for (auto v : vertices(mesh)) put(corners, v, ++i % 5 == 0 ? 1 : 0);
+    for (auto h : halfedges(mesh))
+      put(corner_normals, h, ++i % 4 == 0 ? CGAL::NULL_VECTOR : Vector(0.1 * (i % 7), 0.2, 1));
+  }
+  template <class... Maps>
+  auto creased(const Maps&... maps) const
+  {
+    const auto [s, c, n] = std::make_tuple(maps...);
+    return params::number_of_iterations(2)
+      .edge_is_constrained_map(s)
+      .vertex_is_constrained_map(c)
+      .vertex_normal_map(n);
+  }
+
+  // everything, element by element
+  std::tuple<std::size_t, std::vector<Triple>, std::vector<Triple>, std::vector<double>,
+             std::vector<Triple>, std::vector<Polygon>>
+  state() const
+  {
+    std::vector<double> numbers;
+    std::vector<Triple> of_corners;
+    for (auto e : edges(mesh)) numbers.push_back(get(sharp, e));
+    for (auto v : vertices(mesh)) numbers.push_back(get(corners, v));
+    for (auto h : halfedges(mesh)) {
+      const Vector n = get(corner_normals, h);
+      of_corners.push_back({n.x(), n.y(), n.z()});
+    }
+    return {num_halfedges(mesh), points(mesh),  values(mesh, normals), numbers,
+            of_corners,          faces_of(mesh)};
+  }
+
+  Mesh mesh;
+  Map<CGAL::dynamic_vertex_property_t<Vector>> normals;
+  Map<CGAL::dynamic_edge_property_t<double>> sharp;
+  Map<CGAL::dynamic_vertex_property_t<double>> corners;
+  Map<CGAL::dynamic_halfedge_property_t<Vector>> corner_normals;
+};
+
+// Lets the n-th call or allocation fail for n = 1, 2, ... until none fails; after each all must be as before, and
+// in the end the job is done as if nothing had been. Returns how many failed.
+template <class Mesh, class Job>
+long fail_everywhere(const Soup& soup, const Job& job, bool in_maps)
+{
+  Tagged<Mesh> tagged(soup), untroubled(soup);
+  job(untroubled);
+  const auto state = tagged.state();
+  for (long k = 1;; ++k) {
+    try {
+      const failing_allocations::Allocation_limit limit(in_maps ? std::numeric_limits<long>::max()
+                                                                : k);
+      calls_left = in_maps ? k : std::numeric_limits<long>::max();
+      job(tagged);
+      calls_left = std::numeric_limits<long>::max();
+    } catch (const User_failure&) {
+      calls_left = std::numeric_limits<long>::max();
+      EXPECT_TRUE(tagged.state() == state) << "after failure " << k << " of a map";
+      if (!(tagged.state() == state)) return k;
+      continue;
+    } catch (const std::bad_alloc&) {
+      EXPECT_TRUE(tagged.state() == state) << "after failure " << k << " of an allocation";
+      if (!(tagged.state() == state)) return k;
+      continue;
+    }
+    // not what maps hold that were not given: of new elements that is anything
+    EXPECT_EQ(points(tagged.mesh), points(untroubled.mesh));
+    EXPECT_EQ(faces_of(tagged.mesh), faces_of(untroubled.mesh));
+    return k - 1;
+  }
+}
+
+template <class Mesh>
+class Strong_guarantee_of_features : public testing::Test
+{};
+using Meshes = testing::Types<Surface_mesh, Polyhedron>;
+struct Mesh_names
+{
+  template <class Mesh>
+  static std::string GetName(int)
+  {
+    return std::is_same_v<Mesh, Surface_mesh> ? "Surface_mesh" : "Polyhedron_3";
+  }
+};
+TYPED_TEST_SUITE(Strong_guarantee_of_features, Meshes, Mesh_names);
+
+TYPED_TEST(Strong_guarantee_of_features, Creases)
+{
+  const auto job = [](auto& t) {
+    PN::CatmullClark_subdivision(
+      t.mesh, t.creased(failing(t.sharp), failing(t.corners), failing(t.corner_normals)));
+  };
+  EXPECT_GE(fail_everywhere<TypeParam>(cube(), job, true), 12 + 8 + 24);
+  EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), job, true), 12 + 8 + 24);
+  EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), job, false), 10);
+}
+
+TYPED_TEST(Strong_guarantee_of_features, Limits)
+{
+  const auto job = [](auto& t) {
+    PN::Limit_options options;
+    options.max_depth = 3;
+    PN::move_to_limit(t.mesh, PN::Loop_scheme(), options,
+                      params::vertex_normal_map(failing(t.normals)));
+  };
+  EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4);
+  EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 4);
+}
+
+TYPED_TEST(Strong_guarantee_of_features, EveryHost)
+{
+  const auto two_rounds = [](auto& t) {
+    return params::number_of_iterations(2).vertex_normal_map(t.normals);
+  };
+  const Soup triangles = triangles_with_border();
+  EXPECT_GE(fail_everywhere<TypeParam>(
+              triangles, [&](auto& t) { PN::Sqrt3_subdivision(t.mesh, two_rounds(t)); }, false),
+            10);
+  EXPECT_GE(fail_everywhere<TypeParam>(
+              triangles, [&](auto& t) { PN::Butterfly_subdivision(t.mesh, two_rounds(t)); }, false),
+            10);
+  EXPECT_GE(fail_everywhere<TypeParam>(
+              cube(), [&](auto& t) { PN::Kobbelt_subdivision(t.mesh, two_rounds(t)); }, false),
+            10);
+}
+
+} // namespace
