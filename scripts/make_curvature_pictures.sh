@@ -9,7 +9,7 @@
 #
 # Draws doc/PN_subdivision_3/fig/curvature_MESH.png for two models of data/: the Gaussian curvature of
 # the surfaces by Catmull-Clark and modified Catmull-Clark subdivision, linear and point-normal, in the
-# same colors. The control normals are estimated.
+# same colors. The control normals are estimated. And curvature_transfer.png, see draw_policies().
 #
 #   scripts/make_curvature_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -31,5 +31,18 @@ draw() { # mesh, rounds, curvature at the ends of the colors, view
                     --caption "PN-modified" "$work"/{linear,modified,PN,PN_modified}.vtp
 }
 
+# the point-normal schemes with their policies, and the one with transfer of curvature
+draw_policies() { # as draw()
+  refine "$1" "$2" PN catmull-clark
+  refine "$1" "$2" PN_modified modified-catmull-clark
+  refine "$1" "$2" first_2 modified-catmull-clark --first-round 2
+  refine "$1" "$2" transfer ct-catmull-clark
+  scripts/render.py --output "$folder/curvature_transfer.png" --columns 4 --tile 450 --same-view \
+                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
+                    --caption "PN" --caption "PN-modified" --caption "first round plain" \
+                    --caption "transfer" "$work"/{PN,PN_modified,first_2,transfer}.vtp
+}
+
+draw_policies cylinder_cap_8.ply 5 0.02 35,50
 draw spoon.obj 4 4 -40,60
 draw head.obj 4 8 -35,10

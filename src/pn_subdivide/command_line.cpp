@@ -128,6 +128,15 @@ void add_scheme_options(CLI::App& command, Scheme_choice& choice)
       },
       meaning(p.name) + schemes + "; a number or a fraction, default " + default_value.str());
   }
+  command
+    .add_option("--first-round", choice.first_round,
+                "The first round with the weights of " + modified_scheme_names() +
+                  ", those of the unmodified schemes before; default 1")
+    ->transform(whole_number());
+  command.add_option("--tuned-valences", choice.tuned_valences,
+                     "Where " + modified_scheme_names() +
+                       " have weights of their own: all (default) or diverging (not at valence 3 "
+                       "of quads and 4 and 5 of triangles)");
 }
 
 void add_crease_options(CLI::App& command, Crease_options& options)

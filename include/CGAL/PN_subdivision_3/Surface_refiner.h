@@ -66,7 +66,8 @@ next call evaluates everything. All other members have the strong guarantee.
 
 Different refiners may be used by different threads at the same time, one of them by one thread only.
 
-\tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
+\tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin; none that transfers curvature,
+  such as `ct_Loop_scheme`
 \tparam GeomTraits a model of `Kernel`; its `FT` is the number type of all computations
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads.
@@ -74,6 +75,9 @@ Different refiners may be used by different threads at the same time, one of the
 template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
 class Surface_refiner
 {
+  static_assert(!internal::Has_curvature_transfer<Scheme>::value,
+                "PN_subdivision_3: Surface_refiner takes no scheme that transfers curvature");
+
   using FT = typename GeomTraits::FT;
   static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
   using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Zoom_level.h>
@@ -135,6 +136,8 @@ normals (-g, 1) give u, g and w = z - g&middot;u/2, which the PN rule refines li
 order; the derivatives of the splines of u, g and w are combined by the product rule to those of z =
 w + g&middot;u/2.
 
+Of a scheme that changes its rules in some round, those of the later rounds are measured.
+
 An object may be used for any number of control nets, also by several threads at once.
 
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin, whose rules at regular
@@ -227,6 +230,8 @@ public:
    - II = sym(H) / (1 + |a|<sup>2</sup>)<sup>1/2</sup>, I = 1 + a a<sup>T</sup>,
    - K = det sym(H) / (1 + |a|<sup>2</sup>)<sup>2</sup>, mean curvature -tr(I<sup>-1</sup> II) / 2.
 
+  Of a scheme that transfers curvature, what is still to be transferred is added to H.
+
   It is meant for schemes whose eigenvalues besides 1 and the subdominant ones are less than the
   square of the latter; the curvature of others need not settle at extraordinary vertices. That the
   rings tend to it is measured, not proved. The error falls from level to level as the square of the
@@ -258,9 +263,12 @@ public:
       const auto h = internal::pn_height<FT, 3>(v, o.point, frame.normal());
       return h.numerator / (std::max)(h.denominator, FT(1) / FT(1024));
     };
+    std::array<Pair, 2> derivative{internal::solve(size, slopes[0]),
+                                   internal::solve(size, slopes[1])};
+    if constexpr (internal::Has_curvature_transfer<Scheme>::value)
+      add_remaining_part(values, frame, derivative);
     Limit_curvature<FT> result =
-      curvature_at(frame, internal::solve(size, limit_.tangent(values, height)),
-                   {internal::solve(size, slopes[0]), internal::solve(size, slopes[1])});
+      curvature_at(frame, internal::solve(size, limit_.tangent(values, height)), derivative);
     internal::add_multiple<FT, 3>(result.point, FT(1), middle);
     return result;
   }
@@ -339,6 +347,24 @@ private:
     Vector n = internal::cross<FT>(imaginary, real);
     internal::normalize(n);
     return n;
+  }
+
+  // what the slopes will still get by the transfer of curvature
+  void add_remaining_part(const Values& values, const Frame& frame,
+                          std::array<Pair, 2>& derivative) const
+  {
+    Values ring{values[0]};
+    for (Index s = 0; s < net().valence(); ++s) ring.push_back(values[net().vertex(s, 1, 0)]);
+    if (degree == 4)
+      for (Index s = 0; s < net().valence(); ++s) ring.push_back(values[net().vertex(s, 1, 1)]);
+    const auto part = internal::Normal_transfer<FT>(degree, net().valence())(ring);
+    if (!part) return;
+    using Wide = Coordinates<typename internal::Normal_transfer<FT>::Real, 3>;
+    const auto wide = [](const Vector& v) { return Wide{v[0], v[1], v[2]}; };
+    const Vector axes[2] = {frame.e1(), frame.e2()};
+    for (std::size_t r = 0; r < 2; ++r)
+      for (std::size_t c = 0; c < 2; ++c)
+        derivative[r][c] += static_cast<FT>((*part)(wide(axes[r]), wide(axes[c])));
   }
 
   static Limit_curvature<FT> curvature_at(const Frame& frame, const Pair& a,

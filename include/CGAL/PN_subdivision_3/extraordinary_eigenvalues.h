@@ -61,8 +61,9 @@ public:
     : valence_(valence)
     , level_(scheme, valence, 2)
   {
-    const typename Scheme::Host host(level_.level(), 1);
-    const auto mask = scheme.template mask<FT>(level_.level(), 1);
+    const unsigned round = First_tuned_round<Scheme>::of(scheme);
+    const typename Scheme::Host host(level_.level(), round);
+    const auto mask = scheme.template mask<FT>(level_.level(), round);
     const auto child = level_.children(level_.net());
     for (Index a = 0; a < kinds; ++a) {
       rows_[a].clear();

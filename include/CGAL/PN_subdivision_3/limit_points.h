@@ -79,7 +79,7 @@ struct Limit_options
   /// whether curvatures are computed, where they exist.
   bool curvatures = false;
   /// how many rounds the call has done that made the mesh: the borders of \f$ \sqrt{3} \f$ depend on
-  /// whether that is even, others do not.
+  /// whether that is even, and modified schemes on whether it is before their first round; others do not.
   unsigned rounds_done = 0;
 };
 

@@ -73,7 +73,8 @@ applies point-normal subdivision by any scheme to a polygon mesh.
 
 Points and unit control normals are refined together by the rule that `PN_average` documents. Points
 and normals sampled from a sphere, a circular cylinder or a circle stay on it up to rounding; where
-all control normals are equal or zero, the result is that of the linear scheme.
+all control normals are equal or zero, the result is that of the linear scheme (not if they are equal and
+the scheme transfers curvature).
 
 The vertex normal map holds the control normals. A zero vector means "no control normal here";
 vectors of other lengths are normalized once. After the call it holds the refined normals. Without a

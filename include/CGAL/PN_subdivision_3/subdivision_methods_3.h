@@ -15,6 +15,8 @@
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
@@ -159,6 +161,38 @@ void modified_Loop_subdivision(PolygonMesh& mesh,
                                const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, modified_Loop_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies Catmull-Clark subdivision with transfer of curvature, for polygons of any degree. The same as
+`subdivide(mesh, ct_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
+exceptions. The order of the new vertices is that of `PQQ_host`.
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void ct_CatmullClark_subdivision(PolygonMesh& mesh,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, ct_CatmullClark_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies Loop subdivision with transfer of curvature, for triangles. The same as `subdivide(mesh,
+ct_Loop_scheme(), np)`, which documents all parameters, guarantees and exceptions. The order of the new
+vertices is that of `PTQ_host`.
+
+\throws std::invalid_argument also if a face is not a triangle
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void ct_Loop_subdivision(PolygonMesh& mesh,
+                         const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, ct_Loop_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

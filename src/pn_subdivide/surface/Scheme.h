@@ -25,9 +25,19 @@ using Scheme = CGAL::PN_subdivision_3::Shipped_schemes::apply<std::variant>;
 // option, if there is none, or if a parameter is out of range.
 Scheme make_scheme(const std::string& option, const std::string& name, const Scheme_choice& choice);
 
-// Can one give the normals of the other?
 template <class S, class T>
 constexpr bool have_same_host = std::is_same_v<typename S::Host, typename T::Host>;
+template <class S, class = void>
+struct Transfers_curvature : std::false_type
+{};
+template <class S>
+struct Transfers_curvature<S, std::void_t<decltype(S::transfers_curvature)>>
+  : std::bool_constant<S::transfers_curvature>
+{};
+// Can one give the normals of the other, which is another scheme?
+template <class S, class T>
+constexpr bool go_together = have_same_host<S, T> && !std::is_same_v<S, T> &&
+                             !Transfers_curvature<S>::value && !Transfers_curvature<T>::value;
 
 template <class S, class = void>
 struct Can_crease : std::false_type

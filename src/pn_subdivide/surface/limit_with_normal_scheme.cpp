@@ -24,7 +24,7 @@ Limit_report limits_with_normal_scheme(const Surface& surface, Normal_map normal
     [&](const auto& s, const auto& t) -> Limit_report {
       using S = std::decay_t<decltype(s)>;
       using T = std::decay_t<decltype(t)>;
-      if constexpr (S::Host::keeps_vertices && have_same_host<S, T> && !std::is_same_v<S, T>)
+      if constexpr (S::Host::keeps_vertices && go_together<S, T>)
         return CGAL::PN_subdivision_3::limit_points<Tag>(
           surface, CGAL::PN_subdivision_3::with_normal_scheme(s, t), limits, options,
           CGAL::parameters::vertex_normal_map(normals));

@@ -52,7 +52,7 @@ void refine_with_normal_scheme(Surface& surface, Corner_normal_map normals, cons
       using S = std::decay_t<decltype(s)>;
       using T = std::decay_t<decltype(t)>;
       if constexpr (can_crease<S> && can_crease<T>)
-        if constexpr (have_same_host<S, T> && !std::is_same_v<S, T>)
+        if constexpr (go_together<S, T>)
           refine(surface, normals, PN::with_normal_scheme(s, t), creases, refinement);
     },
     scheme, normal_scheme);

@@ -23,7 +23,7 @@ void refine_with_normal_scheme(Surface& surface, Normal_map normals, const Schem
     [&](const auto& s, const auto& t) {
       using S = std::decay_t<decltype(s)>;
       using T = std::decay_t<decltype(t)>;
-      if constexpr (have_same_host<S, T> && !std::is_same_v<S, T>)
+      if constexpr (go_together<S, T>)
         CGAL::PN_subdivision_3::subdivide<Tag>(
           surface, CGAL::PN_subdivision_3::with_normal_scheme(s, t),
           CGAL::parameters::number_of_iterations(refinement.levels)

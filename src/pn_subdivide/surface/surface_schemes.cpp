@@ -39,20 +39,44 @@ std::vector<std::string> all_names()
 }
 
 template <class S>
-S with_parameter(const S& scheme, const Scheme_choice& choice)
+constexpr bool has_first_round_v = std::is_constructible_v<S, double, unsigned, PN::Tuned_valences>;
+
+PN::Tuned_valences tuned_valences(const Scheme_choice& choice)
+{
+  const std::string word = choice.tuned_valences.value_or("all");
+  if (word != "all" && word != "diverging")
+    throw Usage_error("--tuned-valences '" + word + "': it takes all or diverging");
+  return word == "all" ? PN::Tuned_valences::all : PN::Tuned_valences::diverging;
+}
+
+template <class S>
+S with_parameter(const Scheme_choice& choice)
 {
   const auto given = choice.parameters.find(S::parameter_name());
-  if (given == choice.parameters.end()) return scheme;
+  const double value = given == choice.parameters.end() ? S::default_parameter() : given->second;
   try {
-    return S(given->second);
+    if constexpr (has_first_round_v<S>) {
+      if (choice.first_round == 0u) throw Usage_error("--first-round must be at least 1");
+      return S(value, choice.first_round.value_or(1), tuned_valences(choice));
+    } else
+      return S(value);
   } catch (const std::invalid_argument& e) {
     throw Usage_error(std::string("--") + S::parameter_name() + ": " + e.what());
   }
 }
 
-void require_same_host(const Scheme_choice& choice, const Scheme& scheme,
-                       const Scheme& normal_scheme)
+void require_that_they_go_together(const Scheme_choice& choice, const Scheme& scheme,
+                                   const Scheme& normal_scheme)
 {
+  if (choice.scheme == *choice.normal_scheme) return;
+  for (const Scheme* const s : {&scheme, &normal_scheme})
+    std::visit(
+      [&](const auto& t) {
+        if (Transfers_curvature<std::decay_t<decltype(t)>>::value)
+          throw Usage_error("--normal-scheme: " + std::string(t.name()) +
+                            " refines points and normals together and goes with no other scheme");
+      },
+      *s);
   const bool same = std::visit(
     [](const auto& s, const auto& t) {
       return have_same_host<std::decay_t<decltype(s)>, std::decay_t<decltype(t)>>;
@@ -63,8 +87,27 @@ void require_same_host(const Scheme_choice& choice, const Scheme& scheme,
                       choice.scheme + ": they split the faces differently");
 }
 
+std::vector<std::string> modified_schemes()
+{
+  std::vector<std::string> names;
+  PN::for_each_shipped_scheme([&names](const auto& scheme) {
+    if constexpr (has_first_round_v<std::decay_t<decltype(scheme)>>) names.push_back(scheme.name());
+  });
+  return names;
+}
+
+void require_use_of_policy(const Scheme_choice& choice)
+{
+  if (!choice.first_round && !choice.tuned_valences) return;
+  for (const std::string& name : modified_schemes())
+    if (choice.scheme == name || choice.normal_scheme == name) return;
+  throw Usage_error(std::string(choice.first_round ? "--first-round" : "--tuned-valences") +
+                    " belongs to the schemes " + enumeration(modified_schemes(), "and"));
+}
+
 void require_use_of_parameters(const Scheme_choice& choice)
 {
+  require_use_of_policy(choice);
   for (const Scheme_parameter& p : scheme_parameters()) {
     const auto takes_it = [&p](const std::string& scheme) {
       return std::find(p.schemes.begin(), p.schemes.end(), scheme) != p.schemes.end();
@@ -83,6 +126,11 @@ void require_use_of_parameters(const Scheme_choice& choice)
 std::string scheme_names()
 {
   return enumeration(all_names(), "or");
+}
+
+std::string modified_scheme_names()
+{
+  return enumeration(modified_schemes(), "and");
 }
 
 std::vector<Scheme_parameter> scheme_parameters()
@@ -109,7 +157,7 @@ Scheme make_scheme(const std::string& option, const std::string& name, const Sch
     using S = std::decay_t<decltype(scheme)>;
     if (name != S::name()) return;
     if constexpr (PN::has_parameter_v<S>)
-      found = with_parameter(scheme, choice);
+      found = with_parameter<S>(choice);
     else
       found = scheme;
   });
@@ -126,8 +174,8 @@ void require_surface_schemes(const Scheme_choice& choice)
   if (choice.scheme.empty()) return;
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   if (choice.normal_scheme)
-    require_same_host(choice, scheme,
-                      make_scheme("--normal-scheme", *choice.normal_scheme, choice));
+    require_that_they_go_together(choice, scheme,
+                                  make_scheme("--normal-scheme", *choice.normal_scheme, choice));
 }
 
 bool needs_triangles(const std::string& scheme)

@@ -24,11 +24,15 @@ struct Scheme_choice
   std::string scheme;                       // empty: the mesh's faces decide
   std::optional<std::string> normal_scheme; // the scheme's own mask if there is none
   std::map<std::string, double> parameters; // as given: {"cap", 0.5}
+  // which rounds and valences the modified schemes change, as given
+  std::optional<unsigned> first_round;
+  std::optional<std::string> tuned_valences;
 
   bool operator==(const Scheme_choice& other) const
   {
     return scheme == other.scheme && normal_scheme == other.normal_scheme &&
-           parameters == other.parameters;
+           parameters == other.parameters && first_round == other.first_round &&
+           tuned_valences == other.tuned_valences;
   }
 };
 
@@ -43,6 +47,8 @@ struct Scheme_parameter
 // Names with commas between, "or" before the last.
 std::string scheme_names();
 std::vector<Scheme_parameter> scheme_parameters();
+// As scheme_names(), of those that have a first round.
+std::string modified_scheme_names();
 
 // Throws Usage_error if there is no such scheme, or if these do not go together.
 void require_surface_schemes(const Scheme_choice& choice);

@@ -166,6 +166,44 @@ TEST_F(Pn_subdivide, ModifiedSchemesAreModifiedWhereVerticesAreSeparated)
                             "modified-catmull-clark"));
 }
 
+// The policy of the paper: a plain first round, and no rules for valence 3.
+TEST_F(Pn_subdivide, TheFirstRoundOfModifiedSchemesIsAnOption)
+{
+  std::string off = "OFF\n15 7 0\n0 0 1\n"; // seven quads about a vertex
+  for (int i = 0; i < 14; ++i) {
+    const double angle = std::acos(-1.) * i / 7;
+    off += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+  }
+  for (int i = 0; i < 7; ++i)
+    off += "4 0 " + std::to_string(1 + 2 * i) + " " + std::to_string(2 + 2 * i) + " " +
+           std::to_string(1 + (2 * i + 2) % 14) + "\n";
+  const std::string input = folder.write("seven.off", off);
+  const auto points = [&](const std::string& file, const std::string& options) {
+    return refined(file, options).points;
+  };
+  const std::string modified = " --scheme modified-catmull-clark ";
+  EXPECT_NE(points(input, "--levels 1" + modified), points(input, "--scheme catmull-clark"));
+  EXPECT_EQ(points(input, "--levels 1 --first-round 2" + modified),
+            points(input, "--levels 1 --scheme catmull-clark"));
+  EXPECT_NE(points(input, "--levels 2 --first-round 2" + modified),
+            points(input, "--levels 2 --scheme catmull-clark"));
+  EXPECT_EQ(points(input, "--levels 2 --first-round 1 --tuned-valences all" + modified),
+            points(input, "--levels 2" + modified));
+  const std::string of_valence_3 = folder.write("cube.off", cube);
+  EXPECT_EQ(points(of_valence_3, "--levels 3 --tuned-valences diverging" + modified),
+            points(of_valence_3, "--levels 3 --scheme catmull-clark"));
+  EXPECT_NE(points(of_valence_3, "--levels 3" + modified),
+            points(of_valence_3, "--levels 3 --scheme catmull-clark"));
+  // the limit counts the rounds
+  EXPECT_NE(points(input, "--levels 1 --limit --first-round 2" + modified),
+            points(input, "--levels 1 --limit" + modified));
+  for (const char* wrong : {"--first-round 0", "--first-round -1", "--first-round x",
+                            "--tuned-valences some", "--tuned-valences ''"})
+    expect_failure(input, modified + wrong, 2, "--");
+  expect_failure(input, "--scheme catmull-clark --first-round 2", 2, "belongs");
+  expect_failure(input, "--scheme catmull-clark --tuned-valences all", 2, "belongs");
+}
+
 TEST_F(Pn_subdivide, SpheresStaySpheres)
 {
   const struct

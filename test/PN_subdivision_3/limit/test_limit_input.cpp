@@ -460,26 +460,67 @@ TEST(Limit_numbers, IntervalsContainTheLimitOfALevel)
   }
 }
 
-// --- rounds of sqrt(3) ---
+// --- schemes whose rounds differ ---
 
-// Its border is refined in even rounds only: with the number of rounds done the limits of a mesh in the
+// The limits at all vertices of a level, as the mesh after each of some rounds tells of them.
+template <class Scheme>
+void expect_limits_that_continue_the_call(const Control_mesh& control, const Scheme& scheme,
+                                          double tolerance)
+{
+  std::vector<Limits> from;
+  for (unsigned rounds = 0; rounds <= 3; ++rounds) {
+    Surface_mesh mesh = to_surface_mesh(control);
+    PN::subdivide(
+      mesh, scheme,
+      CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
+    PN::Limit_options options = close(1e-12);
+    options.rounds_done = rounds;
+    from.push_back(limits(mesh, scheme, options));
+    for (unsigned before = 0; before < rounds; ++before)
+      for (std::size_t v = 0; v < from[before].at.size(); ++v)
+        EXPECT_LE(
+          std::sqrt(CGAL::squared_distance(from[before].at[v].point, from[rounds].at[v].point)),
+          tolerance)
+          << "vertex " << v << " of level " << before << ", from level " << rounds;
+  }
+}
+
+// The border is refined in even rounds only: with the number of rounds done the limits of a mesh in the
 // middle of a call are those of its beginning.
 TEST(Limit_rounds, OfSqrt3ContinueTheCall)
 {
   Control_mesh control = test_meshes::grid(4, 3, false, false, Cells::triangles);
   test_meshes::set_uneven_normals(control, 5);
-  Surface_mesh mesh = to_surface_mesh(control);
-  const Limits base = limits(mesh, PN::Sqrt3_scheme(), close(1e-12));
-  for (const unsigned rounds : {1u, 2u, 3u}) {
-    Surface_mesh fine = to_surface_mesh(control);
-    refine<Sqrt3_description>(fine, rounds);
-    PN::Limit_options options = close(1e-12);
-    options.rounds_done = rounds;
-    const Limits now = limits(fine, PN::Sqrt3_scheme(), options);
-    for (std::size_t v = 0; v < base.at.size(); ++v)
-      EXPECT_LE(CGAL::squared_distance(base.at[v].point, now.at[v].point), 1e-20)
-        << rounds << " rounds, vertex " << v;
+  expect_limits_that_continue_the_call(control, PN::Sqrt3_scheme(), 1e-10);
+}
+
+TEST(Limit_rounds, OfModifiedSchemesContinueTheCall)
+{
+  Control_mesh quads = test_meshes::in_quads(test_meshes::bipyramid(5)),
+               triangles = test_meshes::bipyramid(7);
+  test_meshes::set_uneven_normals(quads, 5);
+  test_meshes::set_uneven_normals(triangles, 6);
+  for (const unsigned first : {1u, 2u, 3u, 4u}) {
+    expect_limits_that_continue_the_call(quads, PN::modified_CatmullClark_scheme(.5, first), 1e-10);
+    expect_limits_that_continue_the_call(
+      triangles, PN::modified_Loop_scheme(.5, first, PN::Tuned_valences::diverging), 1e-10);
   }
+}
+
+TEST(Limit_rounds, AFirstRoundFarAwayIsRefused)
+{
+  Control_mesh control = test_meshes::bipyramid(7);
+  test_meshes::set_uneven_normals(control, 1);
+  Surface_mesh mesh = to_surface_mesh(control);
+  try {
+    limits(mesh, PN::modified_Loop_scheme(.5, 9), close(1e-3));
+    ADD_FAILURE() << "no exception";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("first round"), std::string::npos) << e.what();
+  }
+  PN::Limit_options options = close(1e-3);
+  options.rounds_done = 8;
+  EXPECT_NO_THROW(limits(mesh, PN::modified_Loop_scheme(.5, 9), options));
 }
 
 } // namespace

@@ -19,9 +19,10 @@ using reference::Vector;
 using test_meshes::Cells;
 using test_meshes::Control_mesh;
 
-using Primal_schemes = testing::Types<CatmullClark_description, Loop_description, Sqrt3_description,
-                                      Butterfly_description, Kobbelt_description,
-                                      Modified_CatmullClark_description, Modified_Loop_description>;
+using Primal_schemes =
+  testing::Types<CatmullClark_description, Loop_description, Sqrt3_description,
+                 Butterfly_description, Kobbelt_description, Modified_CatmullClark_description,
+                 Modified_Loop_description, Ct_CatmullClark_description, Ct_Loop_description>;
 
 template <class Description>
 class Limit_points : public testing::Test

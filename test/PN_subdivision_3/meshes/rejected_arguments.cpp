@@ -96,6 +96,9 @@ void reject(Mesh& mesh)
   PN::estimate_control_normals(mesh, normals, params::number_of_iterations(2));
   // expected: a named parameter is given that is not used here
 
+  PN::subdivide(mesh, PN::with_normal_scheme(PN::ct_Loop_scheme(), PN::Loop_scheme()));
+  // expected: a scheme that transfers curvature refines points and normals together
+
   struct Visitor
   {
     void face_made(Mesh::Face_index) {}

@@ -72,18 +72,25 @@ inline Point_normal new_value(const Row& row, const Values& old, bool linear)
   return pn_rule(shorter, shorter, used);
 }
 
-// Refine is a function (Face_list, round) -> Refined.
-template <class Refine>
-Patch refined(const Patch& patch, const Refine& refine, unsigned round, int rings, bool linear)
+// Refine is a function (Face_list, round) -> Refined, finish one (Face_list, new values).
+template <class Refine, class Finish>
+Patch refined(const Patch& patch, const Refine& refine, const Finish& finish, unsigned round,
+              int rings, bool linear)
 {
   const Face_list list = patch.face_list();
   const Refined all = refine(list, round);
+  Values values;
+  for (const Row& row : all.points) {
+    const Point_normal value = new_value(row, patch.values, linear);
+    values.points.push_back(value.point);
+    values.normals.push_back(value.normal);
+  }
+  if (!linear) finish(list, values);
   const auto [vertices, faces] = cut_out(all.faces, 0, rings);
   Patch result{faces, {}};
   for (int v : vertices) {
-    const Point_normal value = new_value(all.points[std::size_t(v)], patch.values, linear);
-    result.values.points.push_back(value.point);
-    result.values.normals.push_back(value.normal);
+    result.values.points.push_back(values.points[std::size_t(v)]);
+    result.values.normals.push_back(values.normals[std::size_t(v)]);
   }
   return result;
 }
@@ -113,8 +120,9 @@ inline Vector polygon_normal(const Patch& patch)
 }
 
 // The point is moved to the origin after each round, so that small rings keep their digits.
-template <class Refine>
-Limit limit_by_rounds(Patch patch, const Refine& refine, int rounds, int rings, bool linear)
+template <class Refine, class Finish>
+Limit limit_by_rounds(Patch patch, const Refine& refine, const Finish& finish, int rounds,
+                      int rings, bool linear)
 {
   Vector origin = Vector::Zero(), earlier = Vector::Zero();
   for (int k = 0;; ++k) {
@@ -123,7 +131,7 @@ Limit limit_by_rounds(Patch patch, const Refine& refine, int rounds, int rings, 
     for (Vector& q : patch.values.points) q -= p;
     origin += p;
     if (k == rounds) break;
-    patch = refined(patch, refine, unsigned(k + 1), rings, linear);
+    patch = refined(patch, refine, finish, unsigned(k + 1), rings, linear);
   }
   const Vector normal = polygon_normal(patch);
   return {origin, patch.values.normals[0], normal, (normal - earlier).norm()};

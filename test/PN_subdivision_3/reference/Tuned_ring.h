@@ -28,7 +28,9 @@ class Tuned_ring
 {
 public:
   // `plain` acts on the vertex and `groups` rings of `valence` vertices each; the pair of
-  // eigenvalues lambda becomes `new_lambda`, or stays if this is 0.
+  // eigenvalues lambda becomes `new_lambda`, or stays if this is 0. With a cap of 0, which stands for
+  // 1/2, the quadratic ones (of frequency 0 the second, of 2 the first; of groups of 3 instead the
+  // second of frequency 1) become the square of lambda.
   Tuned_ring(const Matrix& plain, int valence, int groups, Real cap, Real new_lambda)
     : basis_(Complex_matrix::Zero(plain.rows(), plain.rows()))
     , matrix_(Complex_matrix::Zero(plain.rows(), plain.rows()))
@@ -45,11 +47,16 @@ public:
                     : transformed.block(column(k, 0, groups), column(k, 0, groups), groups, groups);
     };
     lambda_ = new_lambda > 0 ? new_lambda : greatest(block_of(1));
-    bound_ = cap * lambda_ * lambda_;
-    matrix_.topLeftCorner(1 + groups, 1 + groups) = with_greatest(block_of(0), 1);
-    for (int k = 1; k < valence; ++k)
+    const Real square = cap == 0 ? lambda_ * lambda_ : 0;
+    bound_ = (cap == 0 ? Real(0.5) : cap) * lambda_ * lambda_;
+    matrix_.topLeftCorner(1 + groups, 1 + groups) = with_greatest(block_of(0), 1, square);
+    for (int k = 1; k < valence; ++k) {
+      const bool is_dominant = k == 1 || k == valence - 1, is_second = k == 2 || k == valence - 2;
       matrix_.block(column(k, 0, groups), column(k, 0, groups), groups, groups) =
-        k == 1 || k == valence - 1 ? with_greatest(block_of(k), lambda_) : capped(block_of(k));
+        is_dominant ? with_greatest(block_of(k), lambda_, valence == 3 && groups == 2 ? square : 0)
+        : is_second && square > 0 ? with_greatest(block_of(k), square)
+                                  : capped(block_of(k));
+    }
   }
 
   Matrix matrix() const { return (basis_ * matrix_ * basis_.adjoint()).real(); }
@@ -71,13 +78,18 @@ private:
 
   Complex capped(Complex x) const { return std::abs(x) > bound_ ? x * (bound_ / std::abs(x)) : x; }
 
-  // The block with all eigenvalues capped, but the greatest one is replaced by `replacement`.
-  Complex_matrix with_greatest(const Complex_matrix& block, Real replacement) const
+  // The block with all eigenvalues capped, but the greatest one is replaced by `replacement`, and the
+  // next one by `second`, if these are not 0.
+  Complex_matrix with_greatest(const Complex_matrix& block, Real replacement, Real second = 0) const
   {
     const Eigen::ComplexEigenSolver<Complex_matrix> solver(block);
     Complex_vector values = solver.eigenvalues();
     const Eigen::Index greatest = greatest_of(values);
+    Complex_vector others = values;
+    others[greatest] = 0;
+    const Eigen::Index next = greatest_of(others);
     for (Complex& x : values) x = capped(x);
+    if (second > 0) values[next] = second;
     if (replacement > 0) values[greatest] = replacement;
     return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().inverse();
   }

@@ -164,6 +164,120 @@ TEST(Separated_vertex, HasNoNeighborOfValenceTwo)
   expect_modified_about<Quads>(star(2, 2, Cells::quads), 0, {});
 }
 
+// --- the policy: rounds and valences ---
+
+TYPED_TEST(Modified_scheme, IsTheUnmodifiedOneBeforeItsFirstRound)
+{
+  using Modified = typename TypeParam::Modified;
+  const Surface_mesh mesh = to_surface_mesh(star(7, 2, TypeParam::cells));
+  const Eigen::MatrixXd plain = PN::subdivision_matrix(mesh, TypeParam::unmodified()),
+                        modified = PN::subdivision_matrix(mesh, Modified());
+  ASSERT_NE(plain, modified);
+  for (const unsigned first : {1u, 2u, 5u})
+    for (const unsigned round : {1u, 2u, 3u, 4u, 5u, 6u})
+      EXPECT_EQ(PN::subdivision_matrix(mesh, Modified(.5, first), round).toDense(),
+                round < first ? plain : modified)
+        << first << ", " << round;
+  EXPECT_EQ(Modified(.5, 3).first_round(), 3u);
+  EXPECT_THROW(Modified(.5, 0), std::invalid_argument);
+}
+
+// Plain first rounds and the modified ones after them, call by call and in one call.
+TYPED_TEST(Modified_scheme, CountsTheRoundsOfOneCall)
+{
+  using Modified = typename TypeParam::Modified;
+  Control_mesh control = star(5, 2, TypeParam::cells);
+  test_meshes::set_uneven_normals(control, 3);
+  const auto rounds = [](Surface_mesh& mesh, const auto& scheme, unsigned n) {
+    PN::subdivide(mesh, scheme,
+                  CGAL::parameters::number_of_iterations(n).vertex_normal_map(normal_map(mesh)));
+  };
+  Surface_mesh one_call = to_surface_mesh(control), two_calls = to_surface_mesh(control),
+               restarted = to_surface_mesh(control);
+  rounds(one_call, Modified(.5, 3), 4);
+  rounds(two_calls, TypeParam::unmodified(), 2);
+  rounds(two_calls, Modified(), 2);
+  EXPECT_TRUE(is_within(difference_by_index(result_of(one_call), result_of(two_calls)), 0));
+  for (int i = 0; i < 4; ++i) rounds(restarted, Modified(.5, 3), 1);
+  EXPECT_FALSE(is_within(difference_by_index(result_of(one_call), result_of(restarted)), 1e-6));
+}
+
+TYPED_TEST(Modified_scheme, LeavesValencesOfBoundedCurvatureAloneIfAsked)
+{
+  using Modified = typename TypeParam::Modified;
+  const auto left_alone =
+    TypeParam::groups == 2 ? std::set<int>{3} : std::set<int>{4, 5}; // as in the paper
+  for (const int n : {3, 4, 5, 6, 7, 9}) {
+    if (n == TypeParam::regular_valence) continue;
+    const Matrix m = ring_matrix<TypeParam>(n, Modified(.3, 1, PN::Tuned_valences::diverging));
+    const Matrix expected = left_alone.count(n) != 0
+                              ? ring_matrix<TypeParam>(n, TypeParam::unmodified())
+                              : ring_matrix<TypeParam>(n, Modified(.3));
+    EXPECT_EQ(m, expected) << n;
+    EXPECT_NE(ring_matrix<TypeParam>(n, TypeParam::unmodified()),
+              ring_matrix<TypeParam>(n, Modified(.3)));
+  }
+  const Modified paper = Modified::of_the_paper();
+  EXPECT_EQ(paper.first_round(), 2u);
+  EXPECT_EQ(paper.valences(), PN::Tuned_valences::diverging);
+}
+
+// A vertex that is left alone keeps its neighbors from being separated all the same.
+TEST(Modified_CatmullClark, SeparatesVerticesAlsoFromThoseLeftAlone)
+{
+  Control_mesh control = test_meshes::in_quads(test_meshes::bipyramid(7));
+  test_meshes::set_uneven_normals(control, 1);
+  const Surface_mesh mesh = to_surface_mesh(control);
+  EXPECT_EQ(
+    PN::subdivision_matrix(mesh, PN::CatmullClark_scheme()).toDense(),
+    PN::subdivision_matrix(mesh, PN::modified_CatmullClark_scheme::of_the_paper(), 2).toDense());
+}
+
+// --- transfer of curvature on meshes with creases ---
+
+// Far from a crease all is as without it; a vertex on one has no ring of its own.
+TEST(Transfer_of_curvature, IsTheSameBesideCreases)
+{
+  for (const bool quads : {true, false}) {
+    Control_mesh control = star(5, 4, quads ? Cells::quads : Cells::triangles);
+    test_meshes::set_uneven_normals(control, 9);
+    const auto refined = [&](bool creased, unsigned rounds, bool at_the_vertex) {
+      Surface_mesh mesh = to_surface_mesh(control);
+      auto sharp = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+      const auto middle = Surface_mesh::Vertex_index(0);
+      if (creased)
+        for (const auto e : mesh.edges()) {
+          const bool is_at = mesh.vertex(e, 0) == middle || mesh.vertex(e, 1) == middle;
+          const bool is_outer =
+            mesh.is_border(mesh.vertex(e, 0)) != mesh.is_border(mesh.vertex(e, 1));
+          sharp[e] = at_the_vertex ? is_at : is_outer;
+        }
+      const auto np = CGAL::parameters::number_of_iterations(rounds)
+                        .vertex_normal_map(normal_map(mesh))
+                        .edge_is_constrained_map(sharp);
+      if (quads)
+        PN::subdivide(mesh, PN::ct_CatmullClark_scheme(), np);
+      else
+        PN::subdivide(mesh, PN::ct_Loop_scheme(), np);
+      return result_of(mesh).values;
+    };
+    const auto plain = refined(false, 2, false), beside = refined(true, 2, false),
+               through = refined(true, 2, true);
+    const auto star_mesh = test_meshes::face_list(control);
+    // new values next to the middle: the vertex and its first edges
+    EXPECT_EQ(plain.points[0], beside.points[0]);
+    EXPECT_EQ(plain.normals[0], beside.normals[0]);
+    for (const int u : star_mesh.ring(0)) {
+      EXPECT_EQ(plain.points[std::size_t(u)], beside.points[std::size_t(u)]) << u;
+      EXPECT_EQ(plain.normals[std::size_t(u)], beside.normals[std::size_t(u)]) << u;
+    }
+    EXPECT_NE(plain.points[0], through.points[0]);
+    // at the vertex the rules are those of a corner, and nothing is transferred
+    EXPECT_EQ(through.points[0],
+              reference::Vector(control.points[0][0], control.points[0][1], control.points[0][2]));
+  }
+}
+
 // --- weights ---
 
 TYPED_TEST(Modified_scheme, EqualsTheReferenceForAllCapsAndValences)

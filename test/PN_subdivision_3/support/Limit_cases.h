@@ -83,7 +83,7 @@ reference::Limit brute_force(const test_meshes::Control_mesh& control, int v, bo
   }
   return reference::limit_by_rounds(
     patch, [](const auto& list, unsigned round) { return Description::refine(list, round); },
-    rounds, rings, linear);
+    &Description::finish_round, rounds, rings, linear);
 }
 
 } // namespace limit_cases

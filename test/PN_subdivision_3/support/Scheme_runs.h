@@ -118,6 +118,7 @@ Result reference_result(Surface_mesh& mesh, unsigned rounds, Rule rule)
     const reference::Matrix weights = refined.weights(level.number_of_vertices());
     result.values =
       rule == Rule::pn ? pn_round(weights, result.values) : linear_round(weights, result.values);
+    if (rule == Rule::pn) Description::finish_round(level, result.values);
     result.faces = refined.faces;
     level = reference::Face_list(int(refined.points.size()), refined.faces);
   }

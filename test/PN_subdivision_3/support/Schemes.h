@@ -16,6 +16,7 @@
 #include "Test_meshes.h"
 #include "reference/Butterfly.h"
 #include "reference/CatmullClark.h"
+#include "reference/Curvature_transfer.h"
 #include "reference/DooSabin.h"
 #include "reference/Kobbelt.h"
 #include "reference/Loop.h"
@@ -47,8 +48,14 @@ struct Scheme_description
   static constexpr unsigned rounds_of_reproduction = 6;
   // by how much at least a round multiplies the faces of a closed mesh of its kind, about
   static constexpr double growth = 4;
+  // where all normals are equal it is its linear twin
+  static constexpr bool is_linear_for_equal_normals = true;
+  // intervals enclose the result, and normals are as exact as the number type
+  static constexpr bool takes_intervals = true;
   // CGAL's linear function, and its mask in its host
   using Cgal = void;
+  // what comes after a point-normal round on `mesh`, for the values of the new vertices
+  static void finish_round(const reference::Face_list& /*mesh*/, reference::Values& /*values*/) {}
 };
 
 struct CatmullClark_description : Scheme_description
@@ -141,9 +148,41 @@ struct Modified_Loop_description : Scheme_description
   }
 };
 
+struct Ct_CatmullClark_description : Scheme_description
+{
+  static constexpr bool is_linear_for_equal_normals = false;
+  static constexpr bool takes_intervals = false;
+  static auto scheme() { return CGAL::PN_subdivision_3::ct_CatmullClark_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::modified_catmull_clark(mesh, 0);
+  }
+  static void finish_round(const reference::Face_list& mesh, reference::Values& values)
+  {
+    reference::transfer_curvature(mesh, true, values);
+  }
+};
+
+struct Ct_Loop_description : Scheme_description
+{
+  static constexpr std::size_t degree = 3;
+  static constexpr bool is_linear_for_equal_normals = false;
+  static constexpr bool takes_intervals = false;
+  static auto scheme() { return CGAL::PN_subdivision_3::ct_Loop_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::modified_loop(mesh, 0);
+  }
+  static void finish_round(const reference::Face_list& mesh, reference::Values& values)
+  {
+    reference::transfer_curvature(mesh, false, values);
+  }
+};
+
 using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,
                                Sqrt3_description, Butterfly_description, Kobbelt_description,
-                               Modified_CatmullClark_description, Modified_Loop_description>;
+                               Modified_CatmullClark_description, Modified_Loop_description,
+                               Ct_CatmullClark_description, Ct_Loop_description>;
 
 // A scheme that is shipped has a description, and one alone has its name.
 template <class Scheme, class... Descriptions>

@@ -11,12 +11,13 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
 
 #include <array>
 #include <cstddef>
@@ -51,7 +52,7 @@ struct CatmullClark_eigenvalues
 template <class Number>
 struct Tuned_CatmullClark_frequencies
 {
-  Tuned_CatmullClark_frequencies(std::size_t n, const Number& new_lambda, const Number& bound)
+  Tuned_CatmullClark_frequencies(std::size_t n, const Number& new_lambda, const Ring_tuning& tuning)
     : edge_edge(n, Number(0))
     , edge_face(n, Number(0))
     , face_edge(n, Number(0))
@@ -64,8 +65,10 @@ struct Tuned_CatmullClark_frequencies
     for (std::size_t k = 1; k < n; ++k) {
       const CatmullClark_eigenvalues<Number> old(k, n);
       const bool is_dominant = k == 1 || k == n - 1;
-      const Number greater = is_dominant ? new_lambda : capped(old.greater, bound);
-      const Number lesser = capped(old.lesser, bound);
+      const bool is_quadratic = k == 2 || k == n - 2;
+      const Number greater =
+        is_dominant ? new_lambda : tuning.other(old.greater, is_quadratic, new_lambda);
+      const Number lesser = tuning.other(old.lesser, n == 3, new_lambda);
       // A_k' = slope A_k + shift
       const Number slope = 2 * k == n ? Number(0) : Number((greater - lesser) / old.difference);
       const Number shift = lesser - slope * old.lesser;
@@ -92,7 +95,7 @@ using Matrix_3x3 = std::array<std::array<Number, 3>, 3>;
 // (p' - p) (A_0 - 1)(A_0 - q) / ((p - 1)(p - q)), plus the same with p and q exchanged.
 template <class Number>
 Matrix_3x3<Number> tuned_CatmullClark_mean(std::size_t valence, const Number& root,
-                                           const Number& bound)
+                                           const Number& new_lambda, const Ring_tuning& tuning)
 {
   const Number n(static_cast<int>(valence)), one(1), four_n = Number(4) * n;
   const Matrix_3x3<Number> a = {{{one - Number(7) / four_n, Number(6) / four_n, one / four_n},
@@ -100,8 +103,8 @@ Matrix_3x3<Number> tuned_CatmullClark_mean(std::size_t valence, const Number& ro
                                  {one / Number(4), one / Number(2), one / Number(4)}}};
   const Number p = (Number(3) * n - Number(7) + root) / (Number(8) * n);
   const Number q = (Number(3) * n - Number(7) - root) / (Number(8) * n);
-  const Number of_p = (capped(p, bound) - p) / ((p - one) * (p - q));
-  const Number of_q = (capped(q, bound) - q) / ((q - one) * (q - p));
+  const Number of_p = (tuning.other(p, true, new_lambda) - p) / ((p - one) * (p - q));
+  const Number of_q = (tuning.other(q, false, new_lambda) - q) / ((q - one) * (q - p));
   // A_0 + (A_0 - 1) (slope A_0 - shift)
   const Number slope = of_p + of_q, shift = of_p * q + of_q * p;
   Matrix_3x3<Number> result = a;
@@ -170,10 +173,18 @@ public:
   using Index = Level_connectivity::Index;
 
   modified_CatmullClark_mask(const Level_connectivity& level, double cap)
+    : modified_CatmullClark_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
+  {}
+  /// in a round, counted from 1.
+  modified_CatmullClark_mask(const Level_connectivity& level, unsigned round,
+                             const internal::Ring_tuning& tuning)
     : level_(level)
     , plain_(level)
-    , separated_(level, 4, 4, [cap](Index n) { return weights(n, cap); })
-  {}
+  {
+    if (tuning.holds_in(round))
+      separated_ = {level, 4, 4, [&](Index n) { return weights(n, tuning); },
+                    [&](Index n) { return n > 3 || tuning.valences == Tuned_valences::all; }};
+  }
 
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
@@ -210,6 +221,9 @@ public:
   FT face_part_of_vertex(Index h, Index n) const { return plain_.face_part_of_vertex(h, n); }
   FT face_part_of_edge(Index h) const { return plain_.face_part_of_edge(h); }
 
+  /// the vertices with rules of their own, in ascending order.
+  std::vector<Index> separated_vertices() const { return separated_.vertices(); }
+
 private:
   // The weights of e_d and f_d; v has the rest.
   struct Ring_weights
@@ -234,15 +248,14 @@ private:
     s.add_rest(level_.target(h));
   }
 
-  static Weights weights(Index n, double cap)
+  static Weights weights(Index n, const internal::Ring_tuning& tuning)
   {
     using Number =
       internal::Weight_number<FT, internal::Has_trigonometry<FT>, internal::Has_square_root<FT>>;
     const Number new_lambda = n == 3 ? Number(Number(1) / Number(2))
                                      : internal::CatmullClark_eigenvalues<Number>(1, n).greater;
-    const Number bound = Number(cap) * new_lambda * new_lambda;
-    const internal::Tuned_CatmullClark_frequencies<Number> other(n, new_lambda, bound);
-    const auto mean = frequency_zero(n, cap, bound);
+    const internal::Tuned_CatmullClark_frequencies<Number> other(n, new_lambda, tuning);
+    const auto mean = frequency_zero(n, new_lambda, tuning);
     const auto sum = [](const FT& mean_weight, const Number& other_weight) {
       return FT(mean_weight + internal::rounded_weight<FT>(other_weight));
     };
@@ -261,16 +274,17 @@ private:
 
   // A_0' / n, which is rational for n = 3
   template <class Number>
-  static internal::Matrix_3x3<FT> frequency_zero(Index n, double cap, const Number& bound)
+  static internal::Matrix_3x3<FT> frequency_zero(Index n, const Number& new_lambda,
+                                                 const internal::Ring_tuning& tuning)
   {
     internal::Matrix_3x3<FT> result;
     if (n == 3)
-      result = internal::tuned_CatmullClark_mean<FT>(n, FT(2), FT(FT(cap) / FT(4)));
+      result = internal::tuned_CatmullClark_mean<FT>(n, FT(2), FT(FT(1) / FT(2)), tuning);
     else {
       const Number size = Number(int(n));
       const Number square = (Number(5) * size - Number(30)) * size + Number(49);
-      const auto rounded =
-        internal::tuned_CatmullClark_mean<Number>(n, internal::square_root(square), bound);
+      const auto rounded = internal::tuned_CatmullClark_mean<Number>(
+        n, internal::square_root(square), new_lambda, tuning);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           result[i][j] = internal::rounded_weight<FT>(rounded[i][j]);
@@ -305,16 +319,30 @@ public:
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
 
-  /// \pre `0 < cap <= 1`
-  /// \throws std::invalid_argument otherwise
-  explicit modified_CatmullClark_scheme(double cap = default_parameter())
-    : cap_(internal::checked_cap(cap))
+  /*!
+  The rules of the modified scheme hold from round `first_round` of a call on, those of `CatmullClark_scheme`
+  before; the rounds of every call are counted from 1. They hold at `valences`.
+  \pre `0 < cap <= 1`, `first_round >= 1`
+  \throws std::invalid_argument otherwise
+  */
+  explicit modified_CatmullClark_scheme(double cap = default_parameter(), unsigned first_round = 1,
+                                        Tuned_valences valences = Tuned_valences::all)
+    : tuning_(cap, first_round, valences)
   {}
 
-  template <class FT>
-  modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  /// the policy of Yang's paper: a plain first round, and plain rules at valence 3.
+  static modified_CatmullClark_scheme of_the_paper(double cap = default_parameter())
   {
-    return modified_CatmullClark_mask<FT>(level, cap_);
+    return modified_CatmullClark_scheme(cap, 2, Tuned_valences::diverging);
+  }
+
+  unsigned first_round() const { return tuning_.first_round; }
+  Tuned_valences valences() const { return tuning_.valences; }
+
+  template <class FT>
+  modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  {
+    return modified_CatmullClark_mask<FT>(level, round, tuning_);
   }
 
   /// see `estimated_row_entries()`: the edges and faces of a separated vertex of valence n have 2n entries each, other faces those of `CatmullClark_scheme`.
@@ -330,7 +358,7 @@ public:
   }
 
 private:
-  double cap_;
+  internal::Ring_tuning tuning_;
 };
 
 } // namespace PN_subdivision_3

@@ -11,12 +11,13 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
 
 #include <vector>
 
@@ -62,10 +63,19 @@ public:
   using Index = Level_connectivity::Index;
 
   modified_Loop_mask(const Level_connectivity& level, double cap)
+    : modified_Loop_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
+  {}
+  /// in a round, counted from 1.
+  modified_Loop_mask(const Level_connectivity& level, unsigned round,
+                     const internal::Ring_tuning& tuning)
     : level_(level)
     , plain_(level)
-    , separated_(level, 6, 3, [cap](Index n) { return weights(n, cap); })
-  {}
+  {
+    const bool all = tuning.valences == Tuned_valences::all;
+    if (tuning.holds_in(round))
+      separated_ = {level, 6, 3, [&](Index n) { return weights(n, tuning); },
+                    [all](Index n) { return all || (n != 4 && n != 5); }};
+  }
 
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
@@ -90,6 +100,9 @@ public:
     s.add_rest(level_.target(h));
   }
 
+  /// the vertices with rules of their own, in ascending order.
+  std::vector<Index> separated_vertices() const { return separated_.vertices(); }
+
 private:
   struct Weights
   {
@@ -98,14 +111,14 @@ private:
   };
 
   // the cosines of valences 3 and 4 are rational
-  static Weights weights(Index n, double cap)
+  static Weights weights(Index n, const internal::Ring_tuning& tuning)
   {
     using Number = internal::Weight_number<FT, internal::Has_trigonometry<FT>>;
-    return n <= 4 ? tuned<FT>(n, FT(cap)) : tuned<Number>(n, Number(cap));
+    return n <= 4 ? tuned<FT>(n, tuning) : tuned<Number>(n, tuning);
   }
 
   template <class Number>
-  static Weights tuned(Index n, const Number& cap)
+  static Weights tuned(Index n, const internal::Ring_tuning& tuning)
   {
     const Number size = Number(int(n)), three_8ths = Number(3) / Number(8);
     std::vector<Number> cosine(n), eigenvalue(n);
@@ -113,10 +126,11 @@ private:
     for (Index k = 1; k < n; ++k) eigenvalue[k] = three_8ths + cosine[k] / Number(4);
     const Number lambda = eigenvalue[1], lambda2 = lambda * lambda;
     const Number new_lambda = n <= 4 ? Number(Number(1) / Number(2)) : lambda;
-    const Number bound = cap * new_lambda * new_lambda;
-    for (Index k = 2; k + 1 < n; ++k) eigenvalue[k] = internal::capped(eigenvalue[k], bound);
+    for (Index k = 2; k + 1 < n; ++k)
+      eigenvalue[k] = tuning.other(eigenvalue[k], k == 2 || k == n - 2, new_lambda);
     eigenvalue[1] = eigenvalue[n - 1] = new_lambda;
-    const Number kappa = (Number(1) - internal::capped(lambda2, bound)) / (Number(1) - lambda2);
+    const Number kappa =
+      (Number(1) - tuning.other(lambda2, true, new_lambda)) / (Number(1) - lambda2);
 
     Weights w;
     w.vertex_to_neighbor =
@@ -154,16 +168,30 @@ public:
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
 
-  /// \pre `0 < cap <= 1`
-  /// \throws std::invalid_argument otherwise
-  explicit modified_Loop_scheme(double cap = default_parameter())
-    : cap_(internal::checked_cap(cap))
+  /*!
+  The rules of the modified scheme hold from round `first_round` of a call on, those of `Loop_scheme`
+  before; the rounds of every call are counted from 1. They hold at `valences`.
+  \pre `0 < cap <= 1`, `first_round >= 1`
+  \throws std::invalid_argument otherwise
+  */
+  explicit modified_Loop_scheme(double cap = default_parameter(), unsigned first_round = 1,
+                                Tuned_valences valences = Tuned_valences::all)
+    : tuning_(cap, first_round, valences)
   {}
 
-  template <class FT>
-  modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
+  /// the policy of Yang's paper: a plain first round, and plain rules at valences 4 and 5.
+  static modified_Loop_scheme of_the_paper(double cap = default_parameter())
   {
-    return modified_Loop_mask<FT>(level, cap_);
+    return modified_Loop_scheme(cap, 2, Tuned_valences::diverging);
+  }
+
+  unsigned first_round() const { return tuning_.first_round; }
+  Tuned_valences valences() const { return tuning_.valences; }
+
+  template <class FT>
+  modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  {
+    return modified_Loop_mask<FT>(level, round, tuning_);
   }
 
   /// see `estimated_row_entries()`: the n edges of a separated vertex have n entries each.
@@ -175,7 +203,7 @@ public:
   }
 
 private:
-  double cap_;
+  internal::Ring_tuning tuning_;
 };
 
 } // namespace PN_subdivision_3

@@ -45,6 +45,16 @@ struct Has_normal_mask<Scheme, std::void_t<decltype(Scheme::has_normal_mask)>>
   : std::bool_constant<Scheme::has_normal_mask>
 {};
 
+// whether the scheme transfers curvature to the normals after a round, at the vertices that its mask
+// names in separated_vertices()
+template <class Scheme, class = void>
+struct Has_curvature_transfer : std::false_type
+{};
+template <class Scheme>
+struct Has_curvature_transfer<Scheme, std::void_t<decltype(Scheme::transfers_curvature)>>
+  : std::bool_constant<Scheme::transfers_curvature>
+{};
+
 template <class Scheme, class Element_names, class = void>
 struct Has_check : std::false_type
 {};
@@ -122,6 +132,7 @@ struct Scheme_adaptor
   static constexpr bool has_crease_rules = internal::Has_crease_rules<Scheme>::value;
   static constexpr bool is_linear = internal::Is_linear<Scheme>::value;
   static constexpr bool has_normal_mask = internal::Has_normal_mask<Scheme>::value;
+  static constexpr bool transfers_curvature = internal::Has_curvature_transfer<Scheme>::value;
 
   template <class FT>
   auto mask(const Level_connectivity& level, unsigned round) const
@@ -160,6 +171,7 @@ struct Linear_scheme : Scheme_adaptor<Scheme>
 {
   static constexpr bool is_linear = true;
   static constexpr bool has_normal_mask = false;
+  static constexpr bool transfers_curvature = false;
 };
 
 /// \ingroup PkgPNSubdivision3Schemes
@@ -179,6 +191,9 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
 {
   static_assert(std::is_same_v<typename Scheme::Host, typename Normal_scheme::Host>,
                 "the schemes of points and normals need the same host");
+  static_assert(!internal::Has_curvature_transfer<Scheme>::value &&
+                  !internal::Has_curvature_transfer<Normal_scheme>::value,
+                "a scheme that transfers curvature refines points and normals together");
 
   static constexpr bool has_crease_rules =
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;

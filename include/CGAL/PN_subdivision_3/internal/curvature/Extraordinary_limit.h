@@ -12,25 +12,13 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
-#include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Ring_functionals.h>
 
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// the double subdominant eigenvalue of Catmull-Clark (degree 4) and Loop subdivision
-template <class FT>
-FT subdominant_eigenvalue(Level_connectivity::Index degree, Level_connectivity::Index valence)
-{
-  const FT c = cosine_weight<FT>(1, valence);
-  if (degree == 3) return FT(3) / 8 + c / 4;
-  return (5 + c + std::sqrt((c + 1) * (c + 9))) / 16;
-}
 
 // Left eigenvectors of Catmull-Clark and Loop subdivision at a vertex of any valence, over its
 // 1-ring: that of 1, the limit mask, and the complex one of the subdominant eigenvalue. Tuned rules
@@ -44,10 +32,17 @@ public:
 
   explicit Extraordinary_limit(const Extraordinary_net& net)
   {
-    if (net.degree() == 4)
-      make_masks_of_quads(net);
-    else
-      make_masks_of_triangles(net);
+    const Index n = net.valence();
+    const Ring_functionals<FT> ring(net.degree(), n);
+    const auto add = [&](Index v, Index place) {
+      entries_.push_back(
+        {v, ring.limit()[place].weight, {ring.tangent(0)[place], ring.tangent(1)[place]}});
+    };
+    add(0, 0);
+    for (Index s = 0; s < n; ++s) {
+      add(net.vertex(s, 1, 0), 1 + s);
+      if (net.degree() == 4) add(net.vertex(s, 1, 1), 1 + n + s);
+    }
   }
 
   // The limit point and the limit control normal, zero without control normals: the PN average.
@@ -77,34 +72,6 @@ private:
     FT weight;        // of the limit mask
     Pair<FT> tangent; // real and imaginary part
   };
-
-  void make_masks_of_quads(const Extraordinary_net& net)
-  {
-    const Index n = net.valence();
-    const FT m = FT(n), lambda = subdominant_eigenvalue<FT>(4, n);
-    const FT y = half_turn(1, n)[0] / (8 * (lambda - FT(1) / 4));
-    entries_.push_back({0, m / (m + 5), {}});
-    for (Index s = 0; s < n; ++s) {
-      entries_.push_back({net.vertex(s, 1, 0), 4 / (m * (m + 5)), half_turn(2 * s, n)});
-      const Pair<FT> t = half_turn(2 * s + 1, n);
-      entries_.push_back({net.vertex(s, 1, 1), 1 / (m * (m + 5)), {y * t[0], y * t[1]}});
-    }
-  }
-
-  void make_masks_of_triangles(const Extraordinary_net& net)
-  {
-    const Index n = net.valence();
-    const FT lambda = subdominant_eigenvalue<FT>(3, n), a = 5 - 8 * lambda * lambda;
-    entries_.push_back({0, 3 / (3 + a), {}});
-    for (Index s = 0; s < n; ++s)
-      entries_.push_back({net.vertex(s, 1, 0), a / (FT(n) * (3 + a)), half_turn(2 * s, n)});
-  }
-
-  // exp(-i k pi / n), by sin(x) = cos(x - pi / 2) in units of 2 pi / (4 n)
-  static Pair<FT> half_turn(Index k, Index n)
-  {
-    return {cosine_weight<FT>(k, 2 * n), -cosine_weight<FT>(2 * std::int64_t(k) - n, 4 * n)};
-  }
 
   std::vector<Entry> entries_;
 };

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ public:
   Zoom_level(const Scheme& scheme, Index valence, Index rings)
     : net_(degree, valence, rings)
     , level_(net_.level())
-    , round_(scheme, level_, 1)
+    , round_(scheme, level_, First_tuned_round<Scheme>::of(scheme))
   {}
   // the round refers to the level
   Zoom_level(const Zoom_level&) = delete;
@@ -93,6 +94,7 @@ public:
     const std::vector<typename One_round::Stored_value> old(values.begin(), values.end());
     Values all(round_.refined_size().vertices);
     round_.evaluate(0, static_cast<Index>(all.size()), old.data(),
+                    round_.transfers(old.data(), For_chunks()),
                     [&](Index first, const Value* v, Index n) {
                       std::copy(v, v + n, all.begin() + static_cast<std::ptrdiff_t>(first));
                     });

@@ -259,10 +259,12 @@ private:
     fine.set_uniform_degree(Scheme::Host::refined_degree);
     round.host().connect(fine, for_chunks_);
     std::vector<Value> values(fine.number_of_vertices());
+    const auto transfers = round.transfers(old.data(), for_chunks_);
     for_chunks_(fine.number_of_vertices(), [&](Index begin, Index end) {
-      round.evaluate(begin, end, old.data(), [&](Index v, const Value* refined, Index n) {
-        std::copy(refined, refined + n, values.begin() + static_cast<std::ptrdiff_t>(v));
-      });
+      round.evaluate(
+        begin, end, old.data(), transfers, [&](Index v, const Value* refined, Index n) {
+          std::copy(refined, refined + n, values.begin() + static_cast<std::ptrdiff_t>(v));
+        });
     });
     return {std::move(fine), std::move(values)};
   }

@@ -16,7 +16,9 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -47,6 +49,7 @@ public:
 
   explicit Limit_classes(const Scheme& scheme)
     : scheme_(scheme)
+    , any_round_((std::max)(101u, First_tuned_round<Scheme>::of(scheme) | 1u))
   {}
 
   // the kind of a vertex with edges
@@ -71,14 +74,12 @@ public:
 
 private:
   static constexpr bool is_sqrt3 = std::is_same_v<Host, Sqrt3_host>;
-  // an odd one, in which sqrt(3) keeps the border, and not the first
-  static constexpr unsigned any_round = 101;
   static constexpr unsigned most_rings = 3;
 
-  static Level_connectivity refined(const Level_connectivity& level)
+  Level_connectivity refined(const Level_connectivity& level) const
   {
-    const Host host(level, any_round);
-    Level_connectivity child(Host::refined_size(level.size(), any_round));
+    const Host host(level, any_round_);
+    Level_connectivity child(Host::refined_size(level.size(), any_round_));
     child.set_uniform_degree(Host::refined_degree);
     host.connect(child, For_chunks());
     return child;
@@ -101,7 +102,7 @@ private:
       // of larger rings on the border the two eigenvalues need not be those of a tangent plane
       if (!at_border || kind.rings == 1) layout.number = cut.level().valence(c);
       layout.at_border = at_border;
-      kind.ring_class = std::make_unique<Class>(scheme_, cut.level(), any_round, rings, layout);
+      kind.ring_class = std::make_unique<Class>(scheme_, cut.level(), any_round_, rings, layout);
       if (kind.ring_class->is_valid()) return kind;
     }
     throw std::invalid_argument("PN_subdivision_3: the scheme has no limit mask on " +
@@ -117,8 +118,8 @@ private:
       const Extraordinary_net net(3, 6, 3);
       const Level_connectivity level = net.level();
       const Index v = net.vertex(0, 2, 1);
-      const Host host(level, any_round + 1);
-      Level_connectivity child(Host::refined_size(level.size(), any_round + 1));
+      const Host host(level, any_round_ + 1);
+      Level_connectivity child(Host::refined_size(level.size(), any_round_ + 1));
       host.connect(child, For_chunks());
       Kind kind;
       kind.rings = 0;
@@ -126,13 +127,15 @@ private:
       append_ring(level, v, kind, rings.ring);
       append_ring(child, v, kind, rings.next_ring);
       kind.ring_class =
-        std::make_unique<Class>(scheme_, level, any_round + 1, rings, Ring_layout());
+        std::make_unique<Class>(scheme_, level, any_round_ + 1, rings, Ring_layout());
       return kind;
     } else
       return Kind();
   }
 
   const Scheme& scheme_;
+  // an odd one, in which sqrt(3) keeps the border, not the first, and one with the rules of all later ones
+  unsigned any_round_;
   std::map<std::pair<bool, Index>, Kind> kinds_;
 };
 

@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
@@ -86,7 +87,8 @@ private:
                 unsigned depth, Result* results)
   {
     const auto n = static_cast<Index>(vertices.size());
-    const Settled_neighborhood<Scheme> is_settled(level.level);
+    const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(level.level, next_round >= first_final_round);
     std::vector<const Kind*> kind(n, nullptr);
     std::vector<char> state(n);
     for_chunks_(n, [&](Index begin, Index end) {
@@ -109,6 +111,12 @@ private:
       run_towers(level, vertices, kind, begin, end, results);
     });
     if (unsettled.empty()) return;
+    if (depth == most_rounds && next_round < first_final_round)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the first round of the rules of the scheme is " +
+        std::to_string(first_final_round) + ", but no limit is sought beyond round " +
+        std::to_string(next_round - 1) + ", which is " + std::to_string(most_rounds) +
+        " rounds after the mesh: subdivide it first, or take an earlier first round");
     if (depth == most_rounds)
       throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
                                   "within " +
@@ -209,12 +217,14 @@ private:
     result.level.set_uniform_degree(Scheme::Host::refined_degree);
     round.host().connect(result.level, for_chunks_);
     result.values.resize(round.refined_size().vertices);
+    const auto transfers = round.transfers(values.data(), for_chunks_);
     const Caller_precision<FT> precision;
     for_chunks_(result.level.number_of_vertices(), [&](Index begin, Index end) {
       const typename Caller_precision<FT>::In_this_thread same(precision);
-      round.evaluate(begin, end, values.data(), [&](Index v, const Value* refined, Index n) {
-        std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
-      });
+      round.evaluate(
+        begin, end, values.data(), transfers, [&](Index v, const Value* refined, Index n) {
+          std::copy(refined, refined + n, result.values.begin() + static_cast<std::ptrdiff_t>(v));
+        });
     });
     return result;
   }

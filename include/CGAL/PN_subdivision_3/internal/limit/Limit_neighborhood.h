@@ -14,6 +14,8 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
@@ -79,6 +81,13 @@ struct Limit_neighborhood<Sqrt3_scheme>
   static constexpr bool is_spline = false;
 };
 
+template <>
+struct Limit_neighborhood<ct_CatmullClark_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+{};
+template <>
+struct Limit_neighborhood<ct_Loop_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+{};
+
 template <class Scheme>
 struct Limit_neighborhood<Linear_scheme<Scheme>> : Limit_neighborhood<Scheme>
 {};
@@ -97,7 +106,8 @@ struct Limit_neighborhood<Scheme_with_normals<Scheme, Normal_scheme>>
   static constexpr bool is_spline = false;
 };
 
-// Tells whether the neighborhood of a vertex of a level is settled.
+// Tells whether the neighborhood of a vertex of a level is settled, or will be once the rules are those
+// of all later rounds, too.
 template <class Scheme>
 class Settled_neighborhood
 {
@@ -109,8 +119,10 @@ public:
   static constexpr Index degree = Host::refined_degree;
   static constexpr Index regular_valence = degree == 4 ? 4 : 6;
 
-  explicit Settled_neighborhood(const Level_connectivity& level)
+  // rules_are_final: whether the next round has the rules that all later ones have
+  explicit Settled_neighborhood(const Level_connectivity& level, bool rules_are_final = true)
     : level_(level)
+    , rules_are_final_(rules_are_final)
   {}
 
   // \pre v has edges
@@ -118,6 +130,7 @@ public:
   {
     const bool at_border = level_.is_border_vertex(v);
     const Index first = level_.halfedge_of_vertex(v);
+    if (!rules_are_final_ && !at_border && !has_valence(v, regular_valence)) return false;
     Index h = first;
     do {
       if (!level_.is_border(h) && !is_settled_face(h, at_border)) return false;
@@ -182,6 +195,7 @@ private:
   }
 
   const Level_connectivity& level_;
+  bool rules_are_final_;
 };
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_TOWER_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -69,7 +71,11 @@ public:
     , next_(rings_.size())
     , limits_(copies_)
     , states_(copies_)
-  {}
+  {
+    if constexpr (has_transfers)
+      if (class_.transfer_valence() != 0)
+        transfer_.emplace(Scheme::Host::refined_degree, class_.transfer_valence());
+  }
 
   bool is_full() const { return count_ == copies_; }
   bool is_empty() const { return count_ == 0; }
@@ -98,6 +104,7 @@ public:
     for (unsigned depth = 0; left != 0; ++depth) {
       if (depth != 0) {
         class_.refine(rings_.data(), next_.data());
+        if constexpr (has_transfers) transfer_curvature();
         std::copy(next_.begin(), next_.end(), rings_.begin());
       }
       class_.limit(rings_.data(), limits_.data());
@@ -109,6 +116,7 @@ public:
 
 private:
   using Vector = Coordinates<double, 3>;
+  static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
 
   // the error of a curvature at an extraordinary vertex falls by lambda^2 a round, from some percent
   static constexpr unsigned curvature_depth = 8;
@@ -122,6 +130,28 @@ private:
     double last_step = 0;
     bool is_done = false, had_normal = false;
   };
+
+  // The place in a ring of what the transfer calls number j. A diagonal vertex is here in front of the
+  // neighbor with its number, and there behind it.
+  std::size_t place(std::size_t j) const
+  {
+    const std::size_t n = class_.transfer_valence();
+    return j <= n ? j : 1 + n + (j - n) % n;
+  }
+
+  // of the refined rings
+  void transfer_curvature()
+  {
+    if (!transfer_) return;
+    std::vector<Point_normal<FT, 3>> ring(transfer_->size());
+    for (std::size_t c = 0; c < count_; ++c) {
+      const auto at = [&](std::size_t j) -> Value& { return next_[place(j) * copies_ + c]; };
+      for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = at(j);
+      if (const auto part = (*transfer_)(ring))
+        transfer_->add_half(
+          *part, [&](std::size_t j) -> auto& { return at(j).normal; });
+    }
+  }
 
   // Floating point keeps more digits of a ring about the origin; intervals would only grow.
   static Value relative(Value v, [[maybe_unused]] const Coordinates<FT, 3>& center,
@@ -209,7 +239,8 @@ private:
   bool settles() const
   {
     const double lambda2 = class_.lambda() * class_.lambda();
-    return is_pn_v<Scheme> && class_.has_tangents() && class_.largest_other() < 0.9 * lambda2;
+    return is_pn_v<Scheme> && class_.has_tangents() &&
+           (transfer_ || class_.largest_other() < 0.9 * lambda2);
   }
 
   // where curvature settles, or at regular vertices of splines
@@ -218,12 +249,24 @@ private:
     if (!is_spline_ && !settles()) return;
     const Ring_geometry g = geometry(c);
     if (!g.is_regular()) return;
-    const Curvatures<double> k = is_spline_ ? spline_curvatures() : g.extraordinary_curvatures();
+    const auto part = remaining_part();
+    const Curvatures<double> k =
+      is_spline_ ? spline_curvatures() : g.extraordinary_curvatures(part ? &*part : nullptr);
     if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
     Result& result = *states_[c].result;
     result.gaussian = k.gaussian;
     result.mean = k.mean;
     result.has_curvature = true;
+  }
+
+  // what will still be transferred in `ring_`
+  std::optional<Quadratic_part<double>> remaining_part() const
+  {
+    if (!transfer_ || is_spline_) return std::nullopt;
+    std::vector<Point_normal<double, 3>> ring(ring_.size());
+    for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = ring_[place(j)];
+    const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
+    return Normal_transfer<double>(degree, class_.transfer_valence())(ring);
   }
 
   // of `ring_`, whose neighbors are in front of its diagonal vertices
@@ -244,6 +287,7 @@ private:
   std::vector<Value> next_, limits_;
   std::vector<State> states_;
   std::vector<Point_normal<double, 3>> ring_;
+  std::optional<Normal_transfer<FT>> transfer_;
   std::size_t count_ = 0;
 };
 

@@ -135,6 +135,9 @@ public:
       normal_limit_row_ = limit_weights(normal_masks.limit(), *normals);
       normal_limit_ = Ring_rows<FT>({normal_limit_row_}, copies_);
     }
+    if (Has_curvature_transfer<Scheme>::value && !layout.at_border && layout.number > 2 &&
+        layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
+      transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
     lambda_ = masks.lambda();
     largest_other_ = masks.largest_other();
     if (masks.has_tangents())
@@ -167,11 +170,16 @@ public:
   double lambda() const { return lambda_; }
   double largest_other() const { return largest_other_; }
 
-  // the ratio of the geometric series that the differences |L_{k+1} - L_k| become
+  // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
+  Level_connectivity::Index transfer_valence() const { return transfer_valence_; }
+
+  // The ratio of the geometric series that the differences |L_{k+1} - L_k| become. What is transferred
+  // falls by 1/2 a round, and its effect on L by lambda^2 more.
   double error_ratio() const
   {
     const double lambda2 = lambda_ * lambda_;
-    return (std::min)(0.9, (std::max)(lambda2 * lambda2, largest_other_ * largest_other_));
+    const double ratio = (std::max)(lambda2 * lambda2, largest_other_ * largest_other_);
+    return (std::min)(0.9, transfer_valence_ == 0 ? ratio : (std::max)(ratio, lambda2 / 2));
   }
   // An estimate of |limit - L_{k+1}| / |L_{k+1} - L_k|: 3/2 of the sum of that series, and 1 at least,
   // while it is not one yet; up to 0.8 was measured then.
@@ -212,6 +220,7 @@ private:
   Ring_row<FT> limit_row_, normal_limit_row_;
   std::array<std::vector<double>, 2> tangents_;
   double lambda_ = 0, largest_other_ = 0;
+  Level_connectivity::Index transfer_valence_ = 0;
 };
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_RING_GEOMETRY_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
@@ -68,12 +69,18 @@ public:
   }
 
   // The curvatures of the limit, where the parts of second order that the ring matrix carries on by
-  // itself die out: what remains is the derivative of the slopes of the control normals.
+  // itself die out: what remains is the derivative of the slopes of the control normals. `part` is what
+  // they will still get by transfer.
   // \pre is_regular()
-  Curvatures<double> extraordinary_curvatures() const
+  Curvatures<double> extraordinary_curvatures(const Quadratic_part<double>* part = nullptr) const
   {
-    const auto [xx, xy, yy] = second_derivatives();
+    auto [xx, xy, yy] = second_derivatives();
     const double a = slope_[0], b = slope_[1], s = 1 + a * a + b * b;
+    if (part != nullptr) {
+      xx += (*part)(frame_.e1(), frame_.e1());
+      xy += (*part)(frame_.e1(), frame_.e2());
+      yy += (*part)(frame_.e2(), frame_.e2());
+    }
     const double trace = ((1 + b * b) * xx - 2 * a * b * xy + (1 + a * a) * yy) / s;
     return {(xx * yy - xy * xy) / (s * s), -trace / (2 * std::sqrt(s))};
   }

@@ -261,7 +261,7 @@ private:
     const Creases<FT>& creases = last.refined_creases();
     boost::container::vector<Value> values(creases.number_of_slots, boost::container::default_init);
     refiner.refiner().evaluate(
-      last.round(), 0, n,
+      last.round(), refiner.refiner().transfers(last.round()), 0, n,
       [&](Index first, const Value* new_values, Index number) {
         std::copy(new_values, new_values + number, values.begin() + first);
       },

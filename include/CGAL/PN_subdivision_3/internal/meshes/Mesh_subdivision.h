@@ -68,6 +68,7 @@ class Mesh_subdivision
   using Value = typename Average::Value;
   using Refiner = Level_refiner<Scheme, Average>;
   using One_round = typename Refiner::One_round;
+  using Transfers = typename Refiner::Transfers;
   using Rows_sink = typename Refiner::Rows_sink;
 
 public:
@@ -143,24 +144,25 @@ public:
   {
     const auto new_vertices = static_cast<Index>(last.refined_size().vertices);
     const Index old_vertices = (std::min)(new_vertices, writer.number_of_old_vertices());
-    put_range(refiner, last, old_vertices, new_vertices, writer, rows);
+    const Transfers transfers = refiner.transfers(last);
+    put_range(refiner, last, transfers, old_vertices, new_vertices, writer, rows);
     writer.begin_old_vertices();
-    put_range(refiner, last, 0, old_vertices, writer, rows);
+    put_range(refiner, last, transfers, 0, old_vertices, writer, rows);
   }
 
   template <class Writer>
-  static void put_range(const Refiner& refiner, const One_round& last, Index begin, Index end,
-                        const Writer& writer, const Rows_sink* rows)
+  static void put_range(const Refiner& refiner, const One_round& last, const Transfers& transfers,
+                        Index begin, Index end, const Writer& writer, const Rows_sink* rows)
   {
     if constexpr (Writer::has_own_maps || !is_parallel_v<Concurrency_tag>)
       refiner.evaluate(
-        last, begin, end,
+        last, transfers, begin, end,
         [&](Index first, const Value* values, Index n) { writer.put_values(first, values, n); },
         rows);
     else {
       boost::container::vector<Value> refined(end - begin, boost::container::default_init);
       refiner.evaluate(
-        last, begin, end,
+        last, transfers, begin, end,
         [&](Index first, const Value* values, Index n) {
           std::copy(values, values + n, refined.begin() + (first - begin));
         },

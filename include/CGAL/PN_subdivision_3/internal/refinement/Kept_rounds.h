@@ -186,7 +186,7 @@ private:
   {
     const auto n = static_cast<Index>(level.round->refined_size().vertices);
     in_chunks(n, [&](Index begin, Index end) {
-      level.round->evaluate(begin, end, level.values.data(), sink);
+      level.round->evaluate(begin, end, level.values.data(), {}, sink);
     });
   }
 

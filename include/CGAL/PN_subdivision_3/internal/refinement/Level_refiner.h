@@ -40,6 +40,7 @@ public:
   using One_round = Round<Scheme, Average>;
   using Value = typename One_round::Value;
   using Sink = typename One_round::Sink;
+  using Transfers = typename One_round::Transfers;
   using Rows_sink = typename One_round::Rows_sink;
   // takes the child of a level, which is still there
   using Child_sink = Function_ref<void(const Level_connectivity&)>;
@@ -80,7 +81,7 @@ public:
   {
     Values refined(number_of_values, boost::container::default_init);
     evaluate(
-      round, 0, static_cast<Index>(round.refined_size().vertices),
+      round, transfers(round), 0, static_cast<Index>(round.refined_size().vertices),
       [&](Index first, const Value* values, Index number) {
         std::copy(values, values + number, refined.begin() + first);
       },
@@ -101,15 +102,21 @@ public:
     ++rounds_done_;
   }
 
+  // to be found once for each round
+  Transfers transfers(const One_round& round) const
+  {
+    return round.transfers(values_.data(), for_chunks_);
+  }
+
   // The new vertices [begin, end) of a round. The sink gets a few neighboring ones with every call,
   // which come from several threads if for_chunks does.
-  void evaluate(const One_round& round, Index begin, Index end, Sink sink,
-                const Rows_sink* rows_sink = nullptr) const
+  void evaluate(const One_round& round, const Transfers& transfers, Index begin, Index end,
+                Sink sink, const Rows_sink* rows_sink = nullptr) const
   {
     const Precision precision;
     for_chunks_(end - begin, [&](Index first, Index last) {
       const typename Precision::In_this_thread scope(precision);
-      round.evaluate(begin + first, begin + last, values_.data(), sink, rows_sink);
+      round.evaluate(begin + first, begin + last, values_.data(), transfers, sink, rows_sink);
     });
   }
 

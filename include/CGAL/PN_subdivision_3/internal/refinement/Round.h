@@ -13,6 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -42,6 +44,7 @@ public:
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
   using Host = typename Scheme::Host;
+  static constexpr bool has_transfers = Has_curvature_transfer<Scheme>::value;
   // takes (first new vertex, its row and those of the vertices behind it)
   using Rows_sink = Function_ref<void(Index, const Stencil_block<FT>&)>;
   // takes (first new vertex, values, how many)
@@ -55,7 +58,8 @@ public:
   // cut() may cut the level open, for the masks, once its host has been made
   template <class Cut>
   Round(const Scheme& scheme, const Level_connectivity& level, unsigned number, const Cut& cut)
-    : host_(level, number)
+    : mask_level_(level)
+    , host_(level, number)
     , size_(Host::refined_size(level.size(), number))
     , mask_((cut(), scheme.template mask<FT>(level, number)))
     , normal_mask_(make_normal_mask(scheme, level, number))
@@ -73,17 +77,41 @@ public:
   // An undecided comparison in them is no error.
   void set_vertices_of_others(std::vector<Index> vertices) { of_others_ = std::move(vertices); }
 
+  // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
+  // the old values, before the round is evaluated.
+  using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT>, No_transfers>;
+  Transfers transfers(const Stored_value* old, [[maybe_unused]] const For_chunks& for_chunks) const
+  {
+    if constexpr (has_transfers)
+      return Transferred_normals<FT>(mask_level_, host_, mask_.separated_vertices(),
+                                     Host::refined_degree, for_chunks,
+                                     [&](const Index* vertices, Index number, Value* values) {
+                                       evaluate(vertices, vertices + number, old,
+                                                [&](const Index* first, const Value* v, Index n) {
+                                                  std::copy(v, v + n, values + (first - vertices));
+                                                });
+                                     });
+    else {
+      (void)old;
+      return {};
+    }
+  }
+
   // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block. Whoever averages something else, too, gets the rows of the blocks.
-  void evaluate(Index begin, Index end, const Stored_value* old, Sink sink,
-                const Rows_sink* rows_sink = nullptr) const
+  void evaluate(Index begin, Index end, const Stored_value* old, const Transfers& transfers,
+                Sink sink, const Rows_sink* rows_sink = nullptr) const
   {
     evaluate_blocks(
       begin, end, old, [](Index i) { return i; },
-      [&](Index first, const Value* values, Index n) { sink(first, values, n); }, rows_sink);
+      [&](Index first, Value* values, Index n) {
+        transfers.put(first, n, values);
+        sink(first, values, n);
+      },
+      rows_sink);
   }
 
-  // the new vertices that are listed, to the same bits
+  // the new vertices that are listed, to the same bits; as the rows have them, without transfers
   void evaluate(const Index* begin, const Index* end, const Stored_value* old, List_sink sink) const
   {
     evaluate_blocks(
@@ -164,7 +192,7 @@ private:
   {
     FT sum(0), sizes(0);
     for (const Entry* e = begin; e != end; ++e) {
-      if (e->vertex >= number_of_old_vertices_) return false;
+      if (e->vertex >= mask_level_.number_of_vertices()) return false;
       sum += e->weight;
       sizes += CGAL::abs(e->weight);
     }
@@ -216,6 +244,7 @@ private:
     }
   }
 
+  const Level_connectivity& mask_level_;
   Host host_;
   Level_size size_;
   Mask mask_;

@@ -61,16 +61,21 @@ class Separated_vertices
 public:
   using Index = Level_connectivity::Index;
 
-  // weights(n) makes those of valence n; it is called once for every valence that occurs
-  template <class Function>
+  // none
+  Separated_vertices() = default;
+
+  // weights(n) makes those of valence n; it is called once for every valence that occurs. Vertices of
+  // a valence n that is not has_weights(n) keep others from being separated all the same.
+  template <class Function, class Predicate>
   Separated_vertices(const Level_connectivity& level, Index regular_valence, Index degree,
-                     const Function& weights)
+                     const Function& weights, const Predicate& has_weights)
     : valence_(irregular_valences(level, regular_valence))
   {
     std::vector<Index> separated, others;
     for (Index v = 0; v < level.number_of_vertices(); ++v)
       if (valence_[v] != 0) {
-        const bool is_one = valence_[v] > 2 && !has_counted_valence(level, v) &&
+        const bool is_one = valence_[v] > 2 && has_weights(valence_[v]) &&
+                            !has_counted_valence(level, v) &&
                             is_separated(level, v, degree, valence_);
         (is_one ? separated : others).push_back(v);
       }
@@ -79,6 +84,15 @@ public:
       if (weights_.find(valence_[v]) == weights_.end())
         weights_.emplace(valence_[v], weights(valence_[v]));
     if (separated.empty()) valence_.clear();
+  }
+
+  // in ascending order
+  std::vector<Index> vertices() const
+  {
+    std::vector<Index> result;
+    for (Index v = 0; v < valence_.size(); ++v)
+      if (valence_[v] != 0) result.push_back(v);
+    return result;
   }
 
   // the weights about v, null if it is not separated

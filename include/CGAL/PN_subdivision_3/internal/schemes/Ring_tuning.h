@@ -1,0 +1,94 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
+
+#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What becomes of the eigenvalues of the ring matrix of a separated vertex, and when.
+struct Ring_tuning
+{
+  Ring_tuning() = default;
+  Ring_tuning(double a_cap, unsigned a_first_round, Tuned_valences some_valences)
+    : cap(checked_cap(a_cap))
+    , first_round(a_first_round)
+    , valences(some_valences)
+  {
+    if (first_round == 0)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the first round of a modified scheme must be at least 1");
+  }
+
+  bool holds_in(unsigned round) const { return round >= first_round; }
+
+  // The new value of one that is neither 1 nor lambda. The quadratic ones belong to the quadratic
+  // part of the surface.
+  template <class Number>
+  Number other(const Number& eigenvalue, bool is_quadratic, const Number& new_lambda) const
+  {
+    if (is_quadratic && keeps_quadratic) return new_lambda * new_lambda;
+    const Number bound = Number(cap) * new_lambda * new_lambda;
+    return capped(eigenvalue, bound);
+  }
+
+  double cap = 0.5;
+  unsigned first_round = 1;
+  Tuned_valences valences = Tuned_valences::all;
+  bool keeps_quadratic = false;
+};
+
+// The first round from which on the rules of a scheme are the same in all: where a modified scheme has
+// its own.
+template <class Scheme, class = void>
+struct Has_first_round : std::false_type
+{};
+template <class Scheme>
+struct Has_first_round<Scheme, std::void_t<decltype(std::declval<const Scheme&>().first_round())>>
+  : std::true_type
+{};
+
+template <class Scheme>
+struct First_tuned_round
+{
+  static unsigned of([[maybe_unused]] const Scheme& scheme)
+  {
+    if constexpr (Has_first_round<Scheme>::value)
+      return scheme.first_round();
+    else if constexpr (Is_adaptor<Scheme>::value)
+      return First_tuned_round<std::decay_t<decltype(scheme.scheme)>>::of(scheme.scheme);
+    else
+      return 1;
+  }
+};
+template <class Scheme, class Normal_scheme>
+struct First_tuned_round<Scheme_with_normals<Scheme, Normal_scheme>>
+{
+  static unsigned of(const Scheme_with_normals<Scheme, Normal_scheme>& both)
+  {
+    return (std::max)(First_tuned_round<Scheme>::of(both.scheme),
+                      First_tuned_round<Normal_scheme>::of(both.normal_scheme));
+  }
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_CT_CATMULLCLARK_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_CT_CATMULLCLARK_SCHEME_H
+
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+Catmull-Clark subdivision with transfer of curvature: the PN scheme keeps at extraordinary vertices the
+curvature that is in the control points, too, and not only that of the control normals, as
+`modified_CatmullClark_scheme` does.
+
+<b>Weights.</b> Those of `modified_CatmullClark_mask` on `PQQ_host`, with other eigenvalues: the
+*quadratic* ones (the larger one of frequency 0 besides 1, and the larger one of frequencies 2 and n-2;
+for n = 3 the smaller one of frequencies 1 and 2) become &lambda;'<sup>2</sup>; all others are bounded by
+&lambda;'<sup>2</sup>/2.
+
+<b>Transfer.</b> After every round, in the new 1-ring of each vertex with these weights, let N be the limit
+control normal and o the limit point, u<sub>j</sub> the coordinates of the points in the plane
+perpendicular to N through o, w<sub>j</sub> their point-normal heights over it less the slope of the
+surface, g<sub>j</sub> the slopes of the control normals. The left eigenvectors L of the quadratic
+eigenvalues give the quadratic form Q with L(u<sup>T</sup>Qu/2) = L(w), the least one if it is not
+determined. Then g<sub>j</sub> becomes g<sub>j</sub> + Q u<sub>j</sub>/2: half of the quadratic part of
+the heights goes to the normals. Points stay. Nothing is done
+
+ - where a normal of the ring is zero or more than 60 degrees from N,
+ - where all |L(w)| are at most 64 machine epsilons of the largest coordinate: spheres and cylinders
+   stay what they are,
+ - where the ring has collapsed to a line or a point.
+
+The transfer is computed in `double`, in `long double` for that type, in all number types: in exact ones
+the points remain exact, and Q is rounded. With interval number types `std::invalid_argument` is thrown.
+The result is the same for any number of threads, and it does not depend on the place, orientation and
+unit of the mesh but for rounding. `linear()` has the weights and no transfer, and so has
+`subdivision_matrix()`. Near creases all is as at borders, where nothing is transferred.
+`with_normal_scheme()` refuses it, since points and normals belong together.
+
+This is no scheme of the paper; neither is it better everywhere, see the manual. Accepts any polygons.
+\cost of a round besides that of `modified_CatmullClark_scheme`: the rows of the 1-rings once more, and
+linear in their size
+\cgalModels{PNSubdivisionScheme_3}
+*/
+class ct_CatmullClark_scheme
+{
+public:
+  using Host = PQQ_host;
+
+  /// the name of the scheme, as in the command `pn_subdivide`.
+  static constexpr const char* name() { return "ct-catmull-clark"; }
+
+  /// along creases the rules are those of the border.
+  static constexpr bool has_crease_rules = true;
+
+  /// after every round normals are corrected at separated vertices.
+  static constexpr bool transfers_curvature = true;
+
+  template <class FT>
+  modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  {
+    internal::Ring_tuning tuning;
+    tuning.keeps_quadratic = true;
+    return modified_CatmullClark_mask<FT>(level, round, tuning);
+  }
+
+  /// see `estimated_row_entries()`: twice as many as of `modified_CatmullClark_scheme`.
+  static double dense_row_entries(const Level_connectivity& level, unsigned round)
+  {
+    return 2 * modified_CatmullClark_scheme::dense_row_entries(level, round);
+  }
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_CT_CATMULLCLARK_SCHEME_H
