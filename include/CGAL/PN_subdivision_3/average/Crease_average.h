@@ -58,7 +58,9 @@ template <class FT_, int dimension>
 class Crease_average
 {
 public:
+  /// the number type.
   using FT = FT_;
+  /// a vector.
   using Vector = Coordinates<FT, dimension>;
 
   struct Entry

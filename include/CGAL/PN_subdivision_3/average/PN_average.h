@@ -30,7 +30,9 @@ using Coordinates = std::array<FT, dimension>;
 template <class FT, int dimension>
 struct Point_normal
 {
+  /// the point.
   Coordinates<FT, dimension> point;
+  /// the unit normal, zero if there is none.
   Coordinates<FT, dimension> normal;
 };
 
@@ -106,9 +108,12 @@ The linear rule: the point sum a<sub>j</sub> p<sub>j</sub>.
 template <class FT_, int dimension>
 struct Linear_average
 {
+  /// the number type.
   using FT = FT_;
+  /// what is averaged: a point.
   using Value = Coordinates<FT, dimension>;
 
+  /// averages the old values of the entries of a row.
   template <class Entry>
   Value operator()(const Entry* begin, const Entry* end, const Value* old) const
   {
@@ -155,8 +160,11 @@ The old values are a pointer to them, or anything whose `operator[]` makes a `Va
 template <class FT_, int dimension>
 struct PN_average
 {
+  /// the number type.
   using FT = FT_;
+  /// a vector.
   using Vector = Coordinates<FT, dimension>;
+  /// what is averaged: a point with a normal.
   using Value = Point_normal<FT, dimension>;
 
   /// one mask for points and normals.
