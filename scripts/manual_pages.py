@@ -182,10 +182,24 @@ def write_formulas(pages: dict[Path, str]) -> list[str]:
     return wrong
 
 
+def unlisted(pages: dict[Path, str]) -> list[str]:
+    """Public names that the classified list of PackageDescription.txt lacks."""
+    description = (DOC / "PackageDescription.txt").read_text()
+    listed = set(re.findall(r"`(?:CGAL::PN_subdivision_3::)?(?:\w+::)*(\w+)(?:\(\))?`", description))
+    found = set()
+    for path, text in pages.items():
+        if path.name.startswith("group__"):
+            found |= set(re.findall(r'class="memItemRight"[^>]*><a class="el" '
+                                    r'href="(?:(?:class|struct)[^"]*|[^"]*#[^"]*)">([\w:]+)', text))
+    names = {name.split("::")[-1] for name in found} - {"curve_svg"}
+    return [f"{name} is not in the classified list of PackageDescription.txt"
+            for name in sorted(names - listed)]
+
+
 def finish(folder: Path) -> list[str]:
     before = {path: path.read_text() for path in sorted(folder.glob("*.html"))}
     pages = dict(before)
-    wrong = number_citations(pages) + number_figures(pages) + write_formulas(pages)
+    wrong = unlisted(pages) + number_citations(pages) + number_figures(pages) + write_formulas(pages)
     for path, text in pages.items():
         if text != before[path]:
             path.write_text(text)

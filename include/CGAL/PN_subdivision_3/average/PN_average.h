@@ -129,7 +129,7 @@ struct Linear_average
 /*!
 \ingroup PkgPNSubdivision3Average
 
-The point-normal rule of X. Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>,
+The point-normal rule of Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>,
 Section 3.1: for point weights a<sub>j</sub> and normal weights b<sub>j</sub>, normally the same,
 
  - q = &sum; a<sub>j</sub> p<sub>j</sub>, N = &sum; b<sub>j</sub> n<sub>j</sub>, n = N/|N|,

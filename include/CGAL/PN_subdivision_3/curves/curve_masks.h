@@ -24,8 +24,9 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Curves
 
-The mask of uniform B-spline curves of a degree m &ge; 1 (Lane and Riesenfeld): a<sub>i</sub> = C(m
-+ 1, i) / 2<sup>m</sup>. Odd degrees are primal: a new point for every old one and one for every
+The mask of uniform B-spline curves of a degree m &ge; 1 (Lane and Riesenfeld).
+
+a<sub>i</sub> = C(m+1, i) / 2<sup>m</sup>. Odd degrees are primal: a new point for every old one and one for every
 edge; even degrees are dual. Degree 2 is Chaikin's scheme.
 
 \cgalModels{PNSubdivisionCurveMask}
