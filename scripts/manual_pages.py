@@ -145,8 +145,9 @@ def mathml(tex: str, display: bool, blahtexml: str) -> str:
     markup = re.search(r"<markup>\s*(.*?)\s*</markup>", answer, re.S)
     if not markup:
         raise ValueError(f"{tex}: {' '.join(re.findall('<message>(.*?)</message>', answer))}")
+    content = markup[1].replace(">-</mo>", ">&#x2212;</mo>")
     kind = ' display="block"' if display else ""
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{kind}>{markup[1]}</math>'
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{kind}>{content}</math>'
 
 
 def write_formulas(pages: dict[Path, str]) -> list[str]:

@@ -28,6 +28,7 @@ ELSEWHERE = (
     (r"sudo apt-get install ", "scripts/install_dependencies.sh installs these packages"),
     (r"\./scripts/(demo|test)\.sh$", ".ci/run, which is scripts/test.sh, and who releases a version"),
     (r"cmake --preset |cmake --build |ctest --preset ", "scripts/build.sh and scripts/test.sh"),
+    (r"scripts/install_dependencies\.sh --manual", "who builds the manual"),
     (r"scripts/check_style\.sh", "who changes the sources"),
     (r"scripts/make_paper_figures\.sh", "the test numbers_of_paper_figures"),
 )
