@@ -37,6 +37,17 @@ if(Python3_FOUND)
     endif()
   endforeach()
 
+  # the stencils of the manual, and the commands of README and manual, with the command that is built
+  if(TARGET pn_subdivide)
+    add_test(NAME diagrams_of_stencils
+             COMMAND Python3::Interpreter -B ${pn_scripts}/make_diagrams.py --check
+                     --command $<TARGET_FILE:pn_subdivide>)
+    add_test(NAME documented_commands
+             COMMAND Python3::Interpreter -B ${pn_scripts}/run_documented_commands.py
+                     $<TARGET_FILE:pn_subdivide>)
+    set_tests_properties(documented_commands PROPERTIES TIMEOUT 600)
+  endif()
+
   # some numbers of the page that shows the paper's figures; scripts/check_pictures.sh compares all
   find_program(PN_BASH bash)
   if(TARGET pn_subdivide AND PN_BASH)

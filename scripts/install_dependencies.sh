@@ -9,7 +9,9 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--picture]     --picture: also what scripts/render.py needs
+#   scripts/install_dependencies.sh [--picture | --manual]
+#
+#   --picture: also what scripts/render.py needs; --manual: also what the target doc needs
 set -euo pipefail
 
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
@@ -17,6 +19,10 @@ required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-de
 optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3)
 if [[ ${1:-} == --picture ]]; then
   optional+=(python3-vtk9 python3-numpy xvfb xauth)
+fi
+
+if [[ ${1:-} == --manual ]]; then
+  optional+=(doxygen blahtexml)
 fi
 
 cd "$(dirname "$0")/.."

@@ -24,6 +24,7 @@ round.
 class PNSubdivisionHost_3
 {
 public:
+  /// `Level_connectivity::Index`.
   using Index = CGAL::PN_subdivision_3::Level_connectivity::Index;
 
   /// the degree of all refined faces, 0 if they may differ.
@@ -53,8 +54,12 @@ public:
   /// Optional: which old element a new one comes from. Attributes and the visitors that are told of new elements need
   /// them; the hosts of the package have them.
   /// @{
+
+  /// the old element that a new vertex comes from.
   CGAL::PN_subdivision_3::Element_parent parent_of_vertex(Index new_vertex) const;
+  /// the old element that a new edge is a part of or lies in.
   CGAL::PN_subdivision_3::Element_parent parent_of_edge(Index new_edge) const;
+  /// the old element that a new face is a part of or comes from.
   CGAL::PN_subdivision_3::Element_parent parent_of_face(Index new_face) const;
   /// optional: every edge is split in halves, and all else lies inside the old faces. `false` if it is not there.
   static constexpr bool splits_edges = unspecified;

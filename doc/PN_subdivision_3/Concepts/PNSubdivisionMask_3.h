@@ -50,6 +50,7 @@ The level outlives the mask, which may keep a reference to it.
 class PNSubdivisionMask_3
 {
 public:
+  /// `Level_connectivity::Index`.
   using Index = CGAL::PN_subdivision_3::Level_connectivity::Index;
 
   /// writes the row of the old vertex `v` after the round.

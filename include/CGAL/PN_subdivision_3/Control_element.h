@@ -24,19 +24,25 @@ descriptor.
 */
 struct Control_element
 {
+  /// the kinds of elements.
   enum class Kind { vertex, edge, face };
 
+  /// the kind of the element.
   Kind kind;
+  /// its position among those of its kind, counted from 0.
   std::size_t index;
 
+  /// whether they are the same element.
   friend bool operator==(const Control_element& a, const Control_element& b)
   {
     return a.kind == b.kind && a.index == b.index;
   }
+  /// orders by kind, then by index.
   friend bool operator<(const Control_element& a, const Control_element& b)
   {
     return a.kind != b.kind ? a.kind < b.kind : a.index < b.index;
   }
+  /// whether they are different elements.
   friend bool operator!=(const Control_element& a, const Control_element& b) { return !(a == b); }
 };
 

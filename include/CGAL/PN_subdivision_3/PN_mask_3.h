@@ -85,8 +85,11 @@ class PN_mask_3
 public:
   /// a point with its normal, `std::pair<Kernel::Point_3, Kernel::Vector_3>`.
   using Point_normal = typename Probe::Point_normal;
+  /// a vertex of the mesh.
   using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  /// a half-edge of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<PolygonMesh>::halfedge_descriptor;
+  /// a face of the mesh.
   using face_descriptor = typename boost::graph_traits<PolygonMesh>::face_descriptor;
 
   /// constructs the mask for `mesh`, with `args` for `Mask`. The points and normals are read when
@@ -104,21 +107,25 @@ public:
   /// \name Nodes
   /// @{
 
+  /// the new vertex of a face.
   void face_node(face_descriptor f, Point_normal& node)
   {
     evaluate([f](View_mask& mask, Point& p) { mask.face_node(f, p); }, node);
   }
 
+  /// the new vertex of an edge.
   void edge_node(halfedge_descriptor h, Point_normal& node)
   {
     evaluate([h](View_mask& mask, Point& p) { mask.edge_node(h, p); }, node);
   }
 
+  /// the new vertex of a vertex.
   void vertex_node(vertex_descriptor v, Point_normal& node)
   {
     evaluate([v](View_mask& mask, Point& p) { mask.vertex_node(v, p); }, node);
   }
 
+  /// the new vertex of a corner of a face.
   void corner_node(halfedge_descriptor h, Point_normal& node)
   {
     evaluate([h](View_mask& mask, Point& p) { mask.corner_node(h, p); }, node);

@@ -86,7 +86,9 @@ class Surface_refiner
   using Rounds = internal::Kept_rounds<Scheme, Average>;
 
 public:
+  /// a point.
   using Point_3 = typename GeomTraits::Point_3;
+  /// a normal.
   using Vector_3 = typename GeomTraits::Vector_3;
   /// the number of a vertex.
   using Index = Level_connectivity::Index;
@@ -121,8 +123,12 @@ public:
 
   /// \name Size
   /// @{
+
+  /// the number of vertices of the control mesh.
   std::size_t number_of_control_vertices() const { return control_->size(); }
+  /// the number of refined vertices.
   std::size_t number_of_vertices() const { return points_.size(); }
+  /// the number of refined faces.
   std::size_t number_of_faces() const
   {
     return static_cast<std::size_t>(rounds_->refined_size().faces);

@@ -43,14 +43,20 @@ struct Vertex_curvature
   double mean = 0;
   /// \name Principal curvatures
   /// @{
+
+  /// the smaller one.
   double minimal = 0;
+  /// the larger one.
   double maximal = 0;
   /// @}
   /// \name Principal directions
   /// Unit vectors with an arbitrary sign; where both principal curvatures are equal, any pair of
   /// orthogonal ones. Their cross product, minimal times maximal, is the normal of the surface.
   /// @{
+
+  /// that of `minimal`.
   typename GeomTraits::Vector_3 minimal_direction{0, 0, 0};
+  /// that of `maximal`.
   typename GeomTraits::Vector_3 maximal_direction{0, 0, 0};
   /// @}
   /// whether there were enough neighbors to tell the curvatures from; otherwise everything is zero.

@@ -40,8 +40,14 @@ normals do. Both ends are NaN if a curvature on the ring is, as where the surfac
 template <class FT>
 struct Ring_curvature
 {
-  FT gaussian_min, gaussian_max;
-  FT mean_min, mean_max;
+  /// the least Gaussian curvature on the ring.
+  FT gaussian_min;
+  /// the largest Gaussian curvature on the ring.
+  FT gaussian_max;
+  /// the least mean curvature on the ring.
+  FT mean_min;
+  /// the largest mean curvature on the ring.
+  FT mean_max;
   /// an estimate of what rounding makes of a mean curvature on this ring.
   FT noise;
 
@@ -69,15 +75,21 @@ struct Limit_curvature
 {
   /// the limit point.
   Coordinates<FT, 3> point;
-  /// the limit control normal N and two vectors perpendicular to it. N is in general not the normal
-  /// of the surface.
-  Coordinates<FT, 3> normal, e1, e2;
+  /// the limit control normal N, in general not the normal of the surface.
+  Coordinates<FT, 3> normal;
+  /// a unit vector perpendicular to N.
+  Coordinates<FT, 3> e1;
+  /// the unit vector perpendicular to N and `e1`.
+  Coordinates<FT, 3> e2;
   /// the slope a of the surface over the plane perpendicular to N.
   std::array<FT, 2> slope;
   /// the derivative H of the slopes of the control normals; its symmetric part is that of the
   /// surface.
   std::array<std::array<FT, 2>, 2> derivative_of_slopes;
-  FT gaussian, mean;
+  /// the Gaussian curvature.
+  FT gaussian;
+  /// the mean curvature.
+  FT mean;
 };
 
 /*!
@@ -87,6 +99,7 @@ What `Extraordinary_vertex_zoom::measure()` returns.
 template <class FT>
 struct Extraordinary_curvature
 {
+  /// the curvatures of the rings, from the outermost one inwards.
   std::vector<Ring_curvature<FT>> rings;
   /// predicted from the last net.
   Limit_curvature<FT> limit;
@@ -154,7 +167,9 @@ class Extraordinary_vertex_zoom
   using Frame = internal::Local_frame<FT>;
 
 public:
+  /// numbers vertices.
   using Index = Level_connectivity::Index;
+  /// a vector in space, and a point as its position.
   using Vector = Coordinates<FT, 3>;
   /// a control point with its normal, which is a unit vector or zero.
   using Value = Point_normal<FT, 3>;

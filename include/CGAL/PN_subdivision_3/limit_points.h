@@ -57,8 +57,12 @@ struct Limit_point
   /// \name Curvature
   /// if it was asked for and `has_curvature`; signs are those of `Vertex_curvature`.
   /// @{
+
+  /// the Gaussian curvature.
   double gaussian = 0;
+  /// the mean curvature.
   double mean = 0;
+  /// whether the surface has curvatures there.
   bool has_curvature = false;
   /// @}
 };
@@ -100,6 +104,7 @@ struct Limit_report
   /// the most rounds of refinement that were done about a vertex.
   unsigned depth = 0;
 
+  /// whether the estimated error is within the tolerance.
   bool is_within_tolerance() const { return number_of_misses == 0; }
 };
 

@@ -25,7 +25,9 @@ Numbers for all elements of one kind, `dimension` of them for each: those of ele
 */
 struct Attribute_array
 {
+  /// how many numbers each element has.
   std::size_t dimension = 1;
+  /// the numbers, those of an element next to each other.
   std::vector<double> values;
   /// of values of corners only.
   Corner_rule rule = Corner_rule::smooth;

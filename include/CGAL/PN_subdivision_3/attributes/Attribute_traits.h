@@ -143,9 +143,12 @@ Known are
 template <class T, class FT, class = void>
 struct Attribute_traits
 {
+  /// the type in which values are summed.
   using Sum = T;
 
+  /// the value as a sum of one term.
   static Sum to_sum(const T& t) { return t; }
+  /// the sum as a value.
   static T to_value(const Sum& s) { return s; }
   /// `Sum` is an array of numbers `FT`, which need no `difference()`.
   static constexpr bool has_components = false;

@@ -25,8 +25,9 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Average
 
-The rule along a crease, a curve on which the surfaces of several wedges meet: for weights
-a<sub>j</sub> with sum 1, points p<sub>j</sub>, tangents t<sub>j</sub> of the curve in one direction
+The rule along a crease, a curve on which the surfaces of several wedges meet.
+
+For weights a<sub>j</sub> with sum 1, points p<sub>j</sub>, tangents t<sub>j</sub> of the curve in one direction
 of travel, and normals n<sub>wj</sub> of each wedge w,
 
  - q = &sum; a<sub>j</sub> p<sub>j</sub>, T = &sum; a<sub>j</sub> t<sub>j</sub>, t = T/|T|,
@@ -58,7 +59,9 @@ template <class FT_, int dimension>
 class Crease_average
 {
 public:
+  /// the number type.
   using FT = FT_;
+  /// a vector.
   using Vector = Coordinates<FT, dimension>;
 
   struct Entry

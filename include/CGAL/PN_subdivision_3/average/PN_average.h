@@ -30,7 +30,9 @@ using Coordinates = std::array<FT, dimension>;
 template <class FT, int dimension>
 struct Point_normal
 {
+  /// the point.
   Coordinates<FT, dimension> point;
+  /// the unit normal, zero if there is none.
   Coordinates<FT, dimension> normal;
 };
 
@@ -106,9 +108,12 @@ The linear rule: the point sum a<sub>j</sub> p<sub>j</sub>.
 template <class FT_, int dimension>
 struct Linear_average
 {
+  /// the number type.
   using FT = FT_;
+  /// what is averaged: a point.
   using Value = Coordinates<FT, dimension>;
 
+  /// averages the old values of the entries of a row.
   template <class Entry>
   Value operator()(const Entry* begin, const Entry* end, const Value* old) const
   {
@@ -124,7 +129,7 @@ struct Linear_average
 /*!
 \ingroup PkgPNSubdivision3Average
 
-The point-normal rule of X. Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>,
+The point-normal rule of Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>,
 Section 3.1: for point weights a<sub>j</sub> and normal weights b<sub>j</sub>, normally the same,
 
  - q = &sum; a<sub>j</sub> p<sub>j</sub>, N = &sum; b<sub>j</sub> n<sub>j</sub>, n = N/|N|,
@@ -155,8 +160,11 @@ The old values are a pointer to them, or anything whose `operator[]` makes a `Va
 template <class FT_, int dimension>
 struct PN_average
 {
+  /// the number type.
   using FT = FT_;
+  /// a vector.
   using Vector = Coordinates<FT, dimension>;
+  /// what is averaged: a point with a normal.
   using Value = Point_normal<FT, dimension>;
 
   /// one mask for points and normals.

@@ -43,6 +43,7 @@ public:
                                typename boost::property_traits<VertexNormalMap>::value_type>;
   /// values are made of the two maps on request.
   using reference = value_type;
+  /// readable and writable.
   using category = boost::read_write_property_map_tag;
 
   /// zips the two maps.

@@ -38,18 +38,26 @@ sector by sector, and in a sector in the order of (i, j).
 class Extraordinary_net
 {
 public:
+  /// numbers vertices and faces.
   using Index = Level_connectivity::Index;
 
   /// the place of a vertex; the middle one has (0, 0, 0).
   struct Place
   {
-    Index sector, i, j;
+    /// the sector.
+    Index sector;
+    /// the steps along its first edge.
+    Index i;
+    /// the steps along its second edge.
+    Index j;
   };
 
   /// a face: its corners counterclockwise, as places (i, j) of one sector.
   struct Face
   {
+    /// the sector of the face.
     Index sector;
+    /// the places (i, j) of its corners.
     std::vector<std::array<Index, 2>> corners;
   };
 
@@ -75,11 +83,17 @@ public:
     for (Index s = 0; s < valence; ++s) add_faces(s);
   }
 
+  /// the number of corners of a face, 3 or 4.
   Index degree() const { return degree_; }
+  /// the valence of the middle vertex.
   Index valence() const { return valence_; }
+  /// the number of rings.
   Index rings() const { return rings_; }
+  /// the number of vertices.
   Index number_of_vertices() const { return static_cast<Index>(places_.size()); }
+  /// the place of a vertex.
   const Place& place(Index v) const { return places_[v]; }
+  /// all faces.
   const std::vector<Face>& faces() const { return faces_; }
 
   /// the number of the ring of vertex `v`.

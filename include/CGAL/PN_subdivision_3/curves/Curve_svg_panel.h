@@ -25,8 +25,11 @@ namespace PN_subdivision_3 {
 /// drawings of curves.
 namespace curve_svg {
 
+/// the kernel.
 using Kernel = CGAL::Simple_cartesian<double>;
+/// a point.
 using Point = Kernel::Point_2;
+/// a vector.
 using Vector = Kernel::Vector_2;
 
 /// points with normals, as `subdivide_curve()` takes and returns them.
@@ -44,6 +47,7 @@ struct Panel
   bool closed = false;
   /// the points of the curve.
   std::vector<Point> curve;
+  /// the control polygon.
   std::vector<Point> control_points;
   /// one for each control point or none at all; of unit length or, of a curve in space that is seen from
   /// the side, shorter.

@@ -24,8 +24,9 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Curves
 
-The mask of uniform B-spline curves of a degree m &ge; 1 (Lane and Riesenfeld): a<sub>i</sub> = C(m
-+ 1, i) / 2<sup>m</sup>. Odd degrees are primal: a new point for every old one and one for every
+The mask of uniform B-spline curves of a degree m &ge; 1 (Lane and Riesenfeld).
+
+a<sub>i</sub> = C(m+1, i) / 2<sup>m</sup>. Odd degrees are primal: a new point for every old one and one for every
 edge; even degrees are dual. Degree 2 is Chaikin's scheme.
 
 \cgalModels{PNSubdivisionCurveMask}
@@ -49,8 +50,10 @@ public:
                                   std::to_string(degree));
   }
 
+  /// the index of the first coefficient.
   int first_index() const { return degree_ % 2 != 0 ? -(degree_ + 1) / 2 : -degree_ / 2; }
 
+  /// the coefficients, in the order of their indices.
   template <class FT>
   std::vector<FT> coefficients() const
   {
@@ -97,8 +100,10 @@ public:
                                   std::to_string(points));
   }
 
+  /// the index of the first coefficient.
   int first_index() const { return 1 - 2 * half_; }
 
+  /// the coefficients, in the order of their indices.
   template <class FT>
   std::vector<FT> coefficients() const
   {
@@ -153,13 +158,16 @@ template <class Coefficient>
 class Univariate_mask
 {
 public:
+  /// makes the mask of the coefficients, of which the first has the index `first_index`.
   Univariate_mask(int first_index, std::vector<Coefficient> coefficients)
     : first_index_(first_index)
     , coefficients_(std::move(coefficients))
   {}
 
+  /// the index of the first coefficient.
   int first_index() const { return first_index_; }
 
+  /// the coefficients, in the order of their indices.
   template <class FT>
   std::vector<FT> coefficients() const
   {
@@ -176,14 +184,17 @@ private:
 template <class Mask>
 struct Linear_mask
 {
+  /// the index of the first coefficient.
   int first_index() const { return mask.first_index(); }
 
+  /// the coefficients, in the order of their indices.
   template <class FT>
   std::vector<FT> coefficients() const
   {
     return mask.template coefficients<FT>();
   }
 
+  /// the mask whose normals are left out.
   Mask mask;
 };
 
@@ -200,15 +211,19 @@ Linear_mask<Mask> linear(const Mask& mask)
 template <class Mask, class Normal_mask>
 struct Mask_with_normals
 {
+  /// the index of the first coefficient.
   int first_index() const { return mask.first_index(); }
 
+  /// the coefficients, in the order of their indices.
   template <class FT>
   std::vector<FT> coefficients() const
   {
     return mask.template coefficients<FT>();
   }
 
+  /// the mask of the points.
   Mask mask;
+  /// the mask of the normals.
   Normal_mask normal_mask;
 };
 
@@ -234,6 +249,7 @@ struct Level_dependent_mask
   /// the mask of the k-th round, counted from 1.
   auto in_round(unsigned k) const { return function(k); }
 
+  /// returns the mask of a round.
   Function function;
 };
 

@@ -23,7 +23,9 @@ template <class Kernel>
 class Cylinder_3
 {
 public:
+  /// the number type.
   using FT = typename Kernel::FT;
+  /// the type of the axis.
   using Line_3 = typename Kernel::Line_3;
 
   /// the cylinder of radius R about the axis, given R<sup>2</sup>.

@@ -30,7 +30,9 @@ What a mesh or curve deviates from a shape by, as `mesh_deviation()` and `curve_
 template <class Number_, class Element_>
 struct Deviation
 {
+  /// the number type of the deviations.
   using Number = Number_;
+  /// names the vertex of a deviation.
   using Element = Element_;
 
   /// how many points were looked at

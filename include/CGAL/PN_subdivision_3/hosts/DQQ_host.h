@@ -38,6 +38,7 @@ vertices.
 class DQQ_host
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
   /// the refined faces have any degrees.
@@ -45,6 +46,7 @@ public:
   /// no old vertex survives.
   static constexpr bool keeps_vertices = false;
 
+  /// the numbers of elements after a round.
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
     const std::uint64_t border = s.border_halfedges(); // also the number of border vertices
@@ -64,6 +66,7 @@ public:
   static void check(const Level_connectivity&, const Element_names&)
   {}
 
+  /// prepares a round on a level, which has to live as long.
   DQQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
     , corner_(level.number_of_halfedges(), boost::container::default_init)
@@ -102,12 +105,14 @@ public:
   }
   /// @}
 
+  /// calls the function of the mask that gives the row of a new vertex.
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
     mask.corner(parent_of_vertex(new_vertex).index, s);
   }
 
+  /// sets the connectivity of the refined level.
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {

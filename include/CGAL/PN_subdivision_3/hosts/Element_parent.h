@@ -26,7 +26,9 @@ struct Basic_element_parent
   /// has a face; all other elements are given by their own index.
   enum class Kind { vertex, edge, face, corner, border_edge };
 
+  /// the kind of the old element.
   Kind kind;
+  /// its number.
   Index index;
   /// which one it is of the children of the same kind that the old element has, counted from 0.
   Index ordinal = 0;

@@ -24,8 +24,11 @@ namespace PN_subdivision_3 {
 /// numbers of elements of a level.
 struct Level_size
 {
+  /// all vertices.
   std::uint64_t vertices = 0;
+  /// all edges.
   std::uint64_t edges = 0;
+  /// all faces.
   std::uint64_t faces = 0;
   /// (face, vertex) incidences, that is the half-edges that are not on the border
   std::uint64_t corners = 0;
@@ -35,7 +38,9 @@ struct Level_size
   /// only where the host's sizes depend on them.
   std::uint64_t border_valences = 0;
 
+  /// all half-edges, two an edge.
   std::uint64_t halfedges() const { return 2 * edges; }
+  /// half-edges without a face.
   std::uint64_t border_halfedges() const { return halfedges() - corners; }
 };
 
@@ -53,8 +58,10 @@ without edges stores `null`.
 class Level_connectivity
 {
 public:
+  /// numbers the elements of a kind.
   using Index = std::uint32_t;
 
+  /// the number of no element.
   static constexpr Index null = static_cast<Index>(-1);
 
   Level_connectivity() = default;
@@ -97,11 +104,18 @@ public:
 
   /// \name Size
   /// @{
+
+  /// the numbers of elements.
   const Level_size& size() const { return size_; }
+  /// the number of vertices.
   Index number_of_vertices() const { return static_cast<Index>(size_.vertices); }
+  /// the number of edges.
   Index number_of_edges() const { return static_cast<Index>(size_.edges); }
+  /// the number of half-edges.
   Index number_of_halfedges() const { return static_cast<Index>(size_.halfedges()); }
+  /// the number of faces.
   Index number_of_faces() const { return static_cast<Index>(size_.faces); }
+  /// whether an edge has a face on one side only.
   bool has_border() const { return has_border_; }
   /// the degree of all faces, 0 if they differ.
   Index uniform_degree() const { return uniform_degree_; }
@@ -109,11 +123,18 @@ public:
 
   /// \name Navigation
   /// @{
+
+  /// the other half-edge of the edge.
   static Index opposite(Index h) { return h ^ 1u; }
+  /// the edge of a half-edge.
   static Index edge(Index h) { return h >> 1; }
+  /// the first half-edge of an edge.
   static Index halfedge_of_edge(Index e) { return e << 1; }
+  /// the vertex that `h` points to.
   Index target(Index h) const { return target_[h]; }
+  /// the vertex that `h` comes from.
   Index source(Index h) const { return target_[opposite(h)]; }
+  /// the half-edge after `h` in its face or along its border.
   Index next(Index h) const { return next_[h]; }
   /// the half-edge before `h` in its face or along its border.
   /// \cost linear in the number of half-edges of the face; on the border, in the valence of the
@@ -133,14 +154,20 @@ public:
   Index next_around_target(Index h) const { return opposite(next(h)); }
   /// the face of `h`, `null` on the border.
   Index face(Index h) const { return face_[h]; }
+  /// a half-edge that points to `v`, on the border if `v` is; `null` if `v` has no edge.
   Index halfedge_of_vertex(Index v) const { return halfedge_of_vertex_[v]; }
+  /// a half-edge of `f`.
   Index halfedge_of_face(Index f) const { return halfedge_of_face_[f]; }
   /// @}
 
   /// \name Queries
   /// @{
+
+  /// whether `h` has no face.
   bool is_border(Index h) const { return has_border_ && face_[h] == null; }
+  /// whether `e` has a face on one side only.
   bool is_border_edge(Index e) const { return is_border(2 * e) || is_border(2 * e + 1); }
+  /// whether `v` has no edge.
   bool is_isolated(Index v) const { return halfedge_of_vertex_[v] == null; }
   /// \pre `v` is not isolated
   bool is_border_vertex(Index v) const { return is_border(halfedge_of_vertex_[v]); }
@@ -198,9 +225,14 @@ public:
   /// it counts as regular. In the order of the vertices.
   struct Counted_valence
   {
-    Index vertex, valence;
+    /// the vertex.
+    Index vertex;
+    /// its valence as it counts.
+    Index valence;
   };
+  /// the valences that count as another number.
   const std::vector<Counted_valence>& counted_valences() const { return counted_valences_; }
+  /// sets the valences that count as another number.
   void set_counted_valences(std::vector<Counted_valence> valences)
   {
     counted_valences_ = std::move(valences);
@@ -210,18 +242,28 @@ public:
   /// \name Modification
   /// Used while a level is built. Different elements may be set by different threads.
   /// @{
+
+  /// sets the vertex that `h` points to.
   void set_target(Index h, Index v) { target_[h] = v; }
+  /// sets the half-edge after `h`.
   void set_next(Index h, Index n) { next_[h] = n; }
+  /// sets the face of `h`.
   void set_face(Index h, Index f) { face_[h] = f; }
+  /// puts `h` on the border.
   void set_border(Index h) { face_[h] = null; }
+  /// sets `halfedge_of_vertex()`.
   void set_halfedge_of_vertex(Index v, Index h) { halfedge_of_vertex_[v] = h; }
+  /// marks a vertex as one without edges.
   void set_isolated(Index v) { halfedge_of_vertex_[v] = null; }
+  /// sets `halfedge_of_face()`.
   void set_halfedge_of_face(Index f, Index h) { halfedge_of_face_[f] = h; }
+  /// sets the numbers of elements.
   void set_size(const Level_size& size)
   {
     size_ = size;
     has_border_ = size.border_halfedges() != 0;
   }
+  /// sets the degree of all faces; 0 if they differ.
   void set_uniform_degree(Index m) { uniform_degree_ = m; }
   /// further elements are undefined until they are set.
   void resize(const Level_size& size)

@@ -35,6 +35,7 @@ that of the edge.
 class PQQ_host
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
   /// the degree of all refined faces.
@@ -45,6 +46,7 @@ public:
   /// every old edge is split in halves; all else lies inside the old faces.
   static constexpr bool splits_edges = true;
 
+  /// the numbers of elements after a round.
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
     Level_size r;
@@ -60,6 +62,7 @@ public:
   static void check(const Level_connectivity&, const Element_names&)
   {}
 
+  /// prepares a round on a level, which has to live as long.
   PQQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
     , split_(level)
@@ -95,6 +98,7 @@ public:
   }
   /// @}
 
+  /// calls the function of the mask that gives the row of a new vertex.
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
@@ -107,6 +111,7 @@ public:
       mask.face(parent.index, s);
   }
 
+  /// sets the connectivity of the refined level.
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {

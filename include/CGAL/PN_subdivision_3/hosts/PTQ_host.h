@@ -31,6 +31,7 @@ half of an edge at the source of its first half-edge keeps that of the edge.
 class PTQ_host
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
   /// the degree of all refined faces.
@@ -41,6 +42,7 @@ public:
   /// every old edge is split in halves; all else lies inside the old faces.
   static constexpr bool splits_edges = true;
 
+  /// the numbers of elements after a round.
   static Level_size refined_size(const Level_size& s, unsigned /*round*/)
   {
     Level_size r;
@@ -58,6 +60,7 @@ public:
     internal::check_triangles(level, names);
   }
 
+  /// prepares a round on a level, which has to live as long.
   PTQ_host(const Level_connectivity& level, unsigned /*round*/)
     : level_(level)
     , split_(level)
@@ -87,6 +90,7 @@ public:
   }
   /// @}
 
+  /// calls the function of the mask that gives the row of a new vertex.
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
@@ -97,6 +101,7 @@ public:
       mask.edge(parent.index, s);
   }
 
+  /// sets the connectivity of the refined level.
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {

@@ -46,6 +46,7 @@ face. A face's descriptor stays on one of its three triangles.
 class Sqrt3_host
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
   /// the degree of all refined faces.
@@ -56,6 +57,7 @@ public:
   /// whether the border is refined in a round.
   static bool refines_border(unsigned round) { return round % 2 == 0; }
 
+  /// the numbers of elements after a round.
   static Level_size refined_size(const Level_size& s, unsigned round)
   {
     const std::uint64_t border = refines_border(round) ? s.border_halfedges() : 0;
@@ -127,6 +129,7 @@ public:
   bool has_refined_border() const { return numbering_.refines_border(); }
   /// @}
 
+  /// calls the function of the mask that gives the row of a new vertex.
   template <class Mask, class Stencil>
   void stencil(const Mask& mask, Index new_vertex, Stencil& s) const
   {
@@ -142,6 +145,7 @@ public:
       mask.border_edge(parent.index, parent.ordinal, s);
   }
 
+  /// sets the connectivity of the refined level.
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {

@@ -56,8 +56,11 @@ How `interpolate_limit_points()` and `interpolate_curve()` proceed.
 template <class VertexMap = internal::All_vertices>
 struct Limit_interpolation_options
 {
+  /// what is to pass through the points.
   Limit_interpolation_mode mode = Limit_interpolation_mode::slide;
+  /// where the control normals come from.
   Limit_interpolation_normals normals = Limit_interpolation_normals::given;
+  /// what vertices do that are not interpolated.
   Limit_interpolation_free free = Limit_interpolation_free::fixed;
   /// how far the limit may be from the points, as a part of the largest side of their bounding box.
   double tolerance = 1e-12;
@@ -102,6 +105,7 @@ struct Limit_interpolation_report
   /// could not be solved for and are the given ones.
   std::size_t left_out = 0;
 
+  /// whether the residual is within the tolerance.
   bool is_within_tolerance() const { return residual <= tolerance; }
 };
 

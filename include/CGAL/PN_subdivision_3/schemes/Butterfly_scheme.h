@@ -48,8 +48,10 @@ template <class FT>
 class Butterfly_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long.
   explicit Butterfly_mask(const Level_connectivity& level)
     : level_(level)
     , irregular_valence_(internal::irregular_valences(level, 6))
@@ -58,12 +60,14 @@ public:
       if (n != 0 && weights_.find(n) == weights_.end()) weights_.emplace(n, irregular_weights(n));
   }
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
     s.add(v, FT(1));
   }
 
+  /// the row of the new vertex of an edge.
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
@@ -175,11 +179,13 @@ interior vertex of valence 2.
 */
 struct Butterfly_scheme
 {
+  /// the host of the scheme.
   using Host = PTQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "butterfly"; }
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   Butterfly_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

@@ -39,12 +39,15 @@ template <class FT>
 class CatmullClark_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long.
   explicit CatmullClark_mask(const Level_connectivity& level)
     : level_(level)
   {}
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
@@ -63,6 +66,7 @@ public:
     }
   }
 
+  /// the row of the new vertex of an edge.
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
@@ -80,6 +84,7 @@ public:
       edge_among_polygons(h, o, s);
   }
 
+  /// the row of the new vertex of a face.
   template <class Stencil>
   void face(Index f, Stencil& s) const
   {
@@ -195,6 +200,7 @@ Catmull-Clark subdivision: `CatmullClark_mask` on `PQQ_host`. Accepts any polygo
 */
 struct CatmullClark_scheme
 {
+  /// the host of the scheme.
   using Host = PQQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
@@ -203,6 +209,7 @@ struct CatmullClark_scheme
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

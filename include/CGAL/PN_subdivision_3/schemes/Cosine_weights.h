@@ -91,14 +91,17 @@ template <class FT>
 class Weight_per_valence
 {
 public:
+  /// returns the weight of a valence.
   using Function = FT (*)(std::uint32_t);
 
+  /// keeps the weights that `f` returns.
   explicit Weight_per_valence(Function f)
     : function_(f)
   {
     for (std::uint32_t n = 1; n < table_.size(); ++n) table_[n] = f(n);
   }
 
+  /// the weight of the valence `n`.
   FT operator()(std::uint32_t n) const { return n < table_.size() ? table_[n] : function_(n); }
 
 private:

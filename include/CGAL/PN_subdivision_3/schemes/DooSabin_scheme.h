@@ -36,8 +36,10 @@ template <class FT>
 class DooSabin_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long.
   explicit DooSabin_mask(const Level_connectivity& level)
     : level_(level)
   {
@@ -92,11 +94,13 @@ valence 2, of which a face with two corners would be left.
 */
 struct DooSabin_scheme
 {
+  /// the host of the scheme.
   using Host = DQQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "doo-sabin"; }
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

@@ -54,8 +54,10 @@ template <class FT>
 class Kobbelt_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long, with a tension.
   Kobbelt_mask(const Level_connectivity& level, const FT& tension)
     : level_(level)
     , irregular_valence_(internal::irregular_valences(level, 4))
@@ -68,12 +70,14 @@ public:
     , face_rest_(rest_of_face_row())
   {}
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
     s.add(v, FT(1));
   }
 
+  /// the row of the new vertex of an edge.
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
@@ -87,6 +91,7 @@ public:
     row.emit(s);
   }
 
+  /// the row of the new vertex of a face.
   template <class Stencil>
   void face(Index f, Stencil& s) const
   {
@@ -258,12 +263,14 @@ interior vertex of valence 2.
 class Kobbelt_scheme
 {
 public:
+  /// the host of the scheme.
   using Host = PQQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "kobbelt"; }
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "tension"; }
+  /// the default tension.
   static constexpr double default_parameter() { return 1. / 16; }
 
   /// \pre `-1/2 < tension < 1/2`
@@ -276,6 +283,7 @@ public:
         "PN_subdivision_3: the tension of Kobbelt's scheme must lie between -1/2 and 1/2");
   }
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   Kobbelt_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

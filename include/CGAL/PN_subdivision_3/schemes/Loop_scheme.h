@@ -38,13 +38,16 @@ template <class FT>
 class Loop_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long.
   explicit Loop_mask(const Level_connectivity& level)
     : level_(level)
     , neighbor_weight_(&neighbor_weight)
   {}
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
@@ -60,6 +63,7 @@ public:
       s.add_rest(v);
   }
 
+  /// the row of the new vertex of an edge.
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
@@ -96,6 +100,7 @@ Loop subdivision: `Loop_mask` on `PTQ_host`. Accepts triangles only.
 */
 struct Loop_scheme
 {
+  /// the host of the scheme.
   using Host = PTQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
@@ -104,6 +109,7 @@ struct Loop_scheme
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   Loop_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

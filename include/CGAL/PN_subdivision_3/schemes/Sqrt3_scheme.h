@@ -39,14 +39,17 @@ template <class FT>
 class Sqrt3_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long.
   explicit Sqrt3_mask(const Level_connectivity& level)
     : level_(level)
     , neighbor_weight_(&neighbor_weight)
     , vertex_weight_(&vertex_weight)
   {}
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
@@ -59,6 +62,7 @@ public:
     s.add(v, vertex_weight_(n));
   }
 
+  /// the row of the new vertex of a face.
   template <class Stencil>
   void face(Index f, Stencil& s) const
   {
@@ -119,11 +123,13 @@ refined in the even rounds of a call only.
 */
 struct Sqrt3_scheme
 {
+  /// the host of the scheme.
   using Host = Sqrt3_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "sqrt3"; }
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   Sqrt3_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {

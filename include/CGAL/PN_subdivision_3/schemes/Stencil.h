@@ -39,7 +39,9 @@ template <class FT_>
 class Stencil
 {
 public:
+  /// the number type of the weights.
   using FT = FT_;
+  /// numbers an old vertex.
   using Index = std::uint32_t;
 
   struct Entry

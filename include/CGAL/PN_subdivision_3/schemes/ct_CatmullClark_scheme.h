@@ -53,6 +53,7 @@ linear in their size
 class ct_CatmullClark_scheme
 {
 public:
+  /// the host of the scheme.
   using Host = PQQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
@@ -64,6 +65,7 @@ public:
   /// after every round normals are corrected at separated vertices.
   static constexpr bool transfers_curvature = true;
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {

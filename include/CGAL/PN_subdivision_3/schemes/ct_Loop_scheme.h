@@ -28,6 +28,7 @@ Accepts triangles only.
 class ct_Loop_scheme
 {
 public:
+  /// the host of the scheme.
   using Host = PTQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
@@ -39,6 +40,7 @@ public:
   /// after every round normals are corrected at separated vertices.
   static constexpr bool transfers_curvature = true;
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {

@@ -170,8 +170,10 @@ template <class FT>
 class modified_CatmullClark_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long, with a bound of the eigenvalues.
   modified_CatmullClark_mask(const Level_connectivity& level, double cap)
     : modified_CatmullClark_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
@@ -186,6 +188,7 @@ public:
                     [&](Index n) { return n > 3 || tuning.valences == Tuned_valences::all; }};
   }
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
@@ -195,6 +198,7 @@ public:
       plain_.vertex(v, s);
   }
 
+  /// the row of the new vertex of an edge.
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
@@ -205,6 +209,7 @@ public:
       plain_.edge(e, s);
   }
 
+  /// the row of the new vertex of a face.
   template <class Stencil>
   void face(Index f, Stencil& s) const
   {
@@ -219,6 +224,7 @@ public:
 
   /// the parts of `CatmullClark_mask`. \pre the row is the one of that mask
   FT face_part_of_vertex(Index h, Index n) const { return plain_.face_part_of_vertex(h, n); }
+  /// the part of a face in the row of an edge.
   FT face_part_of_edge(Index h) const { return plain_.face_part_of_edge(h); }
 
   /// the vertices with rules of their own, in ascending order.
@@ -308,12 +314,14 @@ On a mesh without separated extraordinary vertices a round gives the same as one
 class modified_CatmullClark_scheme
 {
 public:
+  /// the host of the scheme.
   using Host = PQQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "modified-catmull-clark"; }
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "cap"; }
+  /// the default cap.
   static constexpr double default_parameter() { return 0.5; }
 
   /// along creases the rules are those of the border.
@@ -336,9 +344,12 @@ public:
     return modified_CatmullClark_scheme(cap, 2, Tuned_valences::diverging);
   }
 
+  /// the first round with modified weights.
   unsigned first_round() const { return tuning_.first_round; }
+  /// the valences with modified weights.
   Tuned_valences valences() const { return tuning_.valences; }
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {

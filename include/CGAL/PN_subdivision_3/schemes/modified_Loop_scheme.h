@@ -60,8 +60,10 @@ template <class FT>
 class modified_Loop_mask
 {
 public:
+  /// numbers an element.
   using Index = Level_connectivity::Index;
 
+  /// makes the mask of a level, which has to live as long, with a bound of the eigenvalues.
   modified_Loop_mask(const Level_connectivity& level, double cap)
     : modified_Loop_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
@@ -77,6 +79,7 @@ public:
                     [all](Index n) { return all || (n != 4 && n != 5); }};
   }
 
+  /// the row of the new vertex of an old vertex.
   template <class Stencil>
   void vertex(Index v, Stencil& s) const
   {
@@ -87,6 +90,7 @@ public:
     s.add_rest(v);
   }
 
+  /// the row of the new vertex of an edge.
   template <class Stencil>
   void edge(Index e, Stencil& s) const
   {
@@ -157,12 +161,14 @@ without separated extraordinary vertices a round gives the same as one of `Loop_
 class modified_Loop_scheme
 {
 public:
+  /// the host of the scheme.
   using Host = PTQ_host;
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "modified-loop"; }
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "cap"; }
+  /// the default cap.
   static constexpr double default_parameter() { return 0.5; }
 
   /// along creases the rules are those of the border.
@@ -185,9 +191,12 @@ public:
     return modified_Loop_scheme(cap, 2, Tuned_valences::diverging);
   }
 
+  /// the first round with modified weights.
   unsigned first_round() const { return tuning_.first_round; }
+  /// the valences with modified weights.
   Tuned_valences valences() const { return tuning_.valences; }
 
+  /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
   modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {

@@ -33,8 +33,10 @@ A scheme with the estimate of control normals that it uses for meshes without an
 template <class Scheme>
 struct Scheme_with_normal_estimate : Scheme_adaptor<Scheme>
 {
+  /// how normals are estimated.
   std::optional<Control_normal_estimate> normal_estimate() const { return estimate; }
 
+  /// how normals are estimated.
   Control_normal_estimate estimate;
 };
 

@@ -126,14 +126,21 @@ itself. Adaptors can be nested in any order; of two of a kind the outer one coun
 template <class Scheme>
 struct Scheme_adaptor
 {
+  /// the scheme that is adapted.
   using Adapted_scheme = Scheme;
+  /// the host of the adapted scheme.
   using Host = typename Scheme::Host;
 
+  /// whether the rules for borders serve along creases.
   static constexpr bool has_crease_rules = internal::Has_crease_rules<Scheme>::value;
+  /// whether it is a linear twin.
   static constexpr bool is_linear = internal::Is_linear<Scheme>::value;
+  /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = internal::Has_normal_mask<Scheme>::value;
+  /// whether a round transfers curvature to the normals.
   static constexpr bool transfers_curvature = internal::Has_curvature_transfer<Scheme>::value;
 
+  /// the mask of a round, that of the adapted scheme.
   template <class FT>
   auto mask(const Level_connectivity& level, unsigned round) const
   {
@@ -147,17 +154,20 @@ struct Scheme_adaptor
     return scheme.template normal_mask<FT>(level, round);
   }
 
+  /// the number of entries that long rows of a round have; see `estimated_row_entries()`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
     return internal::dense_row_entries<Scheme>(level, round);
   }
 
+  /// refuses what the adapted scheme refuses.
   template <class Element_names>
   void check(const Level_connectivity& level, const Element_names& names) const
   {
     internal::check_scheme(scheme, level, names);
   }
 
+  /// the scheme that is adapted.
   Scheme scheme;
 };
 
@@ -169,8 +179,11 @@ are no normals.
 template <class Scheme>
 struct Linear_scheme : Scheme_adaptor<Scheme>
 {
+  /// whether it is a linear twin.
   static constexpr bool is_linear = true;
+  /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = false;
+  /// whether a round transfers curvature to the normals.
   static constexpr bool transfers_curvature = false;
 };
 
@@ -195,22 +208,27 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
                   !internal::Has_curvature_transfer<Normal_scheme>::value,
                 "a scheme that transfers curvature refines points and normals together");
 
+  /// whether the rules for borders of both schemes serve along creases.
   static constexpr bool has_crease_rules =
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
+  /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = true;
 
+  /// the mask of the normals in a round.
   template <class FT>
   auto normal_mask(const Level_connectivity& level, unsigned round) const
   {
     return normal_scheme.template mask<FT>(level, round);
   }
 
+  /// the number of entries that long rows of a round have; see `estimated_row_entries()`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
     return internal::dense_row_entries<Scheme>(level, round) +
            internal::dense_row_entries<Normal_scheme>(level, round);
   }
 
+  /// refuses what one of the schemes refuses.
   template <class Element_names>
   void check(const Level_connectivity& level, const Element_names& names) const
   {
@@ -218,6 +236,7 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
     internal::check_scheme(normal_scheme, level, names);
   }
 
+  /// the scheme of the normals.
   Normal_scheme normal_scheme;
 };
 

@@ -33,6 +33,7 @@ A list of scheme types.
 template <class... Schemes>
 struct Scheme_list
 {
+  /// the number of schemes.
   static constexpr std::size_t size = sizeof...(Schemes);
 
   /// `Template` of the schemes, for instance `%apply<std::variant>`.

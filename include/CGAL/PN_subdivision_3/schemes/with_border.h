@@ -37,6 +37,7 @@ A scheme with another rule for the border, made by `with_border()`.
 template <class Scheme>
 struct Scheme_with_border : Scheme_adaptor<Scheme>
 {
+  /// what the border becomes.
   Border border;
 };
 

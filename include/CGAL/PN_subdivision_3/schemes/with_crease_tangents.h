@@ -24,6 +24,7 @@ A scheme with the tangents of creases, made by `with_crease_tangents()`.
 template <class Scheme, class HalfedgeVectorMap>
 struct Scheme_with_crease_tangents : Scheme_adaptor<Scheme>
 {
+  /// the map of the tangents.
   HalfedgeVectorMap tangents;
 };
 

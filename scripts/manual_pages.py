@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""What CGAL's documentation build does around Doxygen, for the manual that is built outside of CGAL.
+
+  manual_pages.py prepare OUT    writes the bibliography that PN_subdivision_3.bib makes
+  manual_pages.py finish HTML    numbers figures and citations in Doxygen's pages, and turns formulas
+                                 into MathML, which browsers show without a script and a network
+
+Formulas need the program blahtexml (a Debian package of 0.2 MB); without it they stay with MathJax,
+which browsers load from the network. `finish` fails if a reference or a formula cannot be resolved.
+"""
+
+import argparse
+import html
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+DOC = Path(__file__).resolve().parent.parent / "doc" / "PN_subdivision_3"
+ACCENTS = {'"': "uml", "'": "acute", "`": "grave", "^": "circ", "~": "tilde"}
+
+
+# --- the bibliography ---
+
+def entries(text: str) -> dict[str, dict[str, str]]:
+    """Key to fields of each entry of a BibTeX file whose values are in braces."""
+    found = {}
+    for kind, key, body in re.findall(r"(?ms)^@(\w+)\{([^,\s]+),\n(.*?)^\}", text):
+        fields = dict(re.findall(r"(?ms)^\s*(\w+)\s*=\s*\{(.*?)\},?$", body))
+        found[key] = {name: plain(value) for name, value in fields.items()} | {"kind": kind}
+    return found
+
+
+def plain(value: str) -> str:
+    """TeX as HTML."""
+    value = re.sub(r"\{\\(.)(\w)\}", lambda m: f"&{m[2]}{ACCENTS[m[1]]};", value)
+    value = re.sub(r"\\(['\"`^~])\{?(\w)\}?", lambda m: f"&{m[2]}{ACCENTS[m[1]]};", value)
+    value = value.replace(r"$\sqrt{3}$", "&radic;3")
+    value = re.sub(r"\$(\w)\^(\w)\$", r"\1<sup>\2</sup>", value)
+    value = value.replace("--", "&ndash;").replace("~", "&nbsp;")
+    return " ".join(re.sub(r"[{}]", "", value).split())
+
+
+def ordered_keys(works: dict[str, dict[str, str]]) -> list[str]:
+    def names(key: str) -> tuple[str, str]:
+        authors = works[key]["author"].split(" and ")
+        return " ".join(author.split()[-1] for author in authors), works[key]["year"]
+    return sorted(works, key=names)
+
+
+def description(work: dict[str, str]) -> str:
+    where = [work[name] for name in ("journal", "booktitle", "school", "publisher", "note") if name in work]
+    if "volume" in work:
+        where[0] += f" {work['volume']}" + (f"({work['number']})" if "number" in work else "")
+    if "pages" in work:
+        where.append(work["pages"])
+    if "eprint" in work:
+        where.append(f"arXiv:{work['eprint']}")
+    where.append(work["year"])
+    text = f"{', '.join(work['author'].split(' and '))}. <em>{work['title']}</em>. {', '.join(where)}."
+    if "url" in work:
+        text += f' <a href="{work["url"]}">{work["url"]}</a>'
+    return text
+
+
+def bibliography() -> str:
+    works = entries((DOC / "PN_subdivision_3.bib").read_text())
+    rows = [f'<tr><td><span class="bibkey">{key}</span></td><td>{description(works[key])}</td></tr>'
+            for key in ordered_keys(works)]
+    return "\n".join(["/*!", "\\page citelist Bibliography", '<table class="bibliography">', *rows,
+                      "</table>", "*/", ""])
+
+
+def prepare(out: Path) -> None:
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "bibliography.txt").write_text(bibliography())
+
+
+# --- the pages ---
+
+def number_citations(pages: dict[Path, str]) -> list[str]:
+    works = entries((DOC / "PN_subdivision_3.bib").read_text())
+    numbers = {key: str(i) for i, key in enumerate(ordered_keys(works), 1)}
+    wrong = []
+
+    def cite(match: re.Match[str]) -> str:
+        key = html.unescape(match[1])
+        if key not in numbers:
+            wrong.append(f"{key} is not in PN_subdivision_3.bib")
+            return match[0]
+        return f'<a class="el" href="citelist.html#CITEREF_{key}">[{numbers[key]}]</a>'
+
+    def work(match: re.Match[str]) -> str:
+        key = html.unescape(match[1])
+        return f'<a id="CITEREF_{key}"></a>[{numbers[key]}]'
+
+    for path, text in pages.items():
+        text = re.sub(r'<span class="cite">(.*?)</span>', cite, text)
+        pages[path] = re.sub(r'<span class="bibkey">(.*?)</span>', work, text)
+    return wrong
+
+
+def number_figures(pages: dict[Path, str]) -> list[str]:
+    """Figures are numbered on each page; a reference from elsewhere names the page too."""
+    figures: dict[str, tuple[Path, int, str]] = {}
+    for path, text in pages.items():
+        title = re.search(r"<title>(?:[^<]*: )?([^<]*)</title>", text)
+        for number, name in enumerate(re.findall(r'<span class="figure" id="fig__(\w+)">', text), 1):
+            figures[name] = path, number, title[1] if title else path.stem
+    wrong, used = [], set()
+    for path, text in pages.items():
+        def caption(match: re.Match[str]) -> str:
+            return f'<span class="figure" id="fig__{match[1]}">Figure {figures[match[1]][1]}.</span>'
+
+        def reference(match: re.Match[str]) -> str:
+            name = match[1]
+            used.add(name)
+            if name not in figures:
+                wrong.append(f"{path.name} refers to the figure {name}, which is not there")
+                return match[0]
+            page, number, title = figures[name]
+            where = "" if page == path else f" of {title}"
+            link = "" if page == path else page.name
+            return f'<a class="el" href="{link}#fig__{name}">Figure {number}</a>{where}'
+
+        text = re.sub(r'<span class="figure" id="fig__(\w+)"></span>', caption, text)
+        pages[path] = re.sub(r'<span class="figureref">(\w+)</span>', reference, text)
+    wrong += [f"no text refers to the figure {name}" for name in figures.keys() - used]
+    return wrong
+
+
+def mathml(tex: str, display: bool, blahtexml: str) -> str:
+    tex = tex.replace(r"\,", r"\, ").replace(r"\bigl", r"\big").replace(r"\Bigl", r"\Big")
+    tex = tex.replace(r"\bigr", r"\big").replace(r"\Bigr", r"\Big").replace(r"\mbox", r"\text")
+    options = ["--mathml", "--spacing", "moderate"] + (["--displaymath"] if display else [])
+    answer = subprocess.run([blahtexml, *options], input=tex, text=True, capture_output=True).stdout
+    markup = re.search(r"<markup>\s*(.*?)\s*</markup>", answer, re.S)
+    if not markup:
+        raise ValueError(f"{tex}: {' '.join(re.findall('<message>(.*?)</message>', answer))}")
+    content = markup[1].replace(">-</mo>", ">&#x2212;</mo>")
+    kind = ' display="block"' if display else ""
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML"{kind}>{content}</math>'
+
+
+def write_formulas(pages: dict[Path, str]) -> list[str]:
+    blahtexml = shutil.which("blahtexml")
+    if not blahtexml:
+        print("blahtexml is not installed: formulas need the network when the manual is read")
+        return []
+    known: dict[tuple[str, bool], str] = {}
+    wrong = []
+    for path, text in pages.items():
+        if r"\(" not in text and r"\[" not in text and "MathJax" not in text:
+            continue
+
+        def formula(match: re.Match[str]) -> str:
+            display = match[0].startswith(r"\[")
+            tex = html.unescape(match[1] if display else match[2]).strip()
+            if (tex, display) not in known:
+                try:
+                    known[tex, display] = mathml(tex, display, blahtexml)
+                except ValueError as error:
+                    wrong.append(f"{path.name}: {error}")
+                    return match[0]
+            return known[tex, display]
+
+        # programs and scripts stay as they are
+        pieces = re.split(r'(<div class="fragment">.*?</div><!-- fragment -->|<script.*?</script>|<pre.*?</pre>)',
+                          text, flags=re.S)
+        pieces[::2] = [re.sub(r"\\\[(.*?)\\\]|\\\((.*?)\\\)", formula, piece, flags=re.S)
+                       for piece in pieces[::2]]
+        text = "".join(piece for piece in pieces
+                       if not (piece.startswith("<script") and "mathjax" in piece.lower()))
+        pages[path] = text
+    return wrong
+
+
+def unlisted(pages: dict[Path, str]) -> list[str]:
+    """Public names that the classified list of PackageDescription.txt lacks."""
+    description = (DOC / "PackageDescription.txt").read_text()
+    listed = set(re.findall(r"`(?:CGAL::PN_subdivision_3::)?(?:\w+::)*(\w+)(?:\(\))?`", description))
+    found = set()
+    for path, text in pages.items():
+        if path.name.startswith("group__"):
+            found |= set(re.findall(r'class="memItemRight"[^>]*><a class="el" '
+                                    r'href="(?:(?:class|struct)[^"]*|[^"]*#[^"]*)">([\w:]+)', text))
+    names = {name.split("::")[-1] for name in found} - {"curve_svg"}
+    return [f"{name} is not in the classified list of PackageDescription.txt"
+            for name in sorted(names - listed)]
+
+
+def finish(folder: Path) -> list[str]:
+    before = {path: path.read_text() for path in sorted(folder.glob("*.html"))}
+    pages = dict(before)
+    wrong = unlisted(pages) + number_citations(pages) + number_figures(pages) + write_formulas(pages)
+    for path, text in pages.items():
+        if text != before[path]:
+            path.write_text(text)
+    return wrong
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("step", choices=("prepare", "finish"))
+    parser.add_argument("folder", type=Path)
+    arguments = parser.parse_args()
+    if arguments.step == "prepare":
+        prepare(arguments.folder)
+        return 0
+    wrong = finish(arguments.folder)
+    for line in wrong:
+        print(f"manual: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Runs the commands that README.md and the manual show, as they stand, in a copy of the package's folder.
+
+A command is one of an indented or fenced block of README.md, or of a block \\code{.sh} of the manual's
+pages. What installs or builds is not run here; the list ELSEWHERE says what runs it. Pictures are drawn
+where Python has VTK. The exit code is 1 if a command fails or leaves no output that it names.
+"""
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+# a pattern for the begin of a command, and what runs it
+ELSEWHERE = (
+    (r"sudo apt-get install ", "scripts/install_dependencies.sh installs these packages"),
+    (r"\./scripts/(demo|test)\.sh$", ".ci/run, which is scripts/test.sh, and who releases a version"),
+    (r"cmake --preset |cmake --build |ctest --preset ", "scripts/build.sh and scripts/test.sh"),
+    (r"scripts/install_dependencies\.sh --manual", "who builds the manual"),
+    (r"scripts/check_style\.sh", "who changes the sources"),
+    (r"scripts/make_paper_figures\.sh", "the test numbers_of_paper_figures"),
+)
+
+
+def blocks_of_readme() -> list[str]:
+    text = (ROOT / "README.md").read_text()
+    fenced = re.findall(r"(?ms)^```sh\n(.*?)^```", text)
+    text = re.sub(r"(?ms)^```.*?^```", "", text)
+    indented = re.findall(r"(?m)^\n((?:    .*\n)+)", text)
+    shell = re.compile(r"\./|scripts/|pn_subdivide |printf |cmake |ctest |g\+\+ |sudo ")
+    return fenced + [re.sub(r"(?m)^    ", "", block) for block in indented if shell.match(block.strip())]
+
+
+def blocks_of_manual() -> list[str]:
+    return [block for page in sorted((ROOT / "doc/PN_subdivision_3").glob("*.txt"))
+            for block in re.findall(r"(?ms)^\\code\{\.sh\}\n(.*?)^\\endcode", page.read_text())]
+
+
+def commands(block: str) -> list[str]:
+    return [line.strip() for line in block.replace("\\\n", " ").splitlines()
+            if line.strip() and not line.strip().startswith("#")]
+
+
+def elsewhere(command: str) -> bool:
+    return any(re.match(pattern, command) for pattern, _ in ELSEWHERE)
+
+
+def can_draw() -> bool:
+    has_vtk = subprocess.run(["/usr/bin/python3", "-c", "import vtk, numpy"], capture_output=True)
+    return has_vtk.returncode == 0 and shutil.which("Xvfb") is not None
+
+
+def sandbox(folder: Path, command: Path) -> None:
+    """The package's folder, with the command where a build puts it."""
+    for entry in ROOT.iterdir():
+        if not entry.name.startswith((".git", "build", "out")):
+            (folder / entry.name).symlink_to(entry)
+    built = folder / "build/src/pn_subdivide"
+    built.mkdir(parents=True)
+    (built / "pn_subdivide").symlink_to(command.resolve())
+
+
+def run(blocks: list[str], folder: Path, command: Path) -> list[str]:
+    draw = can_draw()
+    environment = dict(os.environ, PATH=f"{command.resolve().parent}:{os.environ['PATH']}")
+    wrong, done = [], set()
+    for block in blocks:
+        for line in commands(block):
+            if elsewhere(line) or line in done:
+                continue
+            if line.startswith("cmake -B build"):
+                # the options must be known; what is configured is not built
+                line = line.replace("cmake -B build", "cmake -B configured", 1) + " -Werror=dev"
+            if "render.py" in line and not draw:
+                print(f"not run, since VTK or Xvfb is missing: {line}")
+                continue
+            done.add(line)
+            print(f"$ {line}", flush=True)
+            result = subprocess.run(["bash", "-euo", "pipefail", "-c", line], cwd=folder, env=environment,
+                                    capture_output=True, text=True)
+            if result.returncode != 0 or "unused variable" in result.stderr or "were not used" in result.stderr:
+                wrong.append(f"{line}\n  exit code {result.returncode}: {result.stderr.strip()[-400:]}")
+                continue
+            named = re.findall(r"(?:--output|--comb|-o|>) ([\w.]+)|(?:surface|curve) \S+ ([\w.]+)", line)
+            for name in filter(None, sum(named, ())):
+                if not (folder / name).exists() or (folder / name).stat().st_size == 0:
+                    wrong.append(f"{line}\n  does not write {name}")
+    return wrong
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("command", type=Path, help="pn_subdivide")
+    arguments = parser.parse_args()
+    blocks = blocks_of_readme() + blocks_of_manual()
+    count = sum(len(commands(block)) for block in blocks)
+    if count < 12:
+        print(f"only {count} commands found: the blocks are not read as they should be", file=sys.stderr)
+        return 1
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        sandbox(folder, arguments.command)
+        wrong = run(blocks, folder, arguments.command)
+    for line in wrong:
+        print(line, file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
