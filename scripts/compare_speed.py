@@ -43,7 +43,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--seconds", type=float, default=1.2,
                         help="a job that has taken as long is not repeated (default: 1.2)")
     parser.add_argument("--regular-only", action="store_true",
-                        help="neither other control meshes nor fresh processes")
+                        help="neither other control meshes nor fresh processes nor huge pages")
     parser.add_argument("--results", type=Path, metavar="FILE.csv", help="where to keep what was measured")
     parser.add_argument("--from", type=Path, dest="measured", metavar="FILE.csv",
                         help="what was measured before, in place of measuring")
@@ -84,7 +84,7 @@ def measure(options: argparse.Namespace, servers: Servers, folder: Path) -> Medi
     if not options.regular_only:
         middle = [size for size in options.sizes if size in (100_000, 1_000_000)]
         groups += [(kind, size, "warm", (1,)) for kind in ("irregular", "real") for size in middle]
-        groups += [("regular", size, "fresh", (1,)) for size in middle]
+        groups += [("regular", size, process, (1,)) for process in ("fresh", "huge") for size in middle]
     for scheme, (kind, size, process, threads) in itertools.product(options.schemes, groups):
         print(f"{scheme}, {kind}, {size} faces, {process}", file=sys.stderr)
         runs = measurements.runs_of_group(servers, scheme, kind, size, process, threads)

@@ -21,7 +21,7 @@ from .servers import Measurement, Servers
 
 @dataclass(frozen=True, order=True)
 class Run:
-    """a job on a control mesh; `process` is warm or fresh"""
+    """a job on a control mesh; `process` is warm, fresh or huge (warm, with huge pages)"""
 
     scheme: str
     kind: str
@@ -82,8 +82,9 @@ def measure_group(servers: Servers, runs: list[Run], folder: Path, repetitions: 
         for run in order.sample(runs, len(runs)):
             if found[run] and spent[run] > seconds_each:
                 continue
-            is_warm = run.process == "warm"
-            server = (servers.warm if is_warm else servers.start)(run.job, run.threads)
+            is_warm = run.process != "fresh"
+            server = (servers.warm(run.job, run.threads, run.process == "huge") if is_warm else
+                      servers.start(run.job, run.threads))
             begin = time.perf_counter()
             m = server.run(f"{run.job}/{run.scheme}", str(control.file), control.rounds)
             spent[run] += time.perf_counter() - begin

@@ -117,8 +117,9 @@ class Page:
         return lines
 
     def table_of_meshes(self, size: int) -> list[str]:
-        """the other control meshes, and fresh processes"""
-        columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"), ("regular", "fresh"))
+        """the other control meshes, fresh processes and huge pages"""
+        columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"),
+                   ("regular", "fresh"), ("regular", "huge"))
         rows = []
         for scheme in self.schemes:
             for job in NAMES:
@@ -127,7 +128,7 @@ class Page:
                     rows.append([f"{TITLES[scheme]}: {NAMES[job]}"] +
                                 [number(m.ns_per_face()) for m in found if m])
         header = [f"about {size_name(size)} faces", "regular", "irregular", "real",
-                  "regular, fresh process"]
+                  "regular, fresh process", "regular, huge pages"]
         return table(header, rows) if rows else []
 
     def table_of_ratios(self) -> list[str]:
@@ -166,7 +167,7 @@ class Page:
         lines = ["", "## Ratios", ""] + self.table_of_ratios() + self.table_of_growth()
         lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
         lines += self.tables_of_sizes()
-        lines += ["## Other control meshes, and fresh processes", ""]
+        lines += ["## Other control meshes, fresh processes, huge pages", ""]
         for size in sorted({r.size for r in self.medians if r.kind == "irregular"}):
             lines += self.table_of_meshes(size)
         lines += ["## Evaluation once more", "", "All control points and normals are set again.", ""]

@@ -26,8 +26,10 @@ class Measurement:
 class Server:
     """one process, which keeps what it has warmed up"""
 
-    def __init__(self, command: list[str], threads: int):
+    def __init__(self, command: list[str], threads: int, has_huge_pages: bool):
         environment = dict(os.environ, OMP_NUM_THREADS=str(threads))
+        if has_huge_pages:  # the allocator asks for them; of use where the system grants them then
+            environment["GLIBC_TUNABLES"] = "glibc.malloc.hugetlb=1"
         self.threads = threads
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         text=True, env=environment)
@@ -60,25 +62,29 @@ class Servers:
     def __init__(self, peers: Path):
         self.peers = peers
         self.vtk = python_with_vtk()
-        self.running: dict[tuple[str, int], Server] = {}
+        self.running: dict[tuple[str, int, bool], Server] = {}
+        self.listings: dict[str, list[str]] = {}
 
     def output(self, command: list[str]) -> list[str]:
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
 
     def listing(self, option: str) -> list[str]:
-        lines = self.output([str(self.peers), option])
-        if self.vtk:
-            lines += self.output([self.vtk, str(VTK_PEER), option])
-        return lines
+        if option not in self.listings:
+            lines = self.output([str(self.peers), option])
+            if self.vtk:
+                lines += self.output([self.vtk, str(VTK_PEER), option])
+            self.listings[option] = lines
+        return self.listings[option]
 
-    def start(self, job: str, threads: int) -> Server:
+    def start(self, job: str, threads: int, has_huge_pages: bool = False) -> Server:
         is_vtk = job.startswith("vtk/")
-        return Server([self.vtk, str(VTK_PEER)] if is_vtk else [str(self.peers)], threads)
+        command = [self.vtk, str(VTK_PEER)] if is_vtk else [str(self.peers)]
+        return Server(command, threads, has_huge_pages)
 
-    def warm(self, job: str, threads: int) -> Server:
-        key = job.split("/")[0], threads
+    def warm(self, job: str, threads: int, has_huge_pages: bool) -> Server:
+        key = job.split("/")[0], threads, has_huge_pages
         if key not in self.running:
-            self.running[key] = self.start(job, threads)
+            self.running[key] = self.start(job, threads, has_huge_pages)
         return self.running[key]
 
     def close(self) -> None:
