@@ -179,6 +179,8 @@ struct Butterfly_scheme
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "butterfly"; }
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
+  static constexpr unsigned ghost_rings = 2;
 
   template <class FT>
   Butterfly_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const

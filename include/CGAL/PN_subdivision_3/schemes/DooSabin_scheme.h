@@ -96,6 +96,8 @@ struct DooSabin_scheme
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "doo-sabin"; }
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
+  static constexpr unsigned ghost_rings = 1;
 
   template <class FT>
   DooSabin_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
