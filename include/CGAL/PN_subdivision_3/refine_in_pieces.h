@@ -189,6 +189,9 @@ public:
   }
 
   std::size_t number_of_pieces() const { return number_of_pieces_; }
+  /// whether a piece has neither faces nor vertices, because there are too few.
+  /// \pre `i < number_of_pieces()`
+  bool is_empty(std::size_t i) const { return refiner_->is_empty(i); }
 
   /// \name The whole surface
   /// @{
@@ -246,8 +249,8 @@ private:
     rounds_ = level.size().faces == 0 ? (std::min)(rounds, 1u) : rounds; // all rounds are alike
     constexpr std::uint64_t limit = std::uint64_t(1) << 60;
     internal::checked_refined_size<typename Scheme::Host>(level.size(), rounds_, limit);
-    const unsigned base_round = internal::dividing_round<typename Scheme::Host>(
-      level.size(), rounds_, number_of_pieces_);
+    const unsigned base_round =
+      internal::dividing_round<typename Scheme::Host>(level.size(), rounds_, number_of_pieces_);
     internal::checked_refined_size<typename Scheme::Host>(level.size(), base_round,
                                                           Level_connectivity::null);
     const auto values = internal::read_values<Average>(access, level, points, normals,
@@ -265,9 +268,8 @@ private:
   {
     const auto& p = internal::point_of(value);
     if (is_near_overflow_)
-      internal::check_in_range(p, [&] {
-        return "the point of the new vertex " + std::to_string(piece.vertex_number(v));
-      });
+      internal::check_in_range(
+        p, [&] { return "the point of the new vertex " + std::to_string(piece.vertex_number(v)); });
     piece.points_[v] = typename GeomTraits::Point_3(p[0], p[1], p[2]);
     if constexpr (is_pn)
       piece.normals_[v] =
@@ -286,6 +288,37 @@ Surface_pieces(const PolygonMesh&, const Scheme&, std::size_t,
                const NamedParameters& = parameters::default_values())
   -> Surface_pieces<
     Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+returns about how many bytes `Surface_pieces` takes, with one of its pieces, so that the number of pieces can be
+chosen. The level that is divided becomes larger with the number of pieces.
+
+\tparam Scheme the scheme
+\tparam GeomTraits the model of `Kernel`
+\param size the size of the control mesh
+*/
+template <class Scheme, class GeomTraits>
+double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t number_of_pieces)
+{
+  using Host = typename Scheme::Host;
+  const auto bytes_of_level = [](const Level_size& s) {
+    constexpr double value = 6 * sizeof(typename GeomTraits::FT);
+    return double(s.halfedges()) * 12 + double(s.vertices) * (value + 12) + double(s.faces) * 20;
+  };
+  const unsigned base_round = internal::dividing_round<Host>(size, rounds, number_of_pieces);
+  Level_size base = size, parent = size, result = size;
+  for (unsigned k = 1; k <= rounds; ++k) {
+    if (k <= base_round) base = Host::refined_size(base, k);
+    parent = result;
+    result = Host::refined_size(result, k);
+  }
+  // the last level twice: with its rings, and without them
+  constexpr double rings = 1.1, unequal = 1.1;
+  const double pieces = double(number_of_pieces);
+  return 2 * bytes_of_level(base) +
+         rings * unequal * (bytes_of_level(parent) + 2 * bytes_of_level(result)) / pieces;
+}
 
 /*!
 \ingroup PkgPNSubdivision3Functions

@@ -124,7 +124,7 @@ struct Sqrt3_scheme
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "sqrt3"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
-  static constexpr unsigned ghost_rings = 3;
+  static constexpr unsigned ghost_rings = 2;
 
   template <class FT>
   Sqrt3_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const

@@ -92,6 +92,12 @@ public:
   const Level_connectivity& base() const { return base_.level(); }
   unsigned base_round() const { return base_round_; }
 
+  bool is_empty(std::size_t piece) const
+  {
+    return faces_of_piece_[piece] == 0 &&
+           (piece != 0 || base_.level().size().isolated_vertices == 0);
+  }
+
   void refine(std::size_t piece, const Output& out) const
   {
     const bool has_isolated = piece == 0;
@@ -120,15 +126,21 @@ private:
       return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
                                    CGAL::to_double(p[2])};
     });
-    for (Index f = 0; f < level.number_of_faces(); ++f)
+    faces_of_piece_.assign(number_of_pieces, 0);
+    for (Index f = 0; f < level.number_of_faces(); ++f) {
       piece_of_face_.push_back(division.piece_of_face(f));
-    // the least face around it decides on the piece of a vertex
+      ++faces_of_piece_[piece_of_face_.back()];
+    }
     first_face_.assign(level.number_of_vertices(), Level_connectivity::null);
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
       if (!level.is_border(h)) {
         Index& first = first_face_[level.target(h)];
         first = (std::min)(first, level.face(h));
       }
+    // where sqrt(3) refines the border other faces lose the vertex to their neighbors
+    for (Index h = 0; h < level.number_of_halfedges(); ++h)
+      if (level.is_border(h))
+        first_face_[level.target(h)] = level.face(Level_connectivity::opposite(h));
   }
 
   Piece_elements elements_of_base(std::size_t piece, const Face_marks& owned) const
@@ -136,8 +148,7 @@ private:
     const Level_connectivity& level = base_.level();
     Piece_elements elements = elements_of(level.size(), owned);
     for (Index v = 0; v < level.number_of_vertices(); ++v)
-      elements.vertices.set(v, v,
-                            level.is_isolated(v) ? piece == 0 : owned[first_face_[v]] != 0);
+      elements.vertices.set(v, v, level.is_isolated(v) ? piece == 0 : owned[first_face_[v]] != 0);
     for (Index e = 0; e < level.number_of_edges(); ++e) {
       const Index f = level.face(2 * e), g = level.face(2 * e + 1); // null is the greatest number
       elements.edges.set(e, e, owned[(std::min)(f, g)] != 0);
@@ -187,10 +198,9 @@ private:
     close_rim_before(round, part);
     Refiner level = refiner(part, round);
     const One_round one = level.next_round();
-    const Piece_elements elements =
-      Child_elements<Host>(level.level(), part.elements, one.host(), (*wholes_)[round - 1],
-                           for_chunks_)
-        .all(one.refined_size());
+    const Piece_elements elements = Child_elements<Host>(level.level(), part.elements, one.host(),
+                                                         (*wholes_)[round - 1], for_chunks_)
+                                      .all(one.refined_size());
     part.elements = Piece_elements();
     level.refine(one);
     return with_rings(level.level(), elements, level.values(), has_isolated);
@@ -210,11 +220,9 @@ private:
                    });
   }
 
-  typename Piece_extraction::Old_vertices put_connectivity(const Refiner& level,
-                                                           const One_round& one,
-                                                           const Piece_elements& elements,
-                                                           bool has_isolated,
-                                                           const Output& out) const
+  typename Piece_extraction::Old_vertices
+  put_connectivity(const Refiner& level, const One_round& one, const Piece_elements& elements,
+                   bool has_isolated, const Output& out) const
   {
     const Child_elements<Host> children(level.level(), elements, one.host(),
                                         (*wholes_)[rounds_ - 1], for_chunks_);
@@ -254,8 +262,8 @@ private:
   For_chunks for_chunks_;
   Refiner base_;
   std::optional<Whole_levels<Host>> wholes_;
-  std::vector<std::size_t> piece_of_face_; // of the level that is divided
-  std::vector<Index> first_face_;          // of its vertices
+  std::vector<std::size_t> piece_of_face_, faces_of_piece_; // of the level that is divided
+  std::vector<Index> first_face_; // the face that decides on the piece of each of its vertices
 };
 
 } // namespace internal

@@ -74,7 +74,7 @@ public:
 private:
   static constexpr bool numbers_depend_on_border =
     std::is_same_v<Host, Sqrt3_host> || std::is_same_v<Host, DQQ_host>;
-  static constexpr unsigned rings = 3; // of sqrt(3), whose triangles reach into their neighbors
+  static constexpr unsigned rings = 2; // for sqrt(3), whose triangles reach into their neighbors
 
   void follow_border(const Level_connectivity& base, unsigned last_round)
   {
@@ -104,7 +104,18 @@ private:
     for (unsigned i = 0; i < rings; ++i) add_ring(level, faces);
     Piece_extraction extraction(level, faces, false);
     elements = extraction.elements(elements);
+    own_edges(extraction.piece(), elements);
     return std::move(extraction.piece());
+  }
+
+  // those between owned faces, since Doo-Sabin makes faces of them
+  static void own_edges(const Level_connectivity& level, Piece_elements& elements)
+  {
+    const auto is_owned = [&](Index h) {
+      return !level.is_border(h) && elements.faces.is_owned(level.face(h));
+    };
+    for (Index e = 0; e < level.number_of_edges(); ++e)
+      elements.edges.set(e, elements.edges.number(e), is_owned(2 * e) && is_owned(2 * e + 1));
   }
 
   // The half-edges on the border, not on the rim: the vertices of owned faces have all their faces.
@@ -120,8 +131,7 @@ private:
   static Face_marks faces_at_border(const Level_connectivity& level, const Face_marks& is_owned)
   {
     std::vector<char> is_on_border(level.number_of_vertices(), 0);
-    for_each_on_border(level, is_owned,
-                       [&](Index h) { is_on_border[level.target(h)] = 1; });
+    for_each_on_border(level, is_owned, [&](Index h) { is_on_border[level.target(h)] = 1; });
     Face_marks result(level.number_of_faces(), 0);
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
       if (!level.is_border(h) && is_on_border[level.target(h)] != 0) result[level.face(h)] = 1;
