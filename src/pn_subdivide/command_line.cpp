@@ -179,6 +179,19 @@ void add_limit_options(CLI::App& command, Limit_choice& limit, const std::string
                    "Write the normals of the limit " + shape + " instead of the control normals");
 }
 
+void add_pieces_options(CLI::App& command, Pieces_options& options)
+{
+  command.add_option("--memory", options.memory,
+                     "Refine and write piece by piece, so that a process takes no more than this, "
+                     "500M or 2G (.ply, .pvtp); under mpirun the ranks share the pieces");
+  command
+    .add_option("--pieces", options.pieces, "The same with so many pieces, instead of --memory")
+    ->transform(whole_number());
+  command.add_flag("--resume", options.resume,
+                   "Of refinement in pieces: if it is interrupted, keep what is written in "
+                   "OUTPUT.part, and continue that with the next --resume");
+}
+
 void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const std::string& what)
 {
   command.add_option("--interpolate", mode,
@@ -213,6 +226,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     ->transform(whole_number())
     ->capture_default_str();
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
+  add_pieces_options(surface, options.pieces);
   add_repair_options(surface, options);
   surface.add_flag("--drop-attributes", options.drop_attributes,
                    "Points, faces and normals only: texture coordinates, colors, materials, groups "
