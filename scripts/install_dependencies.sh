@@ -9,7 +9,8 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--picture]     --picture: also what scripts/render.py needs
+#   scripts/install_dependencies.sh [--picture | --page]
+#                       --picture: also what scripts/render.py needs; --page: only what the page needs
 set -euo pipefail
 
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
@@ -17,6 +18,11 @@ required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-de
 optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3)
 if [[ ${1:-} == --picture ]]; then
   optional+=(python3-vtk9 python3-numpy xvfb xauth)
+elif [[ ${1:-} == --page ]]; then
+  required=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libboost-dev)
+  optional=(chromium) # its tests
+  command -v node >/dev/null || required+=(nodejs)
+  command -v npm >/dev/null || required+=(npm)
 fi
 
 cd "$(dirname "$0")/.."
@@ -91,7 +97,7 @@ if [[ ${#missing_optional[@]} -gt 0 ]] && ! install_packages "${missing_optional
   done
 fi
 
-if [[ ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
+if [[ ${1:-} != --page && ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
   mkdir -p "$own_archives"
   (
     cd "$own_archives"

@@ -1,0 +1,23 @@
+// What build.mjs makes of files that are no TypeScript.
+
+declare module "modeler-code" {
+  import type { Modeler } from "./modeler";
+  const create: (options: { wasmBinary: Uint8Array }) => Promise<Modeler>;
+  export default create;
+}
+declare module "modeler-wasm" {
+  const bytes: Uint8Array;
+  export default bytes;
+}
+declare module "*.ply" {
+  const text: string;
+  export default text;
+}
+declare module "*.off" {
+  const text: string;
+  export default text;
+}
+declare module "*.obj" {
+  const text: string;
+  export default text;
+}

@@ -1,0 +1,44 @@
+// Undo and redo: what there was before each change.
+
+export class History<State> {
+  private past: State[] = [];
+  private future: State[] = [];
+  onChange: (() => void) | undefined;
+
+  constructor(private readonly depth = 100) {}
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+
+  /** To be called before a change. */
+  remember(state: State): void {
+    this.past.push(state);
+    if (this.past.length > this.depth) this.past.shift();
+    this.future = [];
+    this.onChange?.();
+  }
+
+  /** The change that was announced last did not take place. */
+  forget(): void {
+    this.past.pop();
+    this.onChange?.();
+  }
+
+  undo(now: State): State | undefined {
+    const state = this.past.pop();
+    if (state !== undefined) this.future.push(now);
+    this.onChange?.();
+    return state;
+  }
+
+  redo(now: State): State | undefined {
+    const state = this.future.pop();
+    if (state !== undefined) this.past.push(now);
+    this.onChange?.();
+    return state;
+  }
+}
