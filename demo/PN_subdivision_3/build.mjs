@@ -1,3 +1,11 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
 // Makes one HTML file of the page: node build.mjs FOLDER_OF_MODELER OUTPUT.html
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";

@@ -1,3 +1,11 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
 #include "Control_mesh.h"
 
 #include "io/Error.h"
@@ -50,13 +58,7 @@ void require_manifold(const Mesh_data& mesh)
   if (!defects.none()) throw Error("this is no oriented manifold: " + defects.description());
 }
 
-// A format without shared vertices, or a mesh torn apart at every face, is of no use for subdivision.
-void join_equal_points(Mesh_data& mesh, const std::string& format)
-{
-  if (format == "stl") pn_subdivide::merge_equal_points(mesh);
-}
-
-// The diagonal of a quadrilateral that is shorter; polygons are cut into quadrilaterals first.
+// Cuts off ears, those with the shortest diagonals first.
 void add_triangles(std::vector<std::uint32_t> face, const std::vector<double>& points,
                    Mesh_state& result)
 {
@@ -72,7 +74,6 @@ void add_triangles(std::vector<std::uint32_t> face, const std::vector<double>& p
     result.degrees.push_back(3);
     result.corners.insert(result.corners.end(), {a, b, c});
   };
-  // cut off the ear with the shortest diagonal
   while (face.size() > 3) {
     const std::size_t n = face.size();
     std::size_t best = 0;
@@ -92,7 +93,8 @@ Control_mesh Control_mesh::read(const std::string& content, const std::string& f
 {
   Mesh_data mesh = read_format(content, format);
   pn_subdivide::require_finite_elements(mesh);
-  join_equal_points(mesh, format);
+  // the triangles of STL share no vertices
+  if (format == "stl") pn_subdivide::merge_equal_points(mesh);
   require_manifold(mesh);
   Control_mesh result;
   result.fill(mesh);

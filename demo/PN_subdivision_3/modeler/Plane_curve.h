@@ -1,3 +1,11 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
 #ifndef PN_SUBDIVISION_3_DEMO_PLANE_CURVE_H
 #define PN_SUBDIVISION_3_DEMO_PLANE_CURVE_H
 

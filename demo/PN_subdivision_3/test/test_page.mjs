@@ -1,3 +1,11 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
 // The page in a browser, against the command pn_subdivide, which is compiled natively and shares nothing with the
 // browser but the headers:
 //   node --test test_page.mjs      with PN_PAGE, the HTML file, and PN_SUBDIVIDE, the command, in the environment
