@@ -29,9 +29,9 @@ export class CurvePanel {
     fill(select("mask"), masks);
     const onClick = (id: string, act: () => void): void => button(id).addEventListener("click", act);
     select("curve-example").addEventListener("change", () => {
+      const name = select("curve-example").value;
       silence();
       this.stopDrawing();
-      const name = select("curve-example").value;
       if (curveExamples[name]) editor.show(curveExamples[name], name);
     });
     onClick("draw", () => {

@@ -12,6 +12,7 @@ import { messageOf } from "./editor";
 import type { CurveExample } from "./examples";
 import { History } from "./history";
 import type { Modeler, PlaneCurve } from "./modeler";
+import { deviation, roundShapeThrough } from "./round_shapes";
 
 export interface CurveState {
   example: string;
@@ -40,7 +41,7 @@ export class CurveEditor {
     rounds: 6,
     showLinear: true,
     showComb: true,
-    combScale: 40,
+    combScale: 12,
   };
   readonly history = new History<CurveState>();
   onChange: (() => void) | undefined;
@@ -344,23 +345,17 @@ export class CurveEditor {
     this.curve = pn;
     const milliseconds = performance.now() - started;
     this.svg.replaceChildren(...this.pictures(pn, this.state.showLinear ? linear : undefined));
-    this.status = pn ? `${pn.points.length / 2} points, ${milliseconds.toFixed(1)} ms${this.deviations(pn, linear!)}` : "Click where the points shall be.";
+    this.status = pn ? `${pn.points.length / 2} points in ${milliseconds.toFixed(1)} ms${this.deviations(pn, linear!)}` : "Click where the points shall be.";
     const line = this.svg.parentElement?.querySelector("#curve-status");
     if (line) line.textContent = this.status;
   }
 
   /** How far the curves are from the circle that the control points are on, if they are on one. */
   private deviations(pn: PlaneCurve, linear: PlaneCurve): string {
-    const circle = circleThrough(this.state.points);
+    const circle = roundShapeThrough(this.state.points, 2);
     if (!circle) return "";
-    const [x, y, r] = circle;
-    const deviation = (points: Float64Array): string => {
-      let worst = 0;
-      for (let i = 0; i < points.length; i += 2)
-        worst = Math.max(worst, Math.abs(Math.hypot(points[i] - x, points[i + 1] - y) - r) / r);
-      return worst.toExponential(0);
-    };
-    return `; distance from the circle in radii: point-normal ${deviation(pn.points)}, linear ${deviation(linear.points)}`;
+    const of = (curve: PlaneCurve): string => deviation(curve.points, circle.center, circle.radius).toExponential(0);
+    return ` · distance from the circle in radii: point-normal ${of(pn)}, linear ${of(linear)}`;
   }
 
   private pictures(pn: PlaneCurve | undefined, linear: PlaneCurve | undefined): SVGElement[] {
@@ -468,25 +463,6 @@ function turn(normals: number[], v: number, degrees: number): void {
   const [x, y] = [normals[2 * v], normals[2 * v + 1]];
   const isZero = x === 0 && y === 0;
   normals.splice(2 * v, 2, isZero ? 0 : c * x - s * y, isZero ? 1 : s * x + c * y);
-}
-
-/** Center and radius, if all points are on one circle. */
-function circleThrough(points: number[]): [number, number, number] | undefined {
-  const n = points.length / 2;
-  if (n < 4) return undefined;
-  const at = (i: number): [number, number] => [points[2 * i], points[2 * i + 1]];
-  const [[ax, ay], [bx, by], [cx, cy]] = [at(0), at(Math.floor(n / 3)), at(Math.floor((2 * n) / 3))];
-  const d = 2 * ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
-  const b2 = (bx - ax) ** 2 + (by - ay) ** 2;
-  const c2 = (cx - ax) ** 2 + (cy - ay) ** 2;
-  const x = ax + ((cy - ay) * b2 - (by - ay) * c2) / d;
-  const y = ay + ((bx - ax) * c2 - (cx - ax) * b2) / d;
-  const r = Math.hypot(ax - x, ay - y);
-  for (let i = 0; i < n; ++i) {
-    const [px, py] = at(i);
-    if (!(Math.abs(Math.hypot(px - x, py - y) - r) < 1e-9 * r)) return undefined;
-  }
-  return [x, y, r];
 }
 
 function make(name: string, attributes: Record<string, string | number>, data?: Record<string, string | number>): SVGElement {

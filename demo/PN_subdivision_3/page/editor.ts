@@ -10,6 +10,7 @@
 
 import { History } from "./history";
 import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
+import { deviation, roundShapeThrough } from "./round_shapes";
 import { endOfColors, type Shading } from "./shading";
 import type { Layout, Selection, Viewer } from "./viewer";
 
@@ -146,7 +147,7 @@ export class Editor {
   }
 
   frameAll(keepDirection = false): void {
-    this.viewer.frameAll(this.handles.points, keepDirection);
+    this.viewer.frameAll([this.handles.points, this.shownSurface.positionsView()], keepDirection);
   }
 
   // --- changes of the mesh ---
@@ -292,7 +293,6 @@ export class Editor {
       const [a, b] = [3 * edges[2 * e], 3 * edges[2 * e + 1]];
       length += Math.hypot(points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]);
     }
-    this.normalLength = (0.6 * length) / Math.max(1, sharp.length);
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
     points.forEach((x, i) => {
@@ -300,6 +300,7 @@ export class Editor {
       high[i % 3] = Math.max(high[i % 3], x);
     });
     this.size = Math.hypot(...low.map((x, k) => high[k] - x)) || 1;
+    this.normalLength = Math.min((0.5 * length) / Math.max(1, sharp.length), 0.14 * this.size);
     const { wedge, vertex } = this.selection;
     if (wedge !== undefined && (wedge >= this.handles.vertices.length || this.handles.vertices[wedge] !== vertex))
       this.selection = {};
@@ -348,9 +349,20 @@ export class Editor {
     this.showControlMesh();
     if (milliseconds !== undefined) {
       const vertices = this.shownSurface.positionsView().length / 3;
-      this.status = `${format(vertices)} vertices, ${milliseconds.toFixed(1)} ms`;
+      this.status = `${format(vertices)} vertices · ${milliseconds.toFixed(1)} ms${this.deviations(isLast)}`;
     }
     this.onChange?.(false);
+  }
+
+  /** How far the surfaces are from the sphere that the control points are on, if they are on one. */
+  private deviations(isLast: boolean): string {
+    const sphere = isLast ? roundShapeThrough(this.handles.points, 3) : undefined;
+    if (!sphere) return "";
+    const parts = [...this.surfaces].map(
+      ([isLinear, surface]) =>
+        `${isLinear ? "linear" : "point-normal"} ${deviation(surface.points(), sphere.center, sphere.radius).toExponential(0)}`,
+    );
+    return ` · distance from the sphere in radii: ${parts.join(", ")}`;
   }
 
   get canShowLimit(): boolean {

@@ -36,6 +36,8 @@ export interface Example {
   rounds: number;
   /** Instead of the normals of the file. */
   normals?: "sphere";
+  /** Where normals would hide the surface. */
+  hidesNormals?: boolean;
 }
 
 const quads = { scheme: "catmull-clark", rounds: 4 };
@@ -110,6 +112,7 @@ export const examples: Record<string, Example> = {
     about: "Planes, cylinders and a spherical seat, which stay what they are up to their sharp edges.",
     text: bearingHousing,
     format: "obj",
+    hidesNormals: true,
     scheme: "catmull-clark",
     rounds: 3,
   },
@@ -118,6 +121,7 @@ export const examples: Record<string, Example> = {
     about: "Rims stay circles, the shank a cylinder, its end a piece of a sphere.",
     text: bolt,
     format: "obj",
+    hidesNormals: true,
     ...quads,
   },
   bracket: {
@@ -125,6 +129,7 @@ export const examples: Record<string, Example> = {
     about: "The fillet is a cylinder, tangent to floor and wall.",
     text: bracket,
     format: "obj",
+    hidesNormals: true,
     ...quads,
   },
   head: { title: "Head", about: "The normals are estimated.", text: head, format: "obj", ...quads },

@@ -50,6 +50,22 @@ export function plyFile(points: Float64Array, normals: Float64Array, faces: Face
   return bytes;
 }
 
+/** Normals of corners, so that creases are there again when the file is read. */
+export function objFile(points: Float64Array, cornerNormals: Float64Array, faces: Faces): string {
+  const lines: string[] = [];
+  const addTriples = (word: string, values: Float64Array): void => {
+    for (let i = 0; i < values.length; i += 3) lines.push(`${word} ${values[i]} ${values[i + 1]} ${values[i + 2]}`);
+  };
+  addTriples("v", points);
+  addTriples("vn", cornerNormals);
+  let corner = 0;
+  for (const degree of faces.degrees) {
+    const places = Array.from({ length: degree }, () => `${faces.corners[corner] + 1}//${++corner}`);
+    lines.push(`f ${places.join(" ")}`);
+  }
+  return `${lines.join("\n")}\n`;
+}
+
 export function save(content: BlobPart, type: string, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));

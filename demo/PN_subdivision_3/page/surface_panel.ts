@@ -11,7 +11,7 @@
 import { button, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
 import { format, type Editor, type Settings } from "./editor";
 import { examples } from "./examples";
-import { plyFile, save } from "./files";
+import { objFile, plyFile, save } from "./files";
 import type { Handles } from "./handles";
 import type { Modeler } from "./modeler";
 import type { Shading } from "./shading";
@@ -40,7 +40,10 @@ export class SurfacePanel {
   ) {
     fill(select("example"), Object.entries(examples).map(([name, e]) => [name, e.title]));
     fill(select("scheme"), [...editor.schemes.keys()].map((name) => [name, titles[name] ?? name]));
-    select("example").addEventListener("change", () => this.showExample(select("example").value));
+    select("example").addEventListener("change", () => {
+      silence();
+      this.showExample(select("example").value);
+    });
     this.wireFiles();
     this.wireSettings();
     this.wireMesh();
@@ -52,11 +55,10 @@ export class SurfacePanel {
   showExample(name: string, settings: Partial<Settings> = {}, isFirst = false): boolean {
     const example = examples[name];
     if (!example) return false;
-    silence();
     return this.editor.load(
       () => this.exampleMesh(name),
       name,
-      { scheme: example.scheme, rounds: example.rounds, ...settings },
+      { scheme: example.scheme, rounds: example.rounds, showNormals: !example.hidesNormals, ...settings },
       isFirst,
     );
   }
@@ -169,27 +171,20 @@ export class SurfacePanel {
       save(plyFile(surface.points(), surface.controlNormals(), surface.faces()) as BlobPart, "model/ply",
         `${name()}_${this.editor.settings.scheme}.ply`);
     });
-    button("save-control").addEventListener("click", () => save(this.controlFile() as BlobPart, "model/ply", `${name()}_control.ply`));
+    button("save-control").addEventListener("click", () => this.saveControlMesh(name()));
     button("save-png").addEventListener("click", async () => save(await this.viewer.png(), "image/png", `${name()}.png`));
     button("copy-link").addEventListener("click", this.onLink);
   }
 
-  /** With a normal for each vertex; those of creases, which PLY cannot hold, are the mean of the wedges. */
-  controlFile(): Uint8Array {
-    const { points, vertices, normals } = this.editor.handles;
-    const { degrees, corners } = this.editor.mesh.state();
-    const sums = new Float64Array(points.length);
-    const count = new Uint32Array(points.length / 3);
-    vertices.forEach((v, w) => {
-      ++count[v];
-      for (let k = 0; k < 3; ++k) sums[3 * v + k] += normals[3 * w + k];
-    });
-    count.forEach((n, v) => {
-      if (n < 2) return;
-      const length = Math.hypot(...sums.subarray(3 * v, 3 * v + 3)) || 1;
-      for (let k = 0; k < 3; ++k) sums[3 * v + k] /= length;
-    });
-    return plyFile(points, sums, { degrees, corners });
+  /** PLY holds one normal for each vertex: with creases it is OBJ. */
+  private saveControlMesh(name: string): void {
+    const { mesh, handles } = this.editor;
+    const state = mesh.state();
+    if (mesh.numberOfSharpEdges() > 0)
+      return save(objFile(state.points, state.cornerNormals!, state), "model/obj", `${name}_control.obj`);
+    const normals = new Float64Array(state.points.length);
+    handles.vertices.forEach((v, w) => normals.set(handles.normals.subarray(3 * w, 3 * w + 3), 3 * v));
+    save(plyFile(state.points, normals, state) as BlobPart, "model/ply", `${name}_control.ply`);
   }
 
   /** Shows what holds now. */

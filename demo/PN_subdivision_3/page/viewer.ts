@@ -58,16 +58,19 @@ class ControlPicture {
   readonly normals = new THREE.Group();
   private readonly edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
   private readonly sharp = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
-  private readonly dots = new THREE.Points(new THREE.BufferGeometry(), dotMaterial(9));
+  private readonly dots = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
   private readonly stems = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
-  private readonly tips = new THREE.Points(new THREE.BufferGeometry(), dotMaterial(8));
-  private readonly mark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial(15));
-  private readonly tipMark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial(13));
+  private readonly tips = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
+  private readonly mark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
+  private readonly tipMark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
 
   constructor() {
     this.group.add(this.edges, this.sharp, this.dots, this.mark);
     this.normals.add(this.stems, this.tips, this.tipMark);
-    for (const object of [...this.group.children, ...this.normals.children]) object.frustumCulled = false;
+    for (const object of [...this.group.children, ...this.normals.children] as Drawn[]) {
+      object.frustumCulled = false;
+      object.add(makeGhost(object));
+    }
   }
 
   setTheme(theme: Theme): void {
@@ -78,6 +81,16 @@ class ControlPicture {
     this.tips.material.color.set(theme.normal);
     this.mark.material.color.set(theme.selection);
     this.tipMark.material.color.set(theme.selection);
+    for (const object of [...this.group.children, ...this.normals.children] as Drawn[])
+      (object.children[0] as Drawn).material.color.copy(object.material.color);
+  }
+
+  /** In pixels. */
+  setDotSize(size: number): void {
+    for (const [points, factor] of [[this.dots, 1], [this.tips, 0.9], [this.mark, 1.6], [this.tipMark, 1.5]] as const) {
+      points.material.size = factor * size;
+      (points.children[0] as THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial>).material.size = factor * size;
+    }
   }
 
   show(handles: Handles, normalLength: number, selection: Selection): void {
@@ -123,9 +136,9 @@ export function normalTip(handles: Handles, wedge: number, length: number): [num
   return [handles.points[3 * v] + s * x, handles.points[3 * v + 1] + s * y, handles.points[3 * v + 2] + s * z];
 }
 
-/** Round dots of a size in pixels, a little darker at the rim. */
-function dotMaterial(size: number): THREE.PointsMaterial {
-  const material = new THREE.PointsMaterial({ size, sizeAttenuation: false, transparent: true });
+/** Round dots. */
+function dotMaterial(): THREE.PointsMaterial {
+  const material = new THREE.PointsMaterial({ sizeAttenuation: false, transparent: true });
   material.onBeforeCompile = (shader) => {
     shader.fragmentShader = shader.fragmentShader.replace(
       "#include <color_fragment>",
@@ -138,6 +151,20 @@ function dotMaterial(size: number): THREE.PointsMaterial {
   return material;
 }
 
+type Drawn = (THREE.LineSegments | THREE.Points) & { material: THREE.LineBasicMaterial | THREE.PointsMaterial };
+
+/** The same, pale, where it is behind the surface. */
+function makeGhost(object: Drawn): Drawn {
+  const ghost = object.clone(false) as Drawn;
+  ghost.material = object.material.clone();
+  ghost.material.onBeforeCompile = object.material.onBeforeCompile;
+  ghost.material.depthFunc = THREE.GreaterDepth;
+  ghost.material.depthWrite = false;
+  ghost.material.transparent = true;
+  ghost.material.opacity = 0.22;
+  return ghost;
+}
+
 function setPositions(object: THREE.LineSegments | THREE.Points, positions: ArrayLike<number>): void {
   const array = Float32Array.from(positions);
   const old = object.geometry.getAttribute("position") as THREE.BufferAttribute | undefined;
@@ -148,6 +175,7 @@ function setPositions(object: THREE.LineSegments | THREE.Points, positions: Arra
     object.geometry.dispose();
     object.geometry = new THREE.BufferGeometry();
     object.geometry.setAttribute("position", new THREE.BufferAttribute(array, 3));
+    for (const ghost of object.children as Drawn[]) ghost.geometry = object.geometry;
   }
 }
 
@@ -163,6 +191,7 @@ export class Viewer {
   private readonly linear: Pane;
   private layout: Layout = "both";
   private radius = 1;
+  private normalLength = 1;
   private frame = 0;
   private theme: Theme | undefined;
   /** Called after each picture. */
@@ -213,27 +242,37 @@ export class Viewer {
   }
 
   showControlMesh(handles: Handles, normalLength: number, selection: Selection): void {
+    this.normalLength = normalLength;
     this.control.show(handles, normalLength, selection);
     this.controlCopy.show(handles, normalLength, selection);
     this.requestDraw();
   }
 
   /** Looks at everything from the usual direction, or from that of now. */
-  frameAll(points: Float64Array, keepDirection = false): void {
+  frameAll(pointLists: ArrayLike<number>[], keepDirection = false): void {
     const box = new THREE.Box3();
-    for (let i = 0; i < points.length; i += 3)
-      box.expandByPoint(new THREE.Vector3(points[i], points[i + 1], points[i + 2]));
+    const p = new THREE.Vector3();
+    for (const points of pointLists)
+      for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
     const sphere = box.getBoundingSphere(new THREE.Sphere());
     this.radius = sphere.radius || 1;
     const direction = keepDirection
       ? this.camera.position.clone().sub(this.controls.target).normalize()
       : new THREE.Vector3(0.62, -1, 0.62).normalize();
+    const center = box.getCenter(new THREE.Vector3());
     const aspect = this.paneSize().x / Math.max(1, this.paneSize().y);
-    const halfAngle = THREE.MathUtils.degToRad(this.camera.fov / 2);
-    const angle = aspect < 1 ? Math.atan(Math.tan(halfAngle) * aspect) : halfAngle;
-    const distance = (1.12 * this.radius) / Math.sin(angle);
-    this.controls.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).addScaledVector(direction, distance);
+    const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const right = this.camera.up.clone().cross(direction).normalize();
+    const up = direction.clone().cross(right);
+    let distance = 0;
+    for (const points of pointLists)
+      for (let i = 0; i < points.length; i += 3) {
+        p.fromArray(points, i).sub(center);
+        const sideways = Math.max(Math.abs(p.dot(right)) / (high * aspect), Math.abs(p.dot(up)) / high);
+        distance = Math.max(distance, p.dot(direction) + 1.2 * sideways);
+      }
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(direction, distance || 1);
     this.updateClipping();
     this.controls.update();
     this.requestDraw();
@@ -323,6 +362,12 @@ export class Viewer {
     this.renderer.setClearColor(0, 0);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
+    // small where vertices are close to each other
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const pixels = (this.normalLength / distance) * (size.y / (2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2))));
+    const dotSize = THREE.MathUtils.clamp(0.28 * pixels, 3.5, 9);
+    this.control.setDotSize(dotSize);
+    this.controlCopy.setDotSize(dotSize);
     const panes = this.layout === "both" ? [this.linear, this.pn] : [this.pane(this.layout === "linear")];
     panes.forEach((pane, i) => {
       // from the lower left
