@@ -26,6 +26,27 @@ export interface CurveState {
   combScale: number; // 0 to 100
 }
 
+/** A curve from an address, of which anyone may be the author. Throws an Error if it is none. */
+export function checkedCurve(given: Partial<CurveState>, usual: CurveState): CurveState {
+  const isNumbers = (list: unknown): list is number[] => Array.isArray(list) && list.every(Number.isFinite);
+  const { points, normals } = given;
+  if (!isNumbers(points) || !isNumbers(normals) || points.length !== normals.length || points.length % 2 !== 0)
+    throw new Error("it has no points with normals");
+  const inRange = (x: unknown, most: number, otherwise: number): number =>
+    typeof x === "number" && x >= 0 && x <= most ? Math.floor(x) : otherwise;
+  return {
+    example: String(given.example ?? ""),
+    points,
+    normals,
+    closed: Boolean(given.closed),
+    mask: String(given.mask ?? usual.mask),
+    rounds: inRange(given.rounds, 8, usual.rounds),
+    showLinear: Boolean(given.showLinear),
+    showComb: Boolean(given.showComb),
+    combScale: inRange(given.combScale, 100, usual.combScale),
+  };
+}
+
 const space = "http://www.w3.org/2000/svg";
 const tipDistance = 34; // pixels
 
@@ -43,7 +64,7 @@ export class CurveEditor {
     showComb: true,
     combScale: 12,
   };
-  readonly history = new History<CurveState>();
+  readonly history = new History<CurveState>((state) => state.points.length + state.normals.length);
   onChange: (() => void) | undefined;
   status = "";
   /** Whether clicks add points to a new polygon. */

@@ -31,6 +31,20 @@ const greatestNumberOfFaces = 600_000;
 /** What takes no longer than this many milliseconds is done while the mouse moves. */
 const whileDragging = 25;
 
+/** Settings from an address, of which anyone may be the author: what is no setting is left out. */
+export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>): Partial<Settings> {
+  const result: Partial<Settings> = {};
+  if (typeof given.scheme === "string") result.scheme = given.scheme;
+  if (typeof given.rounds === "number" && given.rounds >= 0) result.rounds = Math.min(7, Math.floor(given.rounds));
+  const layout = (["pn", "linear", "both"] as const).find((name) => name === given.layout);
+  if (layout) result.layout = layout;
+  const shading = (["smooth", "zebra", "gaussian", "mean"] as const).find((name) => name === given.shading);
+  if (shading) result.shading = shading;
+  for (const name of ["limit", "showControl", "showNormals"] as const)
+    if (typeof given[name] === "boolean") result[name] = given[name];
+  return result;
+}
+
 interface Version {
   mesh: MeshState;
   scheme: string;
@@ -47,7 +61,7 @@ export class Editor {
   normalLength = 1;
   colorEnd = 1;
   status = "";
-  readonly history = new History<Version>();
+  readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
   settings: Settings = {
     scheme: "catmull-clark",
     rounds: 4,

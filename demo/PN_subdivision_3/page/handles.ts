@@ -134,7 +134,8 @@ export class Handles {
 
   private move(event: PointerEvent): void {
     if (!this.hold) {
-      if (event.buttons === 0 && event.pointerType === "mouse") {
+      // only a hint, too dear with very many vertices
+      if (event.buttons === 0 && event.pointerType === "mouse" && this.editor.handles.vertices.length < 10_000) {
         const found = this.marksEdges
           ? this.nearestEdge(event.offsetX, event.offsetY, 14) !== undefined
           : this.nearest(event.offsetX, event.offsetY, 12) !== undefined;

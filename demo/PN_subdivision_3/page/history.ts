@@ -8,12 +8,15 @@
 
 // Undo and redo: what there was before each change.
 
+const greatestSize = 2e7;
+
 export class History<State> {
   private past: State[] = [];
   private future: State[] = [];
   onChange: (() => void) | undefined;
 
-  constructor(private readonly depth = 100) {}
+  /** `sizeOf` is in numbers; so many states are kept as together have not too many. */
+  constructor(private readonly sizeOf: (state: State) => number) {}
 
   get canUndo(): boolean {
     return this.past.length > 0;
@@ -25,14 +28,10 @@ export class History<State> {
   /** To be called before a change. */
   remember(state: State): void {
     this.past.push(state);
-    if (this.past.length > this.depth) this.past.shift();
+    let room = greatestSize;
+    const first = this.past.findLastIndex((s) => (room -= this.sizeOf(s)) < 0);
+    this.past.splice(0, Math.min(first + 1, this.past.length - 1));
     this.future = [];
-    this.onChange?.();
-  }
-
-  /** The change that was announced last did not take place. */
-  forget(): void {
-    this.past.pop();
     this.onChange?.();
   }
 

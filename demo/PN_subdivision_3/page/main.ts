@@ -10,8 +10,8 @@
 
 import { applyEdits, editsOf, pack, unpack, type Edits } from "./address";
 import { CurvePanel } from "./curve_panel";
-import { CurveEditor, type CurveState } from "./curves";
-import { Editor, messageOf, type Settings } from "./editor";
+import { checkedCurve, CurveEditor, type CurveState } from "./curves";
+import { checkedSettings, Editor, messageOf, type Settings } from "./editor";
 import { announce, button, element, say, silence } from "./elements";
 import { curveExamples, examples } from "./examples";
 import { Handles } from "./handles";
@@ -86,8 +86,7 @@ class Page {
       if (location.hash !== this.ownAddress) void this.readAddress();
     });
     window.addEventListener("resize", () => this.panel.refresh());
-    for (const query of ["(prefers-color-scheme: dark)"])
-      window.matchMedia(query).addEventListener("change", () => this.takeTheme());
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takeTheme());
   }
 
   private key(event: KeyboardEvent): void {
@@ -196,7 +195,7 @@ class Page {
     try {
       const value = await unpack(packed);
       if (name === "curve") {
-        this.curve.restore({ ...this.curve.state, ...(value as CurveState) });
+        this.curve.restore(checkedCurve(value as Partial<CurveState>, this.curve.state));
         this.show("curve");
         return this.panel.showExample("cube", {}, true);
       }
@@ -211,7 +210,7 @@ class Page {
     const { settings, edits } = shared;
     const make = () =>
       edits ? this.modeler.restoreMesh(applyEdits(edits, this.exampleState(name))) : this.panel.exampleMesh(name);
-    if (!this.editor.load(make, name, settings, this.editor.mesh === undefined)) return false;
+    if (!this.editor.load(make, name, checkedSettings(settings ?? {}), this.editor.mesh === undefined)) return false;
     if (shared.camera?.length === 6 && shared.camera.every(Number.isFinite)) {
       this.viewer.controls.target.fromArray(shared.camera, 3);
       this.viewer.camera.position.fromArray(shared.camera);

@@ -15,6 +15,7 @@ import { mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
@@ -310,6 +311,17 @@ test("an address brings back what was on the screen", async () => {
     const camera = await page.evaluate(() => window.page.editor.viewer.camera.position.toArray());
     assert.ok(largestDifference(camera, seen.camera) < 1e-4);
   });
+  const packed = (value) => deflateRawSync(JSON.stringify(value)).toString("base64url");
+  await withPage(file, { hash: `#ring=${packed({ settings: { rounds: 1e9, layout: "none", shading: 7 } })}` }, async (page) => {
+    assert.ok(Number(await page.inputValue("#rounds")) <= 7);
+    assert.ok((await points(page)).length > 0);
+  });
+  for (const value of [{ settings: { scheme: "none" } }, { edits: { points: [[1e9, 0, 0, 0]] } }, { edits: { mesh: { points: [0],
+    degrees: [9], corners: [1], normals: [], sharp: [] } } }])
+    await withPage(file, { hash: `#ring=${packed(value)}` }, async (page) => {
+      assert.ok((await message(page)).length > 10);
+      assert.ok((await points(page)).length > 0);
+    });
   await withPage(file, { hash: "#ring=damaged" }, async (page) => {
     assert.match(await message(page), /^The link cannot be read/);
     assert.ok((await points(page)).length > 0);
