@@ -306,6 +306,17 @@ TEST(Curve_limits, HaveNoTangentsAtKinks)
   }
 }
 
+// The eigenvalues of this mask are 1, 1/2, 1/4 and 1/5: what 1/5 belongs to hardly dies out beside curvature.
+TEST(Curve_limits, HaveNoCurvatureThatDoesNotSettle)
+{
+  const PN::Univariate_mask<double> mask(-4, {-.05, 0, .325, .5, .45, .5, .325, 0, -.05});
+  for (const auto& l :
+       PN::curve_limit_points(wave(12), mask, Curve_end::closed, close(1e-9)).first) {
+    EXPECT_TRUE(l.has_tangent);
+    EXPECT_FALSE(l.has_curvature);
+  }
+}
+
 // Eulerian numbers over 9!
 TEST(Curve_limits, OfExactNumbersAreExact)
 {

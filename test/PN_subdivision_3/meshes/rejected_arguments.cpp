@@ -99,6 +99,11 @@ void reject(Mesh& mesh)
   PN::subdivide(mesh, PN::with_normal_scheme(PN::ct_Loop_scheme(), PN::Loop_scheme()));
   // expected: a scheme that transfers curvature refines points and normals together
 
+  PN::subdivide(
+    mesh, PN::with_normal_scheme(PN::CatmullClark_scheme(),
+                                 PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve)));
+  // expected: the border is that of the scheme of the points
+
   struct Visitor
   {
     void face_made(Mesh::Face_index) {}

@@ -76,10 +76,10 @@ public:
     return modified_CatmullClark_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`: twice as many as of `modified_CatmullClark_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `modified_CatmullClark_scheme`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return 2 * modified_CatmullClark_scheme::dense_row_entries(level, round);
+    return modified_CatmullClark_scheme::dense_row_entries(level, round);
   }
 };
 

@@ -51,10 +51,10 @@ public:
     return modified_Loop_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`: twice as many as of `modified_Loop_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `modified_Loop_scheme`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return 2 * modified_Loop_scheme::dense_row_entries(level, round);
+    return modified_Loop_scheme::dense_row_entries(level, round);
   }
 };
 

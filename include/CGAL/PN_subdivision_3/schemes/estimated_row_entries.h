@@ -35,8 +35,10 @@ double estimated_row_entries([[maybe_unused]] const Scheme& scheme, const Level_
                              unsigned rounds)
 {
   constexpr double ordinary_row = 8;
-  const double first = internal::dense_row_entries<Scheme>(level, 1);
-  const double later = rounds < 2 ? 0 : internal::dense_row_entries<Scheme>(level, 2);
+  // a transfer evaluates the rows of its rings once more
+  constexpr double times = internal::Has_curvature_transfer<Scheme>::value ? 2 : 1;
+  const double first = times * internal::dense_row_entries<Scheme>(level, 1);
+  const double later = rounds < 2 ? 0 : times * internal::dense_row_entries<Scheme>(level, 2);
   double entries = 0;
   Level_size size = level.size();
   for (unsigned k = 1; k <= rounds && size.vertices < Level_connectivity::null; ++k) {

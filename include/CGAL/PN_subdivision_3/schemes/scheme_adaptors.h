@@ -17,6 +17,10 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+
+template <class Scheme>
+struct Scheme_with_border;
+
 namespace internal {
 
 // whether the scheme says that its border rules serve along creases
@@ -110,6 +114,13 @@ struct Is_adaptor : std::false_type
 {};
 template <class Scheme>
 struct Is_adaptor<Scheme, std::void_t<typename Scheme::Adapted_scheme>> : std::true_type
+{};
+
+template <class Scheme>
+struct Is_with_border : std::false_type
+{};
+template <class Scheme>
+struct Is_with_border<Scheme_with_border<Scheme>> : std::true_type
 {};
 
 // A pointer to the outermost one of nested schemes that is of a kind, or nullptr. Of the schemes of
@@ -215,10 +226,15 @@ template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals : Scheme_adaptor<Scheme>
 {
   static_assert(std::is_same_v<typename Scheme::Host, typename Normal_scheme::Host>,
-                "the schemes of points and normals need the same host");
+                "PN_subdivision_3: the schemes of points and normals need the same host");
   static_assert(!internal::Has_curvature_transfer<Scheme>::value &&
                   !internal::Has_curvature_transfer<Normal_scheme>::value,
-                "a scheme that transfers curvature refines points and normals together");
+                "PN_subdivision_3: a scheme that transfers curvature refines points and normals "
+                "together");
+  static_assert(
+    std::is_null_pointer_v<internal::Outermost<internal::Is_with_border, Normal_scheme>>,
+    "PN_subdivision_3: the border is that of the scheme of the points: give it to that, or to what "
+    "with_normal_scheme() returns");
 
   /// whether the rules for borders of both schemes serve along creases.
   static constexpr bool has_crease_rules =

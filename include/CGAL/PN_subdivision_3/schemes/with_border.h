@@ -52,13 +52,6 @@ Scheme_with_border<Scheme> with_border(const Scheme& scheme, Border border)
 
 namespace internal {
 
-template <class Scheme>
-struct Is_with_border : std::false_type
-{};
-template <class Scheme>
-struct Is_with_border<Scheme_with_border<Scheme>> : std::true_type
-{};
-
 // The border of a scheme and of the adaptors around it.
 template <class Scheme>
 struct Border_of
