@@ -42,7 +42,7 @@ template <class Scheme>
 std::vector<Kernel::Vector_3> extrapolated_normals(Surface_mesh& mesh, const Scheme& scheme)
 {
   std::vector<std::vector<Kernel::Vector_3>> table;
-  for (unsigned depth = 8; depth < 12; ++depth) {
+  for (unsigned depth = 9; depth < 14; ++depth) {
     PN::Limit_options options = limit_cases::close(0, 0);
     options.max_depth = depth;
     table.emplace_back();

@@ -40,7 +40,7 @@ Curvature_runs<Scheme>::form(Surface_mesh& mesh, const Scheme& scheme, unsigned 
     PN::internal::Mesh_limit_functionals<Scheme> source(scheme, level, PN::internal::For_chunks());
     PN::internal::Limit_precision precision;
     precision.max_depth = 24;
-    precision.second_forms = precision.tangents = 1e-7;
+    precision.second_forms = 1e-7;
     const auto f =
       source(PN::internal::to_values<3>(data.points, data.normals, true), {vertex}, precision);
     result = {f[0].second_form, f[0].surface_normal(data.points, f[0].control_normal)};

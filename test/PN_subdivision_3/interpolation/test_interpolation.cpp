@@ -138,6 +138,7 @@ TEST(Interpolation, SolvedNormalsKeepSpheres)
   options.normals = PN::Limit_interpolation_normals::solved;
   Interpolated result = interpolated(data, triangle_scheme, options);
   EXPECT_EQ(result.report.left_out, 0u);
+  EXPECT_LE(result.report.steps, 15u);
   const Control_mesh net = control_net(result.mesh, data);
   for (std::size_t v = 0; v < net.points.size(); ++v)
     EXPECT_NEAR(double(point_of(net, v).norm()), 1, 1e-11);
@@ -166,7 +167,7 @@ void expect_gains(const Control_mesh& data, const Scheme& scheme, const Distance
   if (over_unfairness > 0) {
     const double fair = unfairness(slide.mesh, scheme);
     EXPECT_GE(unfairness(linear.mesh, PN::linear(scheme)) / fair, over_unfairness);
-    EXPECT_NEAR(fair, 13.7, 1.4); // that of the ellipsoid
+    EXPECT_NEAR(fair, 9.445, 0.5); // by quadrature of H in closed form on the ellipsoid
   }
 }
 

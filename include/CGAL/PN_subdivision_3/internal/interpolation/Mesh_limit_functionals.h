@@ -214,6 +214,8 @@ private:
         p.min_depth = (std::max)(
           p.min_depth, static_cast<unsigned>(std::ceil(std::log(error) / std::log(factor))));
     p.min_depth = (std::min)(p.min_depth, p.max_depth);
+    // deeper down they drown in rounding
+    if (p.second_forms > 0) p.max_depth = p.min_depth;
     return p;
   }
 
