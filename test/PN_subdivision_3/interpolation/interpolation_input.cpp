@@ -63,6 +63,28 @@ TEST(Interpolation_input, IsFiniteAndNoWorseThanTheData)
   }
 }
 
+// Control normals that are solved for turn by 45 degrees at most: where that is not enough the given
+// ones stay, and are counted.
+TEST(Interpolation_input, SolvedNormalsStayNearTheGivenOnes)
+{
+  Options options = strict();
+  options.normals = PN::Limit_interpolation_normals::solved;
+  std::size_t left_out = 0;
+  for (const unsigned seed : {5u, 6u, 7u}) {
+    Control_mesh data = ellipsoid_quads(3);
+    test_meshes::set_wild_normals(data, seed);
+    Interpolated result = interpolated(data, scheme, options);
+    left_out += result.report.left_out;
+    const Control_mesh net = control_net(result.mesh, data);
+    for (std::size_t v = 0; v < data.points.size(); ++v) {
+      const auto &m = data.normals[v], &n = net.normals[v];
+      const double length = std::hypot(m[0], m[1], m[2]);
+      EXPECT_GE(m[0] * n[0] + m[1] * n[1] + m[2] * n[2], 0.707 * length) << v;
+    }
+  }
+  EXPECT_GT(left_out, 0u);
+}
+
 // The matrix of the linear limit points of a cube's connectivity is singular: the vector that alternates.
 TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
 {

@@ -157,9 +157,10 @@ private:
   void check(const Functionals& f, const std::string& name) const
   {
     if (f.rounds != 0)
-      refuse(name,
-             "whose neighbors are irregular, too, or whose faces are not all of the kind that "
-             "the scheme makes: subdivide the mesh first");
+      refuse(
+        name,
+        "whose neighbors are irregular, too, whose faces are not all of the kind that the scheme "
+        "makes, or where the first round of its rules is yet to come: subdivide the mesh first");
     if (!f.has_second_form)
       refuse(name, "where the surface has none that the scheme tells of: take an interior vertex "
                    "with a control normal, and a modified scheme if it is irregular");
