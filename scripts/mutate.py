@@ -32,7 +32,8 @@ HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
 WORK = ROOT / "build" / "mutate"
 TIME_LIMIT = 600  # seconds of one test
 MEMORY_LIMIT = 4 << 30  # bytes, for wrong changes that do not end
-COMPILER = os.environ.get("CXX") or shutil.which("clang++") or "g++"  # clang++ takes half the time
+# clang++ takes half the time; "ccache clang++" spares sources that do not see the change
+COMPILER = (os.environ.get("CXX") or shutil.which("clang++") or "g++").split()
 OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", f"-I{TESTS}", f"-I{TESTS}/support",
            "-isystem", "/usr/include/eigen3"]
 
@@ -54,18 +55,32 @@ def changed_text(mutation):
 def compile_references():
     """The reference implementations, which include nothing of the package."""
     for source in (TESTS / "reference").glob("*.cpp"):
-        subprocess.run([COMPILER, *OPTIONS, "-c", str(source), "-o", str(WORK / (source.stem + ".o"))], check=True)
+        subprocess.run([*COMPILER, *OPTIONS, "-c", str(source), "-o", str(WORK / (source.stem + ".o"))], check=True)
+
+
+def sources(test):
+    """A test has further sources as cmake/PN_unit_tests.cmake has it: test_NAME.cpp and NAME_*.cpp."""
+    first = TESTS / (test + ".cpp")
+    further = first.parent.glob(first.stem[len("test_"):] + "_*.cpp") if first.stem.startswith("test_") else []
+    return [first, *sorted(further)]
 
 
 def compile_and_run(test, include):
     """What a test says of the headers in a folder: None if it passes, otherwise what failed."""
     program = WORK / test.replace("/", "_")
     program.unlink(missing_ok=True)
-    command = [COMPILER, *OPTIONS, f"-I{include}", f'-DPN_DATA_DIR="{ROOT}/data/meshes"',
-               f'-DPN_TEST_REAL_MESH_DIR="{WORK}"', '-DPN_TEST_EXTRA_MESH_DIR=""', str(TESTS / (test + ".cpp")),
-               *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest", "-lgtest_main", "-lmpfr", "-lgmp",
-               "-lpthread"]
-    compilation = subprocess.run(command, capture_output=True, text=True)
+    objects = []
+    (WORK / "tests").mkdir(exist_ok=True)
+    for source in sources(test):
+        objects.append(str(WORK / "tests" / (source.stem + ".o")))
+        compilation = subprocess.run([*COMPILER, *OPTIONS, f"-I{include}", f'-DPN_DATA_DIR="{ROOT}/data/meshes"',
+                                      f'-DPN_TEST_REAL_MESH_DIR="{WORK}"', '-DPN_TEST_EXTRA_MESH_DIR=""', "-c",
+                                      str(source), "-o", objects[-1]], capture_output=True, text=True)
+        if compilation.returncode != 0:
+            break
+    else:
+        compilation = subprocess.run([*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest",
+                                      "-lgtest_main", "-lmpfr", "-lgmp", "-lpthread"], capture_output=True, text=True)
     if compilation.returncode != 0:
         errors = [line for line in compilation.stderr.splitlines() if "error" in line]
         return "does not compile: " + (errors[0] if errors else compilation.stderr[:200])

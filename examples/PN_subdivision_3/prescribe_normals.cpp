@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Limit surfaces with prescribed normals: the tip of a head's nose is turned up, and the ends of two
-// patches are given common tangent planes, so that they meet smoothly.
+// Limit surfaces with prescribed normals and curvatures: the tip of a head's nose is turned up, the ends of
+// two patches are given common tangent planes, so that they meet smoothly, and a patch gets a dent.
 //
 //   prescribe_normals [HEAD [FOLDER]]
 
@@ -46,6 +46,7 @@ struct Design
   Normals normals;
   Mesh::Property_map<Vertex, std::optional<Point>> points_of_limit;
   Mesh::Property_map<Vertex, std::optional<Vector>> normals_of_limit;
+  Mesh::Property_map<Vertex, std::optional<PN::Prescribed_curvature<Kernel>>> curvatures_of_limit;
   Mesh::Property_map<Vertex, PN::Limit_point<Kernel>> limits;
 
   explicit Design(Mesh m)
@@ -53,6 +54,8 @@ struct Design
     , normals(mesh.add_property_map<Vertex, Vector>("v:normal").first)
     , points_of_limit(mesh.add_property_map<Vertex, std::optional<Point>>("v:p").first)
     , normals_of_limit(mesh.add_property_map<Vertex, std::optional<Vector>>("v:n").first)
+    , curvatures_of_limit(
+        mesh.add_property_map<Vertex, std::optional<PN::Prescribed_curvature<Kernel>>>("v:c").first)
     , limits(mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("v:limit").first)
   {
     PN::estimate_control_normals(mesh, normals);
@@ -69,10 +72,11 @@ struct Design
   void solve(const std::string& title)
   {
     const PN::Limit_interpolation_report report = PN::prescribe_limit_data(
-      mesh, scheme, points_of_limit, normals_of_limit, PN::Limit_prescription_options(),
-      params::vertex_normal_map(normals));
+      mesh, scheme, points_of_limit, normals_of_limit, curvatures_of_limit,
+      PN::Limit_prescription_options(), params::vertex_normal_map(normals));
     std::cout << title << ": points off by " << report.residual << ", normals by "
-              << report.normal_residual << " radians, " << report.steps << " solve" << std::endl;
+              << report.normal_residual << " radians, curvatures by " << report.curvature_residual
+              << ", solves: " << report.steps << std::endl;
   }
 
   // the refined mesh on its limit, with the surface's normals
@@ -150,6 +154,17 @@ bool join_patches(const std::string& folder)
   return good;
 }
 
+// Convex towards the viewer in one direction, concave in the other; point and normal stay.
+bool dent_patch(const std::string& folder)
+{
+  Design design(patch(false));
+  const bool good = design.write(folder + "/dent_before.ply");
+  const Vertex middle(17);
+  design.curvatures_of_limit[middle] = PN::Prescribed_curvature<Kernel>{-1.2, 0.6, Vector(1, 0, 0)};
+  design.solve("dent");
+  return design.write(folder + "/dent_after.ply") && good;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -161,6 +176,7 @@ int main(int argc, char** argv)
     std::cerr << "Invalid input: " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  const bool good = turn_nose_up(std::move(head), folder);
-  return join_patches(folder) && good ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool nose = turn_nose_up(std::move(head), folder);
+  const bool patches = join_patches(folder);
+  return dent_patch(folder) && nose && patches ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -9,14 +9,17 @@
 #ifndef CGAL_PN_SUBDIVISION_3_PRESCRIBE_LIMIT_DATA_H
 #define CGAL_PN_SUBDIVISION_3_PRESCRIBE_LIMIT_DATA_H
 
+#include <CGAL/PN_subdivision_3/internal/interpolation/Curvature_prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_prescription_options.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -26,24 +29,6 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// Stands for a map when nothing of its kind is prescribed.
-struct Nothing_prescribed
-{};
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// How `prescribe_limit_data()` proceeds.
-struct Limit_prescription_options
-{
-  /// how far limit points may be from the prescribed ones, as a part of the largest side of the bounding
-  /// box of the control points.
-  double tolerance = 1e-12;
-  /// the most rounds of refinement about a vertex.
-  unsigned max_depth = 12;
-  /// control points move within so many rings of faces about the vertices with prescribed data.
-  unsigned rings = 2;
-};
 
 namespace internal {
 
@@ -96,15 +81,63 @@ read_prescribed(const Access& access, const Level_connectivity& level,
   return all;
 }
 
+template <class Access, class Curvatures>
+std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
+                                                   const Level_connectivity& level,
+                                                   const Curvatures& curvatures)
+{
+  std::vector<Prescribed_form> all;
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (const auto& value = get(curvatures, access.vertex(v))) {
+      const auto& d = value->direction;
+      Prescribed_form f;
+      f.vertex = v;
+      f.along = value->along;
+      f.across = value->across;
+      f.direction = {close_double(d.x()), close_double(d.y()), close_double(d.z())};
+      if (!std::isfinite(f.along) || !std::isfinite(f.across) || !f.direction.allFinite())
+        throw std::invalid_argument("PN_subdivision_3: the curvature that is prescribed at " +
+                                    access.vertex_name(v) +
+                                    " is not finite: give it finite numbers");
+      all.push_back(f);
+    }
+  return all;
+}
+
+// Without curvatures control normals stay.
+template <class Access, class Curvatures>
+Interpolation_result<3>
+prescribe(const Access& access, const Level_connectivity& level, const Interpolation_data<3>& data,
+          Surface_limits& source, std::vector<Prescribed_vertex> prescribed,
+          [[maybe_unused]] const Curvatures& curvatures, const Limit_prescription_options& options)
+{
+  if (const auto v = vertex_without_tangents(prescribed, data, source))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a normal is prescribed at " + access.vertex_name(*v) +
+      ", where the scheme tells of no tangent plane: prescribe none there");
+  if constexpr (!std::is_same_v<Curvatures, Nothing_prescribed>) {
+    const auto forms = read_prescribed_forms(access, level, curvatures);
+    const double size = box_size(data.points);
+    if (!forms.empty())
+      return Curvature_prescription(
+        level, data, source, std::move(prescribed), forms, options.rings,
+        [&](Level_connectivity::Index v) { return access.vertex_name(v); })(
+        size > 0 ? options.curvature_tolerance / size : 0, options.max_curvature_steps);
+  }
+  return Prescription(level, data, source, std::move(prescribed), options.rings)();
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Interpolation
 
 changes the control points of a mesh so that the limit surface has prescribed points and unit normals at
-some vertices. Control normals stay. Both kinds of conditions are linear in the control points, so that
-there is nothing to iterate: one system with the conditions and the smoothest change of the net is
-solved,
+some vertices, and curvatures.
+
+<b>Points and normals.</b> Control normals stay. Both kinds of conditions are linear in the control
+points, so that there is nothing to iterate: one system with the conditions and the smoothest change of
+the net is solved,
 
   minimize &sum; |U &delta;<sub>v</sub>|<sup>2</sup> + 10<sup>-6</sup> |&delta;<sub>v</sub>|<sup>2</sup>
 
@@ -117,28 +150,98 @@ Normals can be prescribed where the scheme tells of a tangent plane, see `limit_
 vertices, and on the border at valence 3 (Catmull-Clark) or 3 to 6 (Loop). Two patches that prescribe the
 same points and normals along a common border meet with common tangent planes at its vertices.
 
+<b>Curvatures.</b> The quadratic form that the surface lacks at a vertex is added to the control points and
+the control normals of its 1-ring alike, which keeps the limit point and the tangent plane but for terms
+of higher order; these are then restored by the system above. That is repeated while the curvature comes
+closer: by a factor of a thousand a step where the surface is smooth against its edges, of 3 to 10 on coarse
+nets. Where a curvature but no point or no normal is prescribed, limit point and normal stay.
+Curvature can be prescribed where the scheme has it as a limit: at regular vertices, and at irregular ones with the
+modified schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
+settled there (no other irregular vertex next to it, with the modified schemes), and no two of these
+vertices may have a vertex of their faces in common: subdivide the mesh first where that is not so.
+
 Computed in `double`, whatever the number type.
 
 \tparam PrescribedPoints a model of `ReadablePropertyMap` from vertices to `std::optional` of a point, or
   `Nothing_prescribed`
 \tparam PrescribedNormals likewise, of a vector of any length
+\tparam PrescribedCurvatures likewise, of a `Prescribed_curvature`
 
 \param mesh an oriented 2-manifold with border; its points are changed
-\param scheme as for `interpolate_limit_points()`
+\param scheme as for `interpolate_limit_points()`; no linear one for curvatures
 \param points the limit points that are prescribed
 \param normals the surface normals that are prescribed
+\param curvatures the curvatures that are prescribed
 \param options how to proceed
-\param np as for `interpolate_limit_points()`; the `vertex_normal_map` is read only, and without it
-  control normals are estimated from the given points
+\param np as for `interpolate_limit_points()`. Without curvatures the `vertex_normal_map` is read only, and
+  without it control normals are estimated from the given points; curvatures need it, and write the
+  control normals of the 1-rings
 
-\returns what was reached: `residual` for the points, `normal_residual` for the normals. The control net is
-  never further from what is prescribed than it was.
+\returns what was reached: `residual` for the points, `normal_residual` for the normals,
+  `curvature_residual` and `curvature_steps` for the curvatures. The control net is never further from
+  what is prescribed than it was; with curvatures, points and normals may miss it by up to four times
+  their tolerances.
 
 \throws std::invalid_argument as `interpolate_limit_points()` does, and with the name of the vertex if what
-  is prescribed is not finite, or a normal is prescribed where the scheme tells of no tangent plane;
-  the mesh has not been changed then
-\cost that of a sparse factorization over the control points that may move
+  is prescribed is not finite, a normal is prescribed where the scheme tells of no tangent plane, or a
+  curvature where it cannot be, see above, or where control normals of the 1-ring are zero or more than 60
+  degrees from their limit, or with a direction that is zero or that of the normal; the mesh has not been
+  changed then
+\cost that of a sparse factorization over the control points that may move, in every step
 */
+template <
+  class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class PrescribedPoints,
+  class PrescribedNormals, class PrescribedCurvatures,
+  class NamedParameters = parameters::Default_named_parameters,
+  std::enable_if_t<!std::is_same_v<PrescribedCurvatures, Limit_prescription_options>, int> = 0>
+Limit_interpolation_report
+prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPoints& points,
+                     const PrescribedNormals& normals, const PrescribedCurvatures& curvatures,
+                     const Limit_prescription_options& options = Limit_prescription_options(),
+                     const NamedParameters& np = parameters::default_values())
+{
+  internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+  internal::check_tolerance(options.tolerance);
+  internal::check_tolerance(options.curvature_tolerance);
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  constexpr bool has_curvatures = !std::is_same_v<PrescribedCurvatures, Nothing_prescribed>;
+  static_assert(!has_curvatures || !internal::Is_linear<Scheme>::value,
+                "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
+                "schemes have none");
+  static_assert(!has_curvatures ||
+                  !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
+                "PN_subdivision_3: prescribed curvatures change the control normals: give a "
+                "vertex_normal_map that takes them");
+  const auto point_map = Parameters::point_map(mesh, np);
+  Limit_interpolation_report report;
+  internal::with_mesh_access(mesh, [&](auto& access) {
+    const Level_connectivity level = internal::checked_level(access);
+    internal::Interpolation_data<3> data =
+      internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+    data.tolerance = options.tolerance * internal::box_size(data.points);
+    data.max_depth = (std::max)(1u, options.max_depth);
+    data.max_steps = (std::numeric_limits<unsigned>::max)();
+    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
+                                                    internal::For_chunks::with(Concurrency_tag()));
+    const auto result = internal::prescribe(
+      access, level, data, source, internal::read_prescribed(access, level, points, normals),
+      curvatures, options);
+    report = result.report;
+    const auto write = [&](auto normal_map) {
+      internal::write_control_net<FT>(access, point_map, normal_map, data.points, result.points,
+                                      data.normals, result.normals);
+    };
+    if constexpr (has_curvatures)
+      write(Parameters::normal_map(np));
+    else
+      write(internal::No_normal_map());
+  });
+  return report;
+}
+
+/// \ingroup PkgPNSubdivision3Interpolation
+/// the same without curvatures.
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class PrescribedPoints, class PrescribedNormals,
           class NamedParameters = parameters::Default_named_parameters>
@@ -148,32 +251,8 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPo
                      const Limit_prescription_options& options = Limit_prescription_options(),
                      const NamedParameters& np = parameters::default_values())
 {
-  internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-  internal::check_tolerance(options.tolerance);
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  const auto point_map = Parameters::point_map(mesh, np);
-  Limit_interpolation_report report;
-  internal::with_mesh_access(mesh, [&](auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    internal::Interpolation_data<3> data =
-      internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
-    const auto prescribed = internal::read_prescribed(access, level, points, normals);
-    data.tolerance = options.tolerance * internal::box_size(data.points);
-    data.max_depth = (std::max)(1u, options.max_depth);
-    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
-                                                    internal::For_chunks::with(Concurrency_tag()));
-    internal::Prescription prescription(level, data, source, prescribed);
-    if (const auto v = prescription.vertex_without_tangents())
-      throw std::invalid_argument(
-        "PN_subdivision_3: a normal is prescribed at " + access.vertex_name(*v) +
-        ", where the scheme tells of no tangent plane: prescribe none there");
-    const auto result = prescription(options.rings);
-    report = result.report;
-    internal::write_control_net<FT>(access, point_map, internal::No_normal_map(), data.points,
-                                    result.points, data.normals, data.normals);
-  });
-  return report;
+  return prescribe_limit_data<Concurrency_tag>(mesh, scheme, points, normals, Nothing_prescribed(),
+                                               options, np);
 }
 
 } // namespace PN_subdivision_3

@@ -17,8 +17,6 @@
 
 #include <type_traits>
 
-// Each has a source file of its own, because a call for every scheme takes long to compile.
-
 namespace pn_subdivide {
 
 template <class S, class... Schemes>
@@ -36,12 +34,15 @@ constexpr bool can_interpolate =
             CGAL::PN_subdivision_3::modified_CatmullClark_scheme,
             CGAL::PN_subdivision_3::modified_Loop_scheme>;
 
-Interpolation_report interpolate_linearly(Surface& surface, const Scheme& scheme,
-                                          Interpolation_mode mode);
-
-Interpolation_report interpolate_with_normals(Surface& surface, Normal_map normals,
-                                              const Scheme& scheme,
-                                              const Interpolation& interpolation);
+// Compiled scheme by scheme, in interpolate_SCHEME.cpp. Both with a number of threads for which the result
+// is the same as with one, bit for bit.
+template <class S>
+struct Interpolating_scheme
+{
+  static Interpolation_report with_normals(Surface& surface, Normal_map normals, const S& scheme,
+                                           const Interpolation& interpolation);
+  static Interpolation_report linearly(Surface& surface, const S& scheme, Interpolation_mode mode);
+};
 
 } // namespace pn_subdivide
 

@@ -44,8 +44,16 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
 #endif
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals) return interpolate_linearly(surface, scheme, interpolation.mode);
-  return interpolate_with_normals(surface, *normals, scheme, interpolation);
+  return std::visit(
+    [&](const auto& s) -> Interpolation_report {
+      using S = std::decay_t<decltype(s)>;
+      if constexpr (can_interpolate<S>)
+        return normals ? Interpolating_scheme<S>::with_normals(surface, *normals, s, interpolation)
+                       : Interpolating_scheme<S>::linearly(surface, s, interpolation.mode);
+      else
+        return {}; // the net is the data
+    },
+    scheme);
 }
 
 } // namespace pn_subdivide

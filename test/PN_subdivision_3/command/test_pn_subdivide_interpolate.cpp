@@ -74,6 +74,7 @@ TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
   const auto before = points(in);
   ASSERT_FALSE(before.empty());
   for (const char* options : {"--scheme modified-catmull-clark", "--scheme catmull-clark --linear",
+                              "--scheme modified-catmull-clark --first-round 2",
                               "--scheme catmull-clark --threads 2"}) {
     const Outcome outcome = run("surface '" + in + "' '" + out +
                                 "' --levels 2 --ascii --limit --interpolate points " + options);
@@ -118,6 +119,8 @@ TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
   const std::string torus =
     "surface '" + data("torus_quads.ply") + "' '" + folder.file("out.ply") + "' ";
   expect_one_line(run(torus + "--interpolate yes"), 2, "it takes slide or points");
+  expect_one_line(run(torus + "--interpolate slide --scheme ct-catmull-clark"), 2,
+                  "surfaces of ct-catmull-clark cannot be made to pass through points");
   expect_one_line(run(torus + "--interpolate slide --scheme doo-sabin"), 2, "doo-sabin");
   expect_one_line(run(torus + "--interpolate slide --scheme sqrt3"), 2, "sqrt3");
   expect_one_line(run(torus + "--interpolate slide --scheme catmull-clark --normal-scheme kobbelt"),

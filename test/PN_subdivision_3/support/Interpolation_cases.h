@@ -11,10 +11,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_CASES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_CASES_H
 
-#include "Limit_cases.h"
+#include "Interpolation_runs.h"
 #include "Sampled_surfaces.h"
-
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 
 #include <array>
 #include <functional>
@@ -23,13 +21,9 @@
 
 namespace interpolation_cases {
 
-namespace PN = CGAL::PN_subdivision_3;
-using limit_cases::Limits;
 using reference::Real;
 using reference::Vector;
 using test_meshes::Control_mesh;
-using Options = PN::Limit_interpolation_options<>;
-using Report = PN::Limit_interpolation_report;
 
 // the distance of a point from a surface, to first order
 using Distance = std::function<double(const Vector&)>;
@@ -54,6 +48,12 @@ inline double to_torus(const Vector& p) // that of Sampled_surfaces
 {
   const Real r = std::hypot(p[0], p[1]) - 2.5L;
   return double(std::hypot(r, p[2]) - 1);
+}
+
+inline double to_waves(const Vector& p) // the graph of Sampled_surfaces
+{
+  const auto sample = sampled_surfaces::on_waves(p[0], p[1]);
+  return double((p[2] - sample.point[2]) / sample.normal.norm());
 }
 
 // the faces of a cube cut in n x n, laid on an ellipsoid: valence 3 at the corners
@@ -110,21 +110,42 @@ inline Vector moved(const Vector& p, Real scale)
 
 // the mean square of the distances of the limit points at some level
 template <class Scheme>
-double rms_error(Surface_mesh mesh, const Scheme& scheme, const Distance& distance,
+double rms_error(const Surface_mesh& net, const Scheme& scheme, const Distance& distance,
                  unsigned rounds = 2)
 {
-  using CGAL::parameters::vertex_normal_map;
-  const auto normals = normal_map(mesh);
-  PN::subdivide(mesh, scheme, vertex_normal_map(normals).number_of_iterations(rounds));
-  PN::Limit_options options;
-  options.rounds_done = rounds;
-  PN::move_to_limit(mesh, scheme, options, vertex_normal_map(normals));
+  Surface_mesh mesh = net;
+  const Limits all = Limit_runs<Scheme>::refined(mesh, scheme, rounds);
   double sum = 0;
-  for (auto v : mesh.vertices()) {
-    const double d = distance(limit_cases::to_vector(mesh.point(v)));
+  for (const auto& limit : all.at) {
+    const double d = distance(limit_cases::to_vector(limit.point));
     sum += d * d;
   }
-  return std::sqrt(sum / double(mesh.number_of_vertices()));
+  return std::sqrt(sum / double(all.at.size()));
+}
+
+// the integral of |grad H|^2 over the limit surface, H linear between the vertices of some level
+template <class Scheme>
+double unfairness(const Surface_mesh& net, const Scheme& scheme, unsigned rounds = 2)
+{
+  Surface_mesh mesh = net;
+  const Limits all = Limit_runs<Scheme>::refined(mesh, scheme, rounds);
+  double sum = 0;
+  const auto add = [&](const std::array<std::size_t, 3>& v) {
+    Vector e[3], gradient = Vector::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+      e[k] = limit_cases::to_vector(all.at[v[(k + 2) % 3]].point) -
+             limit_cases::to_vector(all.at[v[(k + 1) % 3]].point);
+    const Vector n = e[0].cross(e[1]); // twice the area long
+    for (std::size_t k = 0; k < 3; ++k) gradient += Real(all.at[v[k]].mean) * n.cross(e[k]);
+    gradient /= n.squaredNorm();
+    sum += double(gradient.squaredNorm() * n.norm() / 2);
+  };
+  for (auto f : mesh.faces()) {
+    std::vector<std::size_t> corners;
+    for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(v.idx());
+    for (std::size_t k = 2; k < corners.size(); ++k) add({corners[0], corners[k - 1], corners[k]});
+  }
+  return sum;
 }
 
 struct Interpolated
@@ -138,8 +159,7 @@ Interpolated interpolated(const Control_mesh& control, const Scheme& scheme,
                           const Options& options = Options())
 {
   Interpolated result{to_surface_mesh(control), {}};
-  result.report = PN::interpolate_limit_points(
-    result.mesh, scheme, options, CGAL::parameters::vertex_normal_map(normal_map(result.mesh)));
+  result.report = Interpolation_runs<Scheme>::interpolate(result.mesh, scheme, options);
   return result;
 }
 

@@ -82,12 +82,17 @@ struct Limit_interpolation_report
   /// `prescribe_limit_data()`: the largest angle between a prescribed normal and that of the surface, in
   /// radians.
   double normal_residual = 0;
+  /// `prescribe_limit_data()`: the largest difference of a curvature of the surface from the prescribed
+  /// one, over all directions, in the reciprocal unit.
+  double curvature_residual = 0;
   /// an estimate of the error of `residual` that comes from evaluating the limit points.
   double error = 0;
   /// what was asked for.
   double tolerance = 0;
   /// how many linear systems were solved. Zero: the limit surface of the data passed through them.
   unsigned steps = 0;
+  /// `prescribe_limit_data()`: how many steps towards prescribed curvatures were taken.
+  unsigned curvature_steps = 0;
   /// the most rounds of refinement about a vertex.
   unsigned depth = 0;
   /// the largest distance of a point from its own limit point.

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +60,7 @@ public:
 private:
   using Vector = Eigen_vector<dimension>;
   using Index = typename Data::Index;
+  using Difference = std::pair<Eigen::VectorXd, Eigen::VectorXd>; // of x, of g
 
   static constexpr double tolerance = 1e-14;
   static constexpr double least_cosine = 0.7071;
@@ -98,26 +99,37 @@ private:
     return leave_worst(normals, error, (active_.size() + 1) / 2);
   }
 
+  // Of the last changes of x and g the part is taken off by which g would be the least.
   Eigen::VectorXd accelerated(const Eigen::VectorXd& x, const Eigen::VectorXd& g)
   {
-    Eigen::VectorXd next = x + g;
+    Eigen::VectorXd step = g;
     if (last_x_.size() == x.size() && keeps_history_) {
       differences_.emplace_back(x - last_x_, g - last_g_);
       if (differences_.size() > memory) differences_.pop_front();
-      const auto m = static_cast<Eigen::Index>(differences_.size());
-      Eigen::MatrixXd dx(x.size(), m), dg(x.size(), m);
-      for (Eigen::Index k = 0; k < m; ++k) {
-        dx.col(k) = differences_[static_cast<std::size_t>(k)].first;
-        dg.col(k) = differences_[static_cast<std::size_t>(k)].second;
+      auto orthogonal = differences_;
+      Eigen::VectorXd rest = g;
+      for (auto d = orthogonal.begin(); d != orthogonal.end(); ++d) {
+        const double length = d->second.norm();
+        for (auto e = orthogonal.begin(); e != d; ++e) subtract(*e, e->second.dot(d->second), *d);
+        const double height = d->second.norm();
+        const double scale = height > 1e-12 * length ? 1 / height : 0.; // 0: depends on the others
+        d->first *= scale;
+        d->second *= scale;
+        const double c = d->second.dot(rest);
+        rest -= c * d->second;
+        step -= c * (d->first + d->second);
       }
-      const Eigen::VectorXd c = dg.colPivHouseholderQr().solve(g);
-      const Eigen::VectorXd step = g - (dx + dg) * c;
-      if (step.allFinite() && step.norm() <= 4 * g.norm()) next = x + step;
+      if (!step.allFinite() || step.norm() > 4 * g.norm()) step = g;
     }
     last_x_ = x;
     last_g_ = g;
     keeps_history_ = true;
-    return next;
+    return x + step;
+  }
+  static void subtract(const Difference& a, double factor, Difference& b)
+  {
+    b.first -= factor * a.first;
+    b.second -= factor * a.second;
   }
 
   // M - N, and their lengths
@@ -203,7 +215,7 @@ private:
   Source& source_;
   std::vector<Index> active_;
   std::vector<typename Source::Functionals> functionals_;
-  std::deque<std::pair<Eigen::VectorXd, Eigen::VectorXd>> differences_;
+  std::deque<Difference> differences_;
   Eigen::VectorXd last_x_, last_g_;
   bool keeps_history_ = false;
   std::size_t left_out_ = 0;

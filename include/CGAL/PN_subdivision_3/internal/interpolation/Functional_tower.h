@@ -59,8 +59,9 @@ struct Limit_precision
 {
   double tolerance = 0; // absolute
   unsigned min_depth = 0, max_depth = 0;
-  bool with_blocks = true;        // not only the limits themselves
-  bool with_second_forms = false; // of the surface
+  bool with_blocks = true; // not only the limits themselves
+  double tangents = 0;     // their relative error; 0: that which comes with the limit point
+  double second_forms = 0; // the relative error of those of the surface; 0: they are not wanted
 };
 
 // The limit of a ring and the tangents there, for fixed normals as linear functions of the points of
@@ -103,6 +104,8 @@ public:
     if (!precision.with_blocks) return;
     set_functionals();
     for (unsigned d = depth_; d-- > 0;) pull_back(d);
+    if constexpr (tangents > 0)
+      if (!rule.tangents.empty()) remove_limit_from_tangents();
   }
 
   const Value& limit() const { return limit_; }
@@ -159,6 +162,7 @@ private:
       if (!rule_->tangents.empty()) set_tangents();
   }
 
+  // of the points themselves; what is relative to o is left to remove_limit_from_tangents()
   void set_tangents()
   {
     using Square = Eigen::Matrix<double, dimension, dimension>;
@@ -167,7 +171,6 @@ private:
     const bool has_normal = !Average::is_zero(limit_.normal);
     for (int a = 0; a < tangents; ++a) {
       const std::vector<double>& mask = rule_->tangents[static_cast<std::size_t>(a)];
-      Square sum = Square::Zero();
       for (std::size_t p = 0; p < ring.size(); ++p) {
         if (mask[p] == 0) continue;
         Square g = Square::Identity();
@@ -175,10 +178,19 @@ private:
           const Vector s = to_eigen<dimension>(ring[p].normal) + n;
           g += n * (s / (std::max)(s.dot(n), 1. / 1024) - n).transpose();
         }
-        g *= mask[p];
-        blocks_[p].template middleRows<dimension>(dimension * (1 + a)) += g;
-        sum += g;
+        blocks_[p].template middleRows<dimension>(dimension * (1 + a)) += mask[p] * g;
       }
+    }
+  }
+
+  // Makes tangents relative to the limit point o, at the base: rounding at the top adds to them a part of
+  // the limit point, which does not shrink on the way down as they do.
+  void remove_limit_from_tangents()
+  {
+    for (int a = 0; a < tangents; ++a) {
+      Eigen::Matrix<double, dimension, dimension> sum =
+        Eigen::Matrix<double, dimension, dimension>::Zero();
+      for (const Block& b : blocks_) sum += b.template middleRows<dimension>(dimension * (1 + a));
       for (Block& b : blocks_)
         b.template middleRows<dimension>(dimension * (1 + a)) -=
           sum * b.template topRows<dimension>();

@@ -48,8 +48,10 @@ struct Limit_functionals
   // Zero where it is not known.
   Eigen::Matrix<double, dimension, dimension> second_form =
     Eigen::Matrix<double, dimension, dimension>::Zero();
-  double error = 0; // estimated, of the limit point
+  bool has_second_form = false; // if it was asked for and is known
+  double error = 0;             // estimated, of the limit point
   unsigned depth = 0;
+  unsigned rounds = 0; // of the mesh, before its rules settled about the vertex
   bool has_tangents = false;
 
   // The blocks of a limit point sum to the identity and those of a tangent to 0: taking the points

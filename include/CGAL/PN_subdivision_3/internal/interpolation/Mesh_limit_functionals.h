@@ -18,12 +18,16 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -105,7 +109,8 @@ private:
                 const std::vector<std::size_t>& positions, unsigned next_round, unsigned depth,
                 std::vector<Functionals>& result)
   {
-    const Settled_neighborhood<Scheme> is_settled(stage.level);
+    const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(stage.level, next_round >= first_final_round);
     std::vector<const Ring_of_kind*> kinds(vertices.size(), nullptr);
     std::vector<Index> unsettled;
     std::vector<std::size_t> unsettled_positions;
@@ -125,7 +130,7 @@ private:
       std::vector<Index> ring;
       for (Index i = begin; i < end; ++i) {
         Functionals& f = result[positions[i]];
-        f.depth = depth;
+        f.depth = f.rounds = depth;
         if (kinds[i] != nullptr)
           run(stage, vertices[i], *kinds[i], tower, ring, f);
         else if (stage.level.is_isolated(vertices[i]))
@@ -133,6 +138,11 @@ private:
       }
     });
     if (unsettled.empty()) return;
+    if (depth == most_rounds && next_round < first_final_round)
+      throw std::invalid_argument(
+        "PN_subdivision_3: the first round of the rules of the scheme is " +
+        std::to_string(first_final_round) + ", but interpolation looks for limits in the first " +
+        std::to_string(most_rounds) + " rounds: take an earlier first round");
     if (depth == most_rounds)
       throw std::invalid_argument(
         "PN_subdivision_3: the scheme does not settle about its vertices: "
@@ -171,14 +181,18 @@ private:
       values.push_back(stage.values[w]);
       for (std::size_t c = 0; c < 3; ++c) values.back().point[c] -= stage.values[v].point[c];
     }
-    tower.run(kind.rule, values, precision_);
+    tower.run(kind.rule, values,
+              precision_at(*kind.kind->ring_class, stage.level.is_border_vertex(v)));
     f.limit_point = to_eigen<3>(tower.limit().point) + to_eigen<3>(stage.values[v].point);
     f.control_normal = to_eigen<3>(tower.limit().normal);
     f.error = tower.error();
     f.depth += tower.depth();
     f.has_tangents = !kind.rule.tangents.empty();
-    if (precision_.with_second_forms)
-      f.second_form = second_form(stage.level, v, *kind.kind->ring_class, tower);
+    if (precision_.second_forms > 0)
+      if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_class, tower)) {
+        f.second_form = second_form(*jet);
+        f.has_second_form = true;
+      }
     if (!precision_.with_blocks) return;
     std::vector<double> weights(ring.size(), 0.);
     for (const auto& e : kind.rule.limit) weights[e.vertex] += e.weight;
@@ -186,6 +200,23 @@ private:
       f.entries.push_back({ring[p], weights[p], tower.block(p)});
     for (const Stage* s = &stage; s->parent != nullptr; s = s->parent)
       f.entries = pulled_back(*s, f.entries);
+  }
+
+  // Errors of tangents and second forms fall by lambda^2 a round, on borders by lambda.
+  template <class Ring_class>
+  Limit_precision precision_at(const Ring_class& ring_class, bool is_at_border) const
+  {
+    Limit_precision p = precision_;
+    const double factor = ring_class.lambda() * (is_at_border ? 1 : ring_class.lambda());
+    if (!ring_class.has_tangents() || !(factor < 1)) return p;
+    for (const double error : {p.tangents, p.second_forms})
+      if (error > 0)
+        p.min_depth = (std::max)(
+          p.min_depth, static_cast<unsigned>(std::ceil(std::log(error) / std::log(factor))));
+    p.min_depth = (std::min)(p.min_depth, p.max_depth);
+    // deeper down they drown in rounding
+    if (p.second_forms > 0) p.max_depth = p.min_depth;
+    return p;
   }
 
   // through the round that has made the stage's level
@@ -216,28 +247,28 @@ private:
     return result;
   }
 
-  // by the jet at regular vertices, by the slopes of the control normals where the ring matrix has no
-  // part of second order that would last
-  Eigen::Matrix3d second_form(const Level_connectivity& level, Index v,
-                              const typename Limit_classes<Scheme, double>::Class& ring_class,
-                              const Tower& tower) const
+  // at regular vertices that of the spline; by the slopes of the control normals where the ring matrix
+  // has no part of second order that would last
+  std::optional<Surface_jet<double>>
+  surface_jet(const Level_connectivity& level, Index v,
+              const typename Limit_classes<Scheme, double>::Class& ring_class,
+              const Tower& tower) const
   {
     static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
     static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
     constexpr bool is_quads = Scheme::Host::refined_degree == 4;
     if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
         Average::is_zero(tower.limit().normal))
-      return Eigen::Matrix3d::Zero();
+      return std::nullopt;
     if (Neighborhood::is_spline &&
         level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
-      return internal::second_form(
-        Regular_jet<double>(is_quads ? 4 : 3)
-          .surface_jet(is_quads ? quads : triangles, tower.top().data()));
+      return Regular_jet<double>(is_quads ? 4 : 3)
+        .surface_jet(is_quads ? quads : triangles, tower.top().data());
     const double lambda2 = ring_class.lambda() * ring_class.lambda();
     const Ring_geometry geometry(tower.top(), tower.limit(), ring_class.tangents());
     if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
-      return Eigen::Matrix3d::Zero();
-    return internal::second_form(geometry.extraordinary_jet());
+      return std::nullopt;
+    return geometry.extraordinary_jet();
   }
 
   static void set_isolated(const Stage& stage, Index v, Functionals& f)

@@ -57,8 +57,7 @@ private:
   Vectors<3> next_normals(const Vectors<3>& points)
   {
     Limit_precision precision = data_.precision();
-    precision.with_second_forms = true;
-    precision.min_depth = (std::min)(8u, precision.max_depth); // second forms of irregular vertices
+    precision.second_forms = 2e-5;
     const auto functionals =
       source_(to_values<3>(points, data_.normals, data_.takes_normals), data_.vertices, precision);
     Vectors<3> next = data_.normals;

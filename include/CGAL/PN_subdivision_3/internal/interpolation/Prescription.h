@@ -39,86 +39,86 @@ class Prescription
 public:
   using Functionals = Surface_limits::Functionals;
 
-  Prescription(const Level_connectivity& level, const Interpolation_data<3>& data,
-               Surface_limits& source, const std::vector<Prescribed_vertex>& prescribed)
-    : level_(level)
-    , data_(data)
-    , source_(source)
-    , prescribed_(prescribed)
-  {
-    for (const Prescribed_vertex& p : prescribed) vertices_.push_back(p.vertex);
-  }
-
   // rings: how far from the vertices control points may move
-  Interpolation_result<3> operator()(unsigned rings)
+  Prescription(const Level_connectivity& level, const Interpolation_data<3>& data,
+               Surface_limits& source, std::vector<Prescribed_vertex> prescribed, unsigned rings)
+    : data_(data)
+    , source_(source)
+    , prescribed_(std::move(prescribed))
+    , vertices_(vertices_of(prescribed_))
+    , correction_(level, vertices_, rings)
+  {}
+
+  Interpolation_result<3> operator()()
   {
     Interpolation_result<3> result;
     result.normals = data_.normals;
     result.points = data_.points;
-    report_.tolerance = data_.tolerance;
-    evaluate(result.points);
-    best_ = residual_;
-    Smooth_correction correction(level_, vertices_, rings);
-    // with the functionals that are right for the data, then for the result
-    for (unsigned k = 0; k < 3 && !is_met() && report_.steps < data_.max_steps; ++k) {
-      if (!correction.set_conditions(conditions())) break;
-      ++report_.steps;
-      Vectors<3> points = result.points;
-      // what the first solution leaves is due to rounding
-      for (unsigned refinement = 0; refinement < 3; ++refinement)
-        if (!correction.add_to(points, defects(points))) break;
-      evaluate(points);
-      if (!(residual_ < best_)) break;
-      best_ = residual_;
-      result.points = std::move(points);
-    }
-    evaluate(result.points);
-    note_evaluation(functionals_, report_);
-    report_.residual = point_residual(result.points);
-    report_.normal_residual = normal_residual(result.points);
-    result.report = report_;
+    result.report.tolerance = data_.tolerance;
+    meet(result.points, result.normals, result.report);
     return result;
   }
 
-  // the vertex of a prescribed normal where the scheme tells of no tangent plane
-  std::optional<Level_connectivity::Index> vertex_without_tangents()
+  // Brings the points to what is prescribed, if they are not there, with these control normals; returns
+  // by how many tolerances they still miss it.
+  double meet(Vectors<3>& points, const Vectors<3>& normals, Limit_interpolation_report& report)
   {
-    functionals_ = source_(values(data_.points), vertices_, data_.precision());
-    for (std::size_t i = 0; i < prescribed_.size(); ++i)
-      if (prescribed_[i].normal && !functionals_[i].has_tangents) return prescribed_[i].vertex;
-    return std::nullopt;
+    double best = evaluate(points, normals);
+    // with the functionals that are right for the data, then for the result
+    for (unsigned k = 0; k < 3 && best > 1 && report.steps < data_.max_steps; ++k) {
+      if (!correction_.set_conditions(conditions())) break;
+      ++report.steps;
+      Vectors<3> next = points;
+      // what the first solution leaves is due to rounding
+      for (unsigned refinement = 0; refinement < 3; ++refinement)
+        if (!correction_.add_to(next, defects(next))) break;
+      const double now = evaluate(next, normals);
+      if (!(now < best)) break;
+      best = now;
+      points = std::move(next);
+    }
+    evaluate(points, normals);
+    note_evaluation(functionals_, report);
+    report.residual = point_residual(points);
+    report.normal_residual = normal_residual(points);
+    return best;
   }
+
+  // the functionals of the last points, of each vertex
+  const std::vector<Functionals>& functionals() const { return functionals_; }
 
 private:
   using Vector = Eigen_vector<3>;
+  using Index = Level_connectivity::Index;
   using Condition = Smooth_correction::Condition;
 
   static constexpr double normal_tolerance = 1e-12; // in radians
+  static constexpr unsigned most_rounds = 100;      // of normals
 
-  std::vector<Point_normal<double, 3>> values(const Vectors<3>& points) const
+  static std::vector<Index> vertices_of(const std::vector<Prescribed_vertex>& prescribed)
   {
-    return to_values<3>(points, data_.normals, data_.takes_normals);
+    std::vector<Index> vertices;
+    for (const Prescribed_vertex& p : prescribed) vertices.push_back(p.vertex);
+    return vertices;
   }
 
-  // Surface normals converge by lambda^2 a round only, and there are few of these vertices.
+  // Surface normals converge slowly, and there are few of these vertices.
   Limit_precision precision() const
   {
-    constexpr unsigned depth_of_normals = 24;
     Limit_precision p = data_.precision();
-    const auto has_normal = [](const Prescribed_vertex& v) { return v.normal.has_value(); };
-    if (std::any_of(prescribed_.begin(), prescribed_.end(), has_normal))
-      p.min_depth = p.max_depth = (std::max)(p.max_depth, depth_of_normals);
+    p.tangents = normal_tolerance / 10;
+    p.max_depth = (std::max)(p.max_depth, most_rounds);
     return p;
   }
 
-  void evaluate(const Vectors<3>& points)
+  double evaluate(const Vectors<3>& points, const Vectors<3>& normals)
   {
-    functionals_ = source_(values(points), vertices_, precision());
+    functionals_ =
+      source_(to_values<3>(points, normals, data_.takes_normals), vertices_, precision());
     // the two are of different kinds: by how much they miss what is asked
-    residual_ = point_residual(points) / (std::max)(data_.tolerance, 1e-300) +
-                normal_residual(points) / normal_tolerance;
+    return point_residual(points) / (std::max)(data_.tolerance, 1e-300) +
+           normal_residual(points) / normal_tolerance;
   }
-  bool is_met() const { return best_ <= 1; }
 
   double point_residual(const Vectors<3>& points) const
   {
@@ -190,16 +190,32 @@ private:
     return d;
   }
 
-  const Level_connectivity& level_;
   const Interpolation_data<3>& data_;
   Surface_limits& source_;
-  const std::vector<Prescribed_vertex>& prescribed_;
-  std::vector<Level_connectivity::Index> vertices_;
+  const std::vector<Prescribed_vertex> prescribed_;
+  const std::vector<Index> vertices_;
+  Smooth_correction correction_;
   std::vector<Functionals> functionals_;
   std::vector<double> scales_; // of the conditions
-  double residual_ = 0, best_ = 0;
-  Limit_interpolation_report report_;
 };
+
+// the first vertex of a prescribed normal where the scheme tells of no tangent plane
+inline std::optional<Level_connectivity::Index>
+vertex_without_tangents(const std::vector<Prescribed_vertex>& prescribed,
+                        const Interpolation_data<3>& data, Surface_limits& source)
+{
+  std::vector<Level_connectivity::Index> vertices;
+  for (const Prescribed_vertex& p : prescribed)
+    if (p.normal) vertices.push_back(p.vertex);
+  Limit_precision precision = data.precision();
+  precision.max_depth = 0;
+  precision.with_blocks = false;
+  const auto functionals =
+    source(to_values<3>(data.points, data.normals, data.takes_normals), vertices, precision);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!functionals[i].has_tangents) return vertices[i];
+  return std::nullopt;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -112,34 +112,28 @@ private:
     } while (h != first);
   }
 
-  // of each coordinate
+  // of each coordinate; entries for the same place are added up
   void set_energy()
   {
-    std::vector<Eigen::Triplet<double>> umbrella;
     std::vector<char> is_done(level_.number_of_vertices(), 0);
-    int row = 0;
+    std::vector<std::pair<int, double>> umbrella; // a row of U
     const auto add_row = [&](Index v) {
       if (is_done[v] != 0 || level_.is_isolated(v)) return;
       is_done[v] = 1;
+      umbrella.clear();
+      if (place_[v] >= 0) umbrella.emplace_back(place_[v], 1.);
       const double share = 1. / level_.valence(v);
-      if (place_[v] >= 0) umbrella.emplace_back(row, place_[v], 1.);
       level_.for_each_neighbor(level_.halfedge_of_vertex(v), [&](Index w) {
-        if (place_[w] >= 0) umbrella.emplace_back(row, place_[w], -share);
+        if (place_[w] >= 0) umbrella.emplace_back(place_[w], -share);
       });
-      ++row;
+      for (const auto& [i, x] : umbrella)
+        for (const auto& [j, y] : umbrella)
+          for (int k = 0; k < 3; ++k) energy_.emplace_back(3 * i + k, 3 * j + k, x * y);
     };
     for (const Index v : free_) {
       add_row(v);
       for_each_in_faces(v, add_row);
     }
-    Eigen::SparseMatrix<double> u(row, static_cast<Eigen::Index>(free_.size()));
-    u.setFromTriplets(umbrella.begin(), umbrella.end());
-    const Eigen::SparseMatrix<double> q = u.transpose() * u;
-    for (Eigen::Index c = 0; c < q.outerSize(); ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator e(q, c); e; ++e)
-        for (int k = 0; k < 3; ++k)
-          energy_.emplace_back(3 * static_cast<int>(e.row()) + k, 3 * static_cast<int>(c) + k,
-                               e.value());
     for (int i = 0; i < static_cast<int>(3 * free_.size()); ++i) energy_.emplace_back(i, i, 1e-6);
   }
 

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/read_interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <cstddef>
 #include <limits>
@@ -42,6 +43,9 @@ constexpr void check_interpolation_arguments()
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
     "Loop, or their modified forms");
+  static_assert(!Has_curvature_transfer<Scheme>::value,
+                "PN_subdivision_3: interpolation is not known for schemes that transfer curvature, "
+                "whose normals depend on the points: take their modified forms");
 }
 
 inline void check_tolerance(double tolerance)
@@ -104,8 +108,8 @@ inline Interpolation_result<3> interpolate_smoothly(const Level_connectivity& le
     prescribed.back().point = data.points[v];
   }
   data.normals = std::move(control_normals);
-  Prescription prescription(level, data, source, prescribed);
-  return prescription((std::numeric_limits<unsigned>::max)());
+  return Prescription(level, data, source, std::move(prescribed),
+                      (std::numeric_limits<unsigned>::max)())();
 }
 
 template <class Options>

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace {
 
 using namespace interpolation_cases;
@@ -53,17 +55,56 @@ TEST(Interpolation, StrictLimitsAreThePoints)
   expect_limits<Modified_CatmullClark_description>(mixed, 1e-11);
 }
 
-// One evaluation at depth 0 would be off: solved with it, the true limits are not the points.
+TEST(Interpolation, StrictLimitsAreThePointsOnAll)
+{
+  Control_mesh noise = ellipsoid_quads(4);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> shift(-0.01, 0.01);
+  for (auto& p : noise.points)
+    for (double& x : p) x += shift(generator);
+  const PN::modified_CatmullClark_scheme later(0.5, 2); // plain in the first round
+  const auto expect_met = [](const Control_mesh& data, const auto& scheme) {
+    Interpolated result = interpolated(data, scheme, strict());
+    EXPECT_TRUE(result.report.is_within_tolerance()) << data.name << " " << result.report.residual;
+    EXPECT_LE(result.report.steps, 15u) << data.name;
+    const Limits all = limits(result.mesh, scheme, limit_cases::close(1e-14));
+    for (std::size_t v = 0; v < data.points.size(); ++v)
+      EXPECT_LE(double((limit_cases::to_vector(all.at[v].point) - point_of(data, v)).norm()), 1e-11)
+        << data.name << ", vertex " << v;
+  };
+  for (const Control_mesh& data : {ellipsoid_quads(4), torus(8), graph(), noise}) {
+    expect_met(data, quad_scheme);
+    expect_met(data, later);
+  }
+  expect_met(ellipsoid_triangles(1), triangle_scheme);
+  expect_met(ellipsoid_triangles(1), PN::modified_Loop_scheme(0.5, 2));
+}
+
+TEST(Interpolation, AFirstRoundPastReachIsRefused)
+{
+  const Control_mesh data = ellipsoid_quads(2);
+  try {
+    interpolated(data, PN::modified_CatmullClark_scheme(0.5, 10));
+    ADD_FAILURE() << "rules of round 10 are taken for those of the first rounds";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("the first round of the rules of the scheme is 10"),
+              std::string::npos)
+      << e.what();
+  }
+}
+
+// Solved with one average in place of the limit, the limits are not the points.
 TEST(Interpolation, OneAverageIsNotTheLimit)
 {
   const Control_mesh data = ellipsoid_quads(3);
   Surface_mesh mesh = to_surface_mesh(data);
-  const Limits coarse = limit_cases::limits(mesh, quad_scheme, limit_cases::close(HUGE_VAL));
-  const Limits fine = limit_cases::limits(mesh, quad_scheme, limit_cases::close(1e-13));
+  Wrong_runs<PN::modified_CatmullClark_scheme>::interpolate(mesh, quad_scheme,
+                                                            Wrong_way::one_average);
+  const Limits all = limits(mesh, quad_scheme, limit_cases::close(1e-13));
   double largest = 0;
-  for (std::size_t v = 0; v < fine.at.size(); ++v)
-    largest =
-      (std::max)(largest, std::sqrt(CGAL::squared_distance(coarse.at[v].point, fine.at[v].point)));
+  for (std::size_t v = 0; v < data.points.size(); ++v)
+    largest = (std::max)(
+      largest, double((limit_cases::to_vector(all.at[v].point) - point_of(data, v)).norm()));
   EXPECT_GT(largest, 1e-5);
 }
 
@@ -77,9 +118,12 @@ TEST(Interpolation, SpheresAndCylindersAreTheirOwnNets)
     const Control_mesh net = control_net(result.mesh, data);
     EXPECT_EQ(net.points, data.points);
     EXPECT_EQ(net.normals, data.normals);
+    return result;
   };
-  expect_no_solve(sampled_surfaces::scattered(1, 0.1, 3, sampled_surfaces::on_sphere),
-                  triangle_scheme);
+  Interpolated sphere = expect_no_solve(
+    sampled_surfaces::scattered(1, 0.1, 3, sampled_surfaces::on_sphere), triangle_scheme);
+  for (const auto& limit : limits(sphere.mesh, triangle_scheme, limit_cases::close(1e-14)).at)
+    EXPECT_NEAR(double(limit_cases::to_vector(limit.point).norm()), 1, 16 * 2.3e-16);
   std::mt19937 generator(4);
   const auto u = sampled_surfaces::uneven(9, 0.3L, generator);
   expect_no_solve(sampled_surfaces::cylinder(u, u, 3, Cells::quads), quad_scheme);
@@ -94,10 +138,11 @@ TEST(Interpolation, SolvedNormalsKeepSpheres)
   options.normals = PN::Limit_interpolation_normals::solved;
   Interpolated result = interpolated(data, triangle_scheme, options);
   EXPECT_EQ(result.report.left_out, 0u);
+  EXPECT_LE(result.report.steps, 15u);
   const Control_mesh net = control_net(result.mesh, data);
   for (std::size_t v = 0; v < net.points.size(); ++v)
     EXPECT_NEAR(double(point_of(net, v).norm()), 1, 1e-11);
-  const Limits all = limit_cases::limits(result.mesh, triangle_scheme, limit_cases::close(1e-13));
+  const Limits all = limits(result.mesh, triangle_scheme, limit_cases::close(1e-13));
   for (std::size_t v = 0; v < net.points.size(); ++v)
     EXPECT_LE(double((limit_cases::to_vector(all.at[v].point) - point_of(data, v)).norm()), 1e-11);
 }
@@ -105,7 +150,7 @@ TEST(Interpolation, SolvedNormalsKeepSpheres)
 // rms error of linear interpolation over that of mode slide, with normals of the surface
 template <class Scheme>
 void expect_gains(const Control_mesh& data, const Scheme& scheme, const Distance& distance,
-                  double over_strict_linear, double over_linear_slide)
+                  double over_strict_linear, double over_linear_slide, double over_unfairness = 0)
 {
   const Interpolated slide = interpolated(data, scheme);
   EXPECT_FALSE(slide.report.fallback);
@@ -115,14 +160,23 @@ void expect_gains(const Control_mesh& data, const Scheme& scheme, const Distance
   const Interpolated linear_slide = interpolated(data, PN::linear(scheme));
   const double error = rms_error(slide.mesh, scheme, distance);
   EXPECT_GE(rms_error(linear.mesh, PN::linear(scheme), distance) / error, over_strict_linear);
-  EXPECT_GE(rms_error(linear_slide.mesh, PN::linear(scheme), distance) / error, over_linear_slide);
+  if (over_linear_slide > 0) {
+    EXPECT_GE(rms_error(linear_slide.mesh, PN::linear(scheme), distance) / error,
+              over_linear_slide);
+  }
+  if (over_unfairness > 0) {
+    const double fair = unfairness(slide.mesh, scheme);
+    EXPECT_GE(unfairness(linear.mesh, PN::linear(scheme)) / fair, over_unfairness);
+    EXPECT_NEAR(fair, 9.445, 0.5); // by quadrature of H in closed form on the ellipsoid
+  }
 }
 
 TEST(Interpolation, SlideIsCloserThanLinearInterpolation)
 {
-  expect_gains(ellipsoid_quads(8), quad_scheme, to_ellipsoid, 12, 3);
-  expect_gains(ellipsoid_triangles(2), triangle_scheme, to_ellipsoid, 20, 6);
+  expect_gains(ellipsoid_quads(8), quad_scheme, to_ellipsoid, 12, 3, 5);
+  expect_gains(ellipsoid_triangles(2), triangle_scheme, to_ellipsoid, 20, 6, 5);
   expect_gains(torus(16), quad_scheme, to_torus, 15, 12);
+  expect_gains(graph(), quad_scheme, to_waves, 12, 0);
 }
 
 // Orders of convergence: the error falls by 2^4 where the edges are halved.
@@ -142,22 +196,8 @@ TEST(Interpolation, SlideNeedsTheSurfaceNormal)
   const Control_mesh data = torus(16);
   const Interpolated right = interpolated(data, quad_scheme);
   Surface_mesh mesh = to_surface_mesh(data);
-  PN::internal::with_mesh_access(mesh, [&](auto& access) {
-    const auto level = PN::internal::checked_level(access);
-    auto control = PN::internal::read_points_and_normals<double>(access, quad_scheme, level,
-                                                                 mesh.points(), normal_map(mesh));
-    PN::internal::set_surroundings(level, control);
-    control.is_at_border.assign(control.points.size(), 1);
-    control.tolerance = 1e-12;
-    for (unsigned v = 0; v < control.points.size(); ++v) control.vertices.push_back(v);
-    PN::internal::Mesh_limit_functionals<PN::modified_CatmullClark_scheme> source(
-      quad_scheme, level, PN::internal::For_chunks());
-    const auto result = PN::internal::Slide_interpolation<3, 2>(control, source)();
-    for (auto v : mesh.vertices()) {
-      const auto& p = result.points[v];
-      mesh.point(v) = Kernel::Point_3(p[0], p[1], p[2]);
-    }
-  });
+  Wrong_runs<PN::modified_CatmullClark_scheme>::interpolate(mesh, quad_scheme,
+                                                            Wrong_way::normals_of_the_limit);
   EXPECT_GE(rms_error(mesh, quad_scheme, to_torus),
             50 * rms_error(right.mesh, quad_scheme, to_torus));
 }
@@ -178,13 +218,60 @@ double rms_angle(const Control_mesh& data, Normal_map normals)
 
 TEST(Interpolation, NaturalNormalsAreThoseOfTheSurface)
 {
+  for (const auto& [n, bar, before] : {std::tuple(4, 0.2, 1.), {8, 0.04, 0.3}}) {
+    const Control_mesh data = ellipsoid_quads(n);
+    Surface_mesh mesh = to_surface_mesh(data);
+    const auto normals = normal_map(mesh);
+    Further_interpolation_runs<PN::modified_CatmullClark_scheme>::natural_normals(mesh,
+                                                                                  quad_scheme);
+    EXPECT_LE(rms_angle(data, normals), bar);
+    PN::estimate_control_normals(mesh, normals); // where it began
+    EXPECT_GE(rms_angle(data, normals), before);
+  }
+}
+
+TEST(Interpolation, NaturalNormalsStayOnBorders)
+{
+  const Control_mesh data = graph();
+  Surface_mesh mesh = to_surface_mesh(data), estimate = mesh;
+  Further_interpolation_runs<PN::modified_CatmullClark_scheme>::natural_normals(mesh, quad_scheme);
+  PN::estimate_control_normals(estimate, normal_map(estimate));
+  std::size_t changed = 0;
+  for (auto v : mesh.vertices()) {
+    const bool is_same = (normal_map(mesh)[v] - normal_map(estimate)[v]).squared_length() < 1e-28;
+    if (mesh.is_border(v)) {
+      EXPECT_TRUE(is_same) << v;
+    } else
+      changed += is_same ? 0 : 1;
+  }
+  EXPECT_GT(changed, 40u);
+}
+
+// With limit points in place of slide the surface's normals are no better data: the way of
+// natural_normals() gets nowhere.
+TEST(Interpolation, NaturalNormalsNeedSlide)
+{
   const Control_mesh data = ellipsoid_quads(4);
   Surface_mesh mesh = to_surface_mesh(data);
   const auto normals = normal_map(mesh);
-  PN::natural_normals(mesh, quad_scheme, normals);
-  EXPECT_LE(rms_angle(data, normals), 0.2);
-  PN::estimate_control_normals(mesh, normals); // where it began
-  EXPECT_GE(rms_angle(data, normals), 1);
+  PN::estimate_control_normals(mesh, normals);
+  Options options = strict();
+  options.tolerance = 1e-9;
+  options.normals = PN::Limit_interpolation_normals::solved;
+  double change = 0;
+  for (int k = 0; k < 10; ++k) {
+    Surface_mesh net = mesh;
+    Interpolation_runs<PN::modified_CatmullClark_scheme>::interpolate(net, quad_scheme, options);
+    const Limits all = limits(net, quad_scheme, limit_cases::close(1e-10));
+    change = 0;
+    for (auto v : mesh.vertices()) {
+      const Kernel::Vector_3 d = all.at[v].surface_normal - normals[v];
+      change = (std::max)(change, std::sqrt(d.squared_length()));
+      normals[v] = all.at[v].surface_normal;
+    }
+  }
+  EXPECT_GT(change, 1e-4);                  // 1e-5 would be enough to stop
+  EXPECT_GT(rms_angle(data, normals), 0.2); // the bar above
 }
 
 TEST(Interpolation, NaturalNormalsOfSpheresAreTheEstimate)
@@ -192,7 +279,7 @@ TEST(Interpolation, NaturalNormalsOfSpheresAreTheEstimate)
   const Control_mesh data = sampled_surfaces::scattered(1, 0.1, 3, sampled_surfaces::on_sphere);
   Surface_mesh mesh = to_surface_mesh(data);
   const auto normals = normal_map(mesh);
-  PN::natural_normals(mesh, triangle_scheme, normals);
+  Further_interpolation_runs<PN::modified_Loop_scheme>::natural_normals(mesh, triangle_scheme);
   EXPECT_LE(rms_angle(data, normals), 1e-11);
 }
 
@@ -221,8 +308,7 @@ TEST(Interpolation, MovesWithTheData)
 TEST(Interpolation, SomeVertices)
 {
   const Control_mesh data = ellipsoid_quads(4);
-  PN::Limit_interpolation_options<Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>>
-    options;
+  PN::Limit_interpolation_options<Chosen> options;
   Surface_mesh mesh = to_surface_mesh(data);
   options.vertices =
     mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:chosen", false).first;
@@ -236,11 +322,11 @@ TEST(Interpolation, SomeVertices)
         smooth ? PN::Limit_interpolation_free::smooth : PN::Limit_interpolation_free::fixed;
       Surface_mesh net = mesh;
       options.vertices = net.property_map<Surface_mesh::Vertex_index, bool>("v:chosen").first;
-      const Report report = PN::interpolate_limit_points(
-        net, quad_scheme, options, CGAL::parameters::vertex_normal_map(normal_map(net)));
+      const Report report = Further_interpolation_runs<PN::modified_CatmullClark_scheme>::some(
+        net, quad_scheme, options);
       EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
       std::size_t moved_others = 0;
-      const Limits all = limit_cases::limits(net, quad_scheme, limit_cases::close(1e-13));
+      const Limits all = limits(net, quad_scheme, limit_cases::close(1e-13));
       for (auto v : mesh.vertices())
         if (options.vertices[v]) {
           if (mode == PN::Limit_interpolation_mode::limit_points) {
@@ -270,10 +356,9 @@ TEST(Interpolation, IsTheSameWithThreads)
   Options options = strict();
   options.tolerance = 1e-5;
   Surface_mesh one = to_surface_mesh(data), many = one;
-  PN::interpolate_limit_points(one, quad_scheme, options,
-                               CGAL::parameters::vertex_normal_map(normal_map(one)));
-  PN::interpolate_limit_points<CGAL::Parallel_if_available_tag>(
-    many, quad_scheme, options, CGAL::parameters::vertex_normal_map(normal_map(many)));
+  Interpolation_runs<PN::modified_CatmullClark_scheme>::interpolate(one, quad_scheme, options);
+  Further_interpolation_runs<PN::modified_CatmullClark_scheme>::in_parallel(many, quad_scheme,
+                                                                            options);
   for (auto v : one.vertices()) EXPECT_EQ(one.point(v), many.point(v));
 }
 

@@ -6,14 +6,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Interpolation of difficult and wrong input, other meshes and number types.
+// Interpolation of difficult and wrong input.
 
 #include "Interpolation_cases.h"
 #include "Mesh_files.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/PN_subdivision_3.h>
 #include <CGAL/centroid.h>
 
 #include <gtest/gtest.h>
@@ -23,6 +21,7 @@ namespace {
 using namespace interpolation_cases;
 
 const PN::CatmullClark_scheme scheme;
+using Runs = Interpolation_runs<PN::CatmullClark_scheme>;
 
 void expect_finite(const Surface_mesh& mesh)
 {
@@ -32,7 +31,7 @@ void expect_finite(const Surface_mesh& mesh)
 
 double distance_from_data(Surface_mesh& net, const Control_mesh& data)
 {
-  const Limits all = limit_cases::limits(net, scheme, limit_cases::close(1e-12));
+  const Limits all = limits(net, scheme, limit_cases::close(1e-12));
   double largest = 0;
   for (std::size_t v = 0; v < data.points.size(); ++v)
     largest = (std::max)(
@@ -64,6 +63,28 @@ TEST(Interpolation_input, IsFiniteAndNoWorseThanTheData)
   }
 }
 
+// Control normals that are solved for turn by 45 degrees at most: where that is not enough the given
+// ones stay, and are counted.
+TEST(Interpolation_input, SolvedNormalsStayNearTheGivenOnes)
+{
+  Options options = strict();
+  options.normals = PN::Limit_interpolation_normals::solved;
+  std::size_t left_out = 0;
+  for (const unsigned seed : {5u, 6u, 7u}) {
+    Control_mesh data = ellipsoid_quads(3);
+    test_meshes::set_wild_normals(data, seed);
+    Interpolated result = interpolated(data, scheme, options);
+    left_out += result.report.left_out;
+    const Control_mesh net = control_net(result.mesh, data);
+    for (std::size_t v = 0; v < data.points.size(); ++v) {
+      const auto &m = data.normals[v], &n = net.normals[v];
+      const double length = std::hypot(m[0], m[1], m[2]);
+      EXPECT_GE(m[0] * n[0] + m[1] * n[1] + m[2] * n[2], 0.707 * length) << v;
+    }
+  }
+  EXPECT_GT(left_out, 0u);
+}
+
 // The matrix of the linear limit points of a cube's connectivity is singular: the vector that alternates.
 TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
 {
@@ -72,8 +93,7 @@ TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
   PN::estimate_control_normals(cube, normals);
   for (const Options& options : {Options(), strict()}) {
     Surface_mesh net = cube;
-    const Report report = PN::interpolate_limit_points(
-      net, scheme, options, CGAL::parameters::vertex_normal_map(normal_map(net)));
+    const Report report = Runs::interpolate(net, scheme, options);
     EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
     expect_finite(net);
   }
@@ -84,8 +104,7 @@ TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
     brick.point(v) = Kernel::Point_3(p.x(), 1.2 * p.y(), 1.5 * p.z());
   }
   PN::estimate_control_normals(brick, normal_map(brick));
-  const Report report = PN::interpolate_limit_points(
-    brick, scheme, strict(), CGAL::parameters::vertex_normal_map(normal_map(brick)));
+  const Report report = Runs::interpolate(brick, scheme, strict());
   EXPECT_GT(report.steps, 0u);
   EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
   expect_finite(brick);
@@ -97,7 +116,9 @@ TEST(Interpolation_input, TheCubeHasASolutionWithNormals)
     const double sign = d.x() * d.y() * d.z() > 0 ? 0.1 : -0.1;
     cube.point(v) = cube.point(v) + sign * Kernel::Vector_3(1, 1, 1);
   }
-  const Report impossible = PN::interpolate_limit_points(cube, PN::linear(scheme), strict());
+  const Report impossible =
+    Interpolation_runs<PN::Linear_scheme<PN::CatmullClark_scheme>>::interpolate(
+      cube, PN::linear(scheme), strict());
   EXPECT_FALSE(impossible.is_within_tolerance());
   expect_finite(cube);
 }
@@ -113,8 +134,7 @@ TEST(Interpolation_input, RealMeshes)
          {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::limit_points}) {
       options.mode = mode;
       Surface_mesh net = mesh;
-      const Report report = PN::interpolate_limit_points(
-        net, scheme, options, CGAL::parameters::vertex_normal_map(normal_map(net)));
+      const Report report = Runs::interpolate(net, scheme, options);
       EXPECT_TRUE(report.is_within_tolerance()) << file << " " << report.residual;
       expect_finite(net);
     }
@@ -136,10 +156,7 @@ TEST(Interpolation_input, WrongOptionsAreRefused)
 {
   const Control_mesh data = ellipsoid_quads(2);
   Surface_mesh mesh = to_surface_mesh(data);
-  const auto run = [&](const Options& options) {
-    PN::interpolate_limit_points(mesh, scheme, options,
-                                 CGAL::parameters::vertex_normal_map(normal_map(mesh)));
-  };
+  const auto run = [&](const Options& options) { Runs::interpolate(mesh, scheme, options); };
   Options options;
   options.tolerance = -1;
   EXPECT_THROW(run(options), std::invalid_argument);
@@ -151,103 +168,14 @@ TEST(Interpolation_input, WrongOptionsAreRefused)
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 }
 
-TEST(Interpolation_input, SharpEdgesAreRefusedByName)
-{
-  const Control_mesh data = ellipsoid_quads(2);
-  Surface_mesh mesh = to_surface_mesh(data);
-  const auto sharp = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
-  sharp[Surface_mesh::Edge_index(3)] = true;
-  try {
-    PN::interpolate_limit_points(
-      mesh, scheme, Options(),
-      CGAL::parameters::vertex_normal_map(normal_map(mesh)).edge_is_constrained_map(sharp));
-    ADD_FAILURE() << "a sharp edge is taken for a smooth one";
-  } catch (const std::invalid_argument& e) {
-    EXPECT_NE(std::string(e.what()).find("edge"), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find("is sharp"), std::string::npos) << e.what();
-  }
-  EXPECT_EQ(control_net(mesh, data).points, data.points);
-}
-
-// a map that refuses to be written after some values
-struct Failing_map
-{
-  using key_type = Surface_mesh::Vertex_index;
-  using value_type = Kernel::Point_3;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  Surface_mesh* mesh;
-  int* writes_left;
-
-  friend value_type get(const Failing_map& map, key_type v) { return map.mesh->point(v); }
-  friend void put(const Failing_map& map, key_type v, const value_type& p)
-  {
-    if ((*map.writes_left)-- == 0) throw std::runtime_error("no more");
-    map.mesh->point(v) = p;
-  }
-};
-
-TEST(Interpolation_input, AFailureLeavesTheMeshAsItWas)
-{
-  const Control_mesh data = ellipsoid_quads(2);
-  Surface_mesh mesh = to_surface_mesh(data);
-  int writes = 5;
-  EXPECT_THROW(
-    PN::interpolate_limit_points(mesh, scheme, strict(),
-                                 CGAL::parameters::vertex_point_map(Failing_map{&mesh, &writes})
-                                   .vertex_normal_map(normal_map(mesh))),
-    std::runtime_error);
-  EXPECT_EQ(control_net(mesh, data).points, data.points);
-}
-
 TEST(Interpolation_input, EmptyMeshesStayEmpty)
 {
   Surface_mesh mesh;
   for (const Options& options : {Options(), strict()}) {
-    const Report report = PN::interpolate_limit_points(
-      mesh, scheme, options, CGAL::parameters::vertex_normal_map(normal_map(mesh)));
+    const Report report = Runs::interpolate(mesh, scheme, options);
     EXPECT_TRUE(report.is_within_tolerance());
     EXPECT_EQ(report.steps, 0u);
   }
-}
-
-// in double, whatever the mesh and its number type
-template <class Mesh, class K>
-void expect_same_net(const Control_mesh& data)
-{
-  Interpolated expected = interpolated(data, scheme, strict());
-  Surface_mesh mesh = to_surface_mesh(data);
-  const auto normals = normal_map(mesh);
-  Mesh other;
-  using Other_vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  std::vector<std::pair<Surface_mesh::Vertex_index, Other_vertex>> pairs;
-  CGAL::copy_face_graph(
-    mesh, other, CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
-  std::map<Other_vertex, typename K::Vector_3> map;
-  for (const auto& [v, w] : pairs) {
-    const auto& n = normals[v];
-    map[w] = typename K::Vector_3(n.x(), n.y(), n.z());
-  }
-  const Report report = PN::interpolate_limit_points(
-    other, scheme, strict(),
-    CGAL::parameters::vertex_normal_map(boost::make_assoc_property_map(map)));
-  EXPECT_EQ(report.steps, expected.report.steps);
-  const auto points = get(CGAL::vertex_point, other);
-  for (const auto& [v, w] : pairs) {
-    const auto& p = expected.mesh.point(v);
-    const auto& q = get(points, w);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(CGAL::to_double(q[k]), p[k], 1e-13);
-  }
-}
-
-TEST(Interpolation_input, OtherMeshesAndNumbers)
-{
-  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  const Control_mesh data =
-    sampled_surfaces::patch(3, 3, 0.2, test_meshes::Cells::mixed, 5, sampled_surfaces::on_waves);
-  expect_same_net<CGAL::Polyhedron_3<Kernel>, Kernel>(data);
-  expect_same_net<CGAL::Surface_mesh<Exact::Point_3>, Exact>(data);
 }
 
 } // namespace

@@ -1,0 +1,18 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "Interpolation_runs_definitions.h"
+
+namespace interpolation_cases {
+
+template struct Interpolation_runs<PN::modified_Loop_scheme>;
+template struct Interpolation_runs<PN::Linear_scheme<PN::modified_Loop_scheme>>;
+template struct Interpolation_runs<PN::Butterfly_scheme>;
+template struct Further_interpolation_runs<PN::modified_Loop_scheme>;
+
+} // namespace interpolation_cases

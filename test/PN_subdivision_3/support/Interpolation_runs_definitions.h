@@ -1,0 +1,79 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The definitions of Interpolation_runs.h, for the sources that instantiate them.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_RUNS_DEFINITIONS_H
+#define CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_RUNS_DEFINITIONS_H
+
+#include "Interpolation_runs.h"
+
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+
+namespace interpolation_cases {
+
+using CGAL::parameters::vertex_normal_map;
+
+template <class Scheme>
+Report Interpolation_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme& scheme,
+                                               const Options& options)
+{
+  return PN::interpolate_limit_points(mesh, scheme, options, vertex_normal_map(normal_map(mesh)));
+}
+
+template <class Scheme>
+void Wrong_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme& scheme, Wrong_way way)
+{
+  PN::internal::with_mesh_access(mesh, [&](auto& access) {
+    const auto level = PN::internal::checked_level(access);
+    auto control = PN::internal::read_points_and_normals<double>(access, scheme, level,
+                                                                 mesh.points(), normal_map(mesh));
+    PN::internal::set_surroundings(level, control);
+    control.tolerance = 1e-12;
+    for (unsigned v = 0; v < control.points.size(); ++v) control.vertices.push_back(v);
+    PN::internal::Mesh_limit_functionals<Scheme> source(scheme, level, PN::internal::For_chunks());
+    PN::internal::Interpolation_result<3> result;
+    if (way == Wrong_way::normals_of_the_limit) {
+      control.is_at_border.assign(control.points.size(), 1); // every vertex is taken for one there
+      result = PN::internal::Slide_interpolation<3, 2>(control, source)();
+    } else {
+      control.max_depth = 0;
+      result = PN::internal::Strict_interpolation<3, 2>(control, source)(control.normals);
+    }
+    for (auto v : mesh.vertices()) {
+      const auto& p = result.points[v];
+      mesh.point(v) = Kernel::Point_3(p[0], p[1], p[2]);
+    }
+  });
+}
+
+template <class Scheme>
+Report
+Further_interpolation_runs<Scheme>::some(Surface_mesh& mesh, const Scheme& scheme,
+                                         const PN::Limit_interpolation_options<Chosen>& options)
+{
+  return PN::interpolate_limit_points(mesh, scheme, options, vertex_normal_map(normal_map(mesh)));
+}
+
+template <class Scheme>
+Report Further_interpolation_runs<Scheme>::in_parallel(Surface_mesh& mesh, const Scheme& scheme,
+                                                       const Options& options)
+{
+  return PN::interpolate_limit_points<CGAL::Parallel_if_available_tag>(
+    mesh, scheme, options, vertex_normal_map(normal_map(mesh)));
+}
+
+template <class Scheme>
+void Further_interpolation_runs<Scheme>::natural_normals(Surface_mesh& mesh, const Scheme& scheme)
+{
+  PN::natural_normals(mesh, scheme, normal_map(mesh));
+}
+
+} // namespace interpolation_cases
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_RUNS_DEFINITIONS_H
