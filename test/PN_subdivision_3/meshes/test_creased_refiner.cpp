@@ -120,26 +120,20 @@ TEST(Creased_refiner, BuildsTheWholeMesh)
   });
 }
 
-// a cube with two sharp edges that do not meet and a sharp corner, one point of which moves; the points of
-// the refiner against those of subdivide()
+// One point of a mesh whose border is a crease moves. The points of the refiner against those of subdivide().
 template <class K, class Concurrency_tag, class Scheme, class Is_same>
 void expect_numbers_as_subdivide(const Scheme& scheme, const Is_same& is_same)
 {
   CGAL::Surface_mesh<typename K::Point_3> mesh;
-  build(cube(), mesh, mesh.points());
-  auto sharp = mesh.template add_property_map<Mesh::Edge_index, double>("e", 0).first;
-  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(0));
-  sharp[mesh.edge(h)] = 1.5;
-  sharp[mesh.edge(mesh.next(mesh.next(h)))] = 3;
-  auto corners = mesh.template add_property_map<Vertex, double>("v", 0).first;
-  corners[mesh.target(mesh.next(mesh.opposite(mesh.next(h))))] = 2;
+  build(mixed_with_border(), mesh, mesh.points());
   auto normals = mesh.template add_property_map<Vertex, typename K::Vector_3>("n").first;
-  for (Vertex v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
+  for (Vertex v : mesh.vertices())
+    normals[v] = typename K::Vector_3(0.25 * (v.idx() % 3), 0.125, 1);
   const auto refine = [&](const auto& np) {
     PN::Surface_refiner<Scheme, K, Concurrency_tag> refiner(mesh, scheme, np);
-    const typename K::Point_3 moved(-2, -1.25, -1);
+    const typename K::Point_3 moved = mesh.point(Vertex(0)) + typename K::Vector_3(0, 0.125, 0.25);
     refiner.set_point(0, moved);
-    refiner.update();
+    EXPECT_FALSE(refiner.update().empty());
     mesh.point(Vertex(0)) = moved;
     PN::subdivide<Concurrency_tag>(mesh, scheme, np);
     ASSERT_EQ(refiner.points().size(), mesh.number_of_vertices());
@@ -147,13 +141,10 @@ void expect_numbers_as_subdivide(const Scheme& scheme, const Is_same& is_same)
       for (int c = 0; c < 3; ++c)
         EXPECT_TRUE(is_same(refiner.points()[v][c], mesh.point(v)[c])) << v;
   };
-  const auto np =
-    params::number_of_iterations(2).edge_is_constrained_map(sharp).vertex_is_constrained_map(
-      corners);
   if constexpr (PN::internal::Is_linear<Scheme>::value)
-    refine(np);
+    refine(params::number_of_iterations(2));
   else
-    refine(np.vertex_normal_map(normals));
+    refine(params::number_of_iterations(2).vertex_normal_map(normals));
 }
 
 TEST(Creased_refiner, IntervalsOnSeveralThreads)
@@ -164,15 +155,16 @@ TEST(Creased_refiner, IntervalsOnSeveralThreads)
     return a.inf() == b.inf() && a.sup() == b.sup();
   };
   using K = CGAL::Simple_cartesian<Interval>;
-  expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(PN::CatmullClark_scheme(), is_same);
-  expect_numbers_as_subdivide<K, Parallel_tag>(PN::CatmullClark_scheme(), is_same);
+  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
+  expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
 }
 
 TEST(Creased_refiner, ExactConstructionsOnSeveralThreads)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;
   const auto is_same = [](const K::FT& a, const K::FT& b) { return a == b; };
-  const auto scheme = PN::linear(PN::CatmullClark_scheme());
+  const auto scheme = PN::linear(PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
   expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
   expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
 }
