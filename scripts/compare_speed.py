@@ -44,7 +44,8 @@ def arguments() -> argparse.Namespace:
                         help="a job that has taken as long is not repeated (default: 1)")
     parser.add_argument("--regular-only", action="store_true",
                         help="neither other control meshes nor fresh processes nor huge pages")
-    parser.add_argument("--results", type=Path, metavar="FILE.csv", help="where to keep what was measured")
+    parser.add_argument("--results", type=Path, metavar="FILE.csv",
+                        help="where to keep what was measured")
     parser.add_argument("--from", type=Path, dest="measured", metavar="FILE.csv",
                         help="what was measured before, in place of measuring")
     parser.add_argument("--page", type=Path, default=PAGE, help="the page with the tables")
