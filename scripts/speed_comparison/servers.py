@@ -51,7 +51,8 @@ class Server:
 def python_with_vtk() -> str:
     """an interpreter that has VTK, or nothing"""
     for python in (sys.executable, "/usr/bin/python3"):
-        if subprocess.run([python, "-c", "import vtk"], capture_output=True, check=False).returncode == 0:
+        has_vtk = subprocess.run([python, "-c", "import vtk"], capture_output=True, check=False)
+        if has_vtk.returncode == 0:
             return python
     return ""
 

@@ -12,9 +12,15 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Kept_crease_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_rounds.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -54,7 +60,10 @@ refined mesh as in the result of `subdivide()`. The refiner keeps no reference t
 Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
 `update()` after a point was set; a normal that is set stays as it is.
 
-Sharp edges and vertices and `with_border()` are not supported.
+<b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals
+move, the sharpness stays. The tangents of creases are made anew from the control points and normals. A
+control vertex between creases has a normal on each side, which are estimated; `normals()` then holds their
+mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all that lies on creases.
 
 <b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the
 last in `double`, besides the results (`points()` and `normals()`, 48 bytes a vertex). The first `update()`
@@ -83,7 +92,6 @@ class Surface_refiner
   using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
   using Value = typename Average::Value;
   using Control = internal::Control_values<Average>;
-  using Rounds = internal::Kept_rounds<Scheme, Average>;
 
 public:
   /// a point.
@@ -101,7 +109,8 @@ public:
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), and `geom_traits`, as in `subdivide()`; the maps are read only
+    they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map`, and `geom_traits`, as in
+    `subdivide()`; the maps are read only
 
   \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as
     `subdivide()` does
@@ -115,7 +124,7 @@ public:
       const unsigned rounds = Parameters::number_of_iterations(np);
       internal::with_mesh_access(mesh, [&](const auto& access) {
         read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
-             rounds);
+             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds);
       });
       update();
     }
@@ -155,7 +164,8 @@ public:
   /// the zero vector means that the vertex has no control normal, vectors of other lengths are
   /// normalized.
   /// \throws std::out_of_range if there is no such vertex
-  /// \throws std::invalid_argument if the vector is not finite
+  /// \throws std::invalid_argument if the vector is not finite, or if the vertex has several normals, one on
+  /// each side of its creases
   void set_normal(std::size_t v, const Vector_3& n)
   {
     static_assert(is_pn, "PN_subdivision_3: a linear scheme has no control normals");
@@ -191,11 +201,8 @@ public:
   */
   const std::vector<Index>& update()
   {
-    control_->update_estimate(rounds_->control());
-    std::vector<Index> changed = control_->changes();
-    control_->forget_changes();
     try {
-      for (Index v : changed) rounds_->set_value(v, (*control_)[v]);
+      std::vector<Index> changed = rounds_->take(*control_);
       // where many vertices are changed nearly all are reached
       if (4 * changed.size() > control_->size())
         evaluate_all();
@@ -242,21 +249,58 @@ public:
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
 
-  template <class Access, class Point_map, class Normal_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
   void read(const Access& access, const Scheme& scheme, Point_map points, Normal_map normals,
-            unsigned rounds)
+            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds)
   {
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
     if (level.size().faces == 0) rounds = (std::min)(rounds, 1u); // all rounds are alike
     const Level_size size = internal::checked_refined_size<typename Scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
-    control_ =
-      std::make_unique<Control>(access, level, points, normals, internal::normal_estimate(scheme));
+    internal::Creases<FT> creases = read_creases(access, scheme, level, edge_map, vertex_map);
+    const bool has_creases = !creases.empty() && rounds != 0;
+    control_ = std::make_unique<Control>(access, level, points, normals,
+                                         internal::normal_estimate(scheme), has_creases);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
-    rounds_ = std::make_unique<Rounds>(scheme, std::move(level), rounds,
-                                       internal::For_chunks::with(Concurrency_tag()));
+    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+    if constexpr (may_crease_v<Edge_map, Vertex_map>)
+      if (has_creases) {
+        rounds_ = std::make_unique<internal::Kept_crease_rounds<Scheme, Average>>(
+          scheme, std::move(level), std::move(creases), rounds, *control_, for_chunks);
+        return;
+      }
+    rounds_ = std::make_unique<internal::Kept_rounds<Scheme, Average>>(scheme, std::move(level),
+                                                                       rounds, for_chunks);
+  }
+
+  template <class Edge_map, class Vertex_map>
+  static constexpr bool may_be_sharp_v =
+    internal::is_constraint_map_v<Edge_map> || internal::is_constraint_map_v<Vertex_map> ||
+    internal::Border_of<Scheme>::is_given;
+  template <class Edge_map, class Vertex_map>
+  static constexpr bool may_crease_v =
+    may_be_sharp_v<Edge_map, Vertex_map>&& internal::Has_crease_rules<Scheme>::value;
+
+  template <class Access, class Edge_map, class Vertex_map>
+  static internal::Creases<FT> read_creases(const Access& access, const Scheme& scheme,
+                                            const Level_connectivity& level, Edge_map edge_map,
+                                            Vertex_map vertex_map)
+  {
+    if constexpr (may_crease_v<Edge_map, Vertex_map>) {
+      const internal::Edge_constraints<Access, Edge_map> edges(access, edge_map,
+                                                               level.number_of_edges());
+      const internal::Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
+                                                                      level.number_of_vertices());
+      return internal::Make_creases<FT>(level, internal::Border_of<Scheme>::get(scheme))(
+        [&](Index e) { return edges.sharpness(e); },
+        [&](Index v) { return vertices.sharpness(v); });
+    } else {
+      if constexpr (may_be_sharp_v<Edge_map, Vertex_map>)
+        internal::refuse_creases(scheme, access, edge_map, vertex_map);
+      return internal::Creases<FT>(level.number_of_vertices());
+    }
   }
 
   void evaluate_all()
@@ -287,7 +331,7 @@ private:
   }
 
   std::unique_ptr<Control> control_;
-  std::unique_ptr<Rounds> rounds_;
+  std::unique_ptr<internal::Kept_refinement<Average>> rounds_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
   std::vector<Index> changed_;

@@ -176,7 +176,7 @@ public:
                  const NamedParameters& np = parameters::default_values())
     : number_of_pieces_(number_of_pieces)
   {
-    if constexpr (internal::check_refiner_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    if constexpr (internal::check_pieces_arguments<PolygonMesh, Scheme, NamedParameters>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       if (number_of_pieces == 0)
         throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");

@@ -125,13 +125,13 @@ void reject(Mesh& mesh)
   PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::edge_is_constrained_map(creases));
   // expected: a named parameter is given that is not used here
 
-  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::edge_is_constrained_map(creases));
+  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::visitor(3));
   // expected: a named parameter is given that is not used here
 
   PN::Surface_refiner refiner(mesh, PN::Loop_scheme());
   refiner.build_mesh(mesh, params::number_of_iterations(2));
   // expected: a named parameter is given that is not used here
 
-  PN::Surface_refiner(mesh, PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
-  // expected: Surface_refiner has no rules for creases
+  PN::Surface_refiner(mesh, PN::with_crease_tangents(PN::CatmullClark_scheme(), tangents));
+  // expected: Surface_refiner makes the tangents of creases
 }

@@ -16,9 +16,15 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace surface_refiner_cases {
@@ -124,6 +130,121 @@ void expect_as_subdivide(const Soup& soup, const Scheme& scheme, unsigned rounds
       if (is_changed[v]) continue;
       EXPECT_EQ(refiner.points()[v], old_points[v]) << v << " after " << changes;
     }
+  }
+}
+
+// a control mesh with edges and vertices that are sharp, for ever or for some rounds
+struct Creased
+{
+  using Edge_map = Mesh::Property_map<Mesh::Edge_index, double>;
+  using Vertex_map = Mesh::Property_map<Vertex, double>;
+  using Normal_map = Mesh::Property_map<Vertex, Vector>;
+
+  explicit Creased(const Soup& soup, unsigned seed)
+  {
+    build(soup, mesh, mesh.points());
+    add_normals(mesh);
+    find_maps();
+    std::mt19937 generator(seed);
+    const double sharpness[] = {std::numeric_limits<double>::infinity(), 0.5, 1, 1.7, 2};
+    for (auto e : mesh.edges())
+      if (generator() % 3 == 0) edges[e] = sharpness[generator() % 5];
+    for (Vertex v : mesh.vertices())
+      if (generator() % 9 == 0) vertices[v] = sharpness[generator() % 5];
+  }
+  Creased(const Creased& other)
+    : mesh(other.mesh)
+  {
+    find_maps();
+  }
+  Creased& operator=(const Creased&) = delete;
+
+  void find_maps()
+  {
+    edges = mesh.add_property_map<Mesh::Edge_index, double>("e", 0).first;
+    vertices = mesh.add_property_map<Vertex, double>("v", 0).first;
+    normals = mesh.add_property_map<Vertex, Vector>("n").first;
+  }
+
+  // calls f with named parameters
+  template <class Function>
+  void with_parameters(unsigned rounds, bool has_normals, const Function& f) const
+  {
+    const auto np =
+      params::number_of_iterations(rounds).edge_is_constrained_map(edges).vertex_is_constrained_map(
+        vertices);
+    if (has_normals)
+      f(np.vertex_normal_map(normals));
+    else
+      f(np);
+  }
+
+  Mesh mesh;
+  Edge_map edges;
+  Vertex_map vertices;
+  Normal_map normals;
+};
+
+template <class Refiner>
+void expect_same_as(const Refiner& refiner, const Mesh& refined, const Creased::Normal_map& normals)
+{
+  ASSERT_EQ(refiner.number_of_vertices(), refined.number_of_vertices());
+  ASSERT_EQ(refiner.number_of_faces(), refined.number_of_faces());
+  for (Vertex v : refined.vertices()) {
+    ASSERT_EQ(refiner.points()[v], refined.point(v)) << v;
+    if (!refiner.normals().empty()) {
+      ASSERT_EQ(refiner.normals()[v], normals[v]) << v;
+    }
+  }
+}
+
+// As expect_as_subdivide(), with creases. Where there are no control normals, those of the result are not
+// compared, since subdivide() drops them.
+template <class Concurrency_tag = CGAL::Sequential_tag, class Scheme>
+void expect_creases_as_subdivide(const Soup& soup, const Scheme& scheme, unsigned rounds,
+                                 bool has_normals = true, unsigned seed = 1)
+{
+  Creased control(soup, seed);
+  using Refiner = PN::Surface_refiner<Scheme, Kernel, Concurrency_tag>;
+  std::unique_ptr<Refiner> refiner;
+  control.with_parameters(rounds, has_normals, [&](const auto& np) {
+    refiner = std::make_unique<Refiner>(control.mesh, scheme, np);
+  });
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<> number(-0.3, 0.3);
+  const std::size_t n = control.mesh.number_of_vertices();
+  for (const std::size_t changes : {std::size_t(0), std::size_t(1), std::size_t(2), n}) {
+    const std::vector<Point> old_points = refiner->points();
+    for (std::size_t i = 0; i < changes; ++i) {
+      const Vertex v(static_cast<unsigned>(changes == n ? i : generator() % n));
+      control.mesh.point(v) += Vector(number(generator), number(generator), number(generator));
+      refiner->set_point(v, control.mesh.point(v));
+      if constexpr (!PN::internal::Is_linear<Scheme>::value)
+        if (has_normals) {
+          const Vector normal(number(generator), 0.2, 1 + number(generator));
+          try {
+            refiner->set_normal(v, normal);
+            control.normals[v] = normal;
+          } catch (const std::invalid_argument&) { // between creases
+          }
+        }
+    }
+    const auto changed = refiner->update();
+    Creased refined = control;
+    refined.with_parameters(rounds, has_normals, [&](const auto& np) {
+      PN::subdivide<Concurrency_tag>(refined.mesh, scheme, np);
+    });
+    if (has_normals)
+      expect_same_as(*refiner, refined.mesh, refined.normals);
+    else
+      EXPECT_EQ(refiner->points(),
+                std::vector<Point>(refined.mesh.points().begin(), refined.mesh.points().end()));
+    EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end()));
+    EXPECT_EQ(std::adjacent_find(changed.begin(), changed.end()), changed.end());
+    for (std::size_t v = 0; v < old_points.size(); ++v)
+      if (!std::binary_search(changed.begin(), changed.end(), v)) {
+        EXPECT_EQ(refiner->points()[v], old_points[v]) << v << " after " << changes;
+      }
   }
 }
 

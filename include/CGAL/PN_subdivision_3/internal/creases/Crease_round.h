@@ -49,21 +49,48 @@ public:
   // open until close() is called.
   Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
                Stored_value* old, unsigned number)
+    : Crease_round(scheme, level, creases, number)
+  {
+    read(old);
+  }
+  // without values, until read() is called
+  Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
+               unsigned number)
     : scheme_(scheme)
     , level_(level)
     , creases_(creases)
-    , old_(old)
     , refined_size_(Host::refined_size(level.size(), number))
     , refined_(creases, level, number_of_vertices())
   {
     if (needs_smooth_rules()) make_smooth_rows(number);
     round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
-    if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases());
-    if constexpr (!Is_linear<Scheme>::value) soften();
+    if constexpr (!std::is_floating_point_v<FT>)
+      round_->set_vertices_of_others(vertices_on_creases());
   }
 
   Crease_round(const Crease_round&) = delete;
   Crease_round& operator=(const Crease_round&) = delete;
+
+  // the values of the slots; changed where normals are read softened
+  void read(Stored_value* old)
+  {
+    old_ = old;
+    stored_normals_.clear();
+    if constexpr (!Is_linear<Scheme>::value) soften();
+  }
+  // makes them again what they were
+  void put_back_softened()
+  {
+    if constexpr (!Is_linear<Scheme>::value)
+      for (const auto& [slot, normal] : stored_normals_) put_normal(slot, normal);
+    stored_normals_.clear();
+  }
+  // calls f(slot) for the slots whose normals are read softened
+  template <class Function>
+  void for_each_softened(const Function& f) const
+  {
+    for (const auto& stored : stored_normals_) f(stored.first);
+  }
 
   // of all new vertices; values on creases do not hold
   const One_round& round() const { return *round_; }
@@ -111,11 +138,8 @@ public:
   // those of the refined level, once their tangents have been made by crease_values()
   Creases<FT>& refined_creases() { return refined_.creases; }
 
-private:
-  using Host = typename Scheme::Host;
-
-  // the new vertices that crease_values() has values for
-  std::vector<Index> on_creases() const
+  // the new vertices that crease_values() has values for, in increasing order
+  std::vector<Index> vertices_on_creases() const
   {
     std::vector<Index> vertices;
     for (const Crease_star& star : creases_.stars) vertices.push_back(star.vertex);
@@ -123,6 +147,9 @@ private:
       vertices.push_back(round_->host().vertex_of_edge(e.edge));
     return vertices;
   }
+
+private:
+  using Host = typename Scheme::Host;
 
   static bool is_smooth(Vertex_rule r)
   {
@@ -160,19 +187,22 @@ private:
       if (is_softened(creases_, star))
         soften_normals(
           creases_, star, [&](Index slot) { return Value(old_[slot]).normal; },
-          [&](Index slot, const Coordinates<FT, 3>& n) {
-            Value value = old_[slot];
-            value.normal = n;
-            old_[slot] = value;
-          });
+          [&](Index slot, const Coordinates<FT, 3>& n) { put_normal(slot, n); });
     std::sort(stored_normals_.begin(), stored_normals_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  void put_normal(Index slot, const Coordinates<FT, 3>& n)
+  {
+    Value value = old_[slot];
+    value.normal = n;
+    old_[slot] = value;
   }
 
   const Scheme& scheme_;
   Level_connectivity& level_;
   const Creases<FT>& creases_;
-  Stored_value* old_;
+  Stored_value* old_ = nullptr;
   const Level_size refined_size_;
   Refined_creases<FT> refined_;
   std::optional<Smooth_rows<FT>> smooth_rows_, smooth_normal_rows_;

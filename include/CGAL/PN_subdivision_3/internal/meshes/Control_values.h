@@ -42,10 +42,13 @@ public:
 
   static constexpr bool has_normals = std::is_same_v<Value, Point_normal<FT, 3>>;
 
+  // Where there are creases, it is up to them to estimate normals.
   template <class Access, class Point_map, class Normal_map>
   Control_values(const Access& access, const Level_connectivity& level, Point_map points,
-                 Normal_map normals, Control_normal_estimate estimate)
-    : values_(read_values<Average>(access, level, points, normals, estimate))
+                 Normal_map normals, Control_normal_estimate estimate, bool has_creases)
+    : values_(has_creases
+                ? read_given_values<Average>(access, points, normals, level.number_of_vertices())
+                : read_values<Average>(access, level, points, normals, estimate))
     , is_changed_(values_.size(), true)
     , estimate_(estimate)
     , is_estimated_(has_normals && std::is_same_v<Normal_map, No_normal_map>)
@@ -75,6 +78,10 @@ public:
   void set_normal(std::size_t v, Vector n)
   {
     check_finite<FT, 3>(n, "normal", [&] { return name(v); });
+    if (std::binary_search(several_normals_.begin(), several_normals_.end(), checked(v)))
+      throw std::invalid_argument("PN_subdivision_3: " + name(v) +
+                                  " has a normal on each side of its creases, all of which are "
+                                  "estimated: set the normals of its neighbors");
     normalize_control_normal<FT, 3>(n, [&] { return name(v); });
     values_[checked(v)].normal = n;
     if (is_estimated_) is_given_[v] = true;
@@ -99,6 +106,20 @@ public:
         }
     }
   }
+
+  // \name Creases
+  // Vertices between creases have several normals, one for each wedge, which are always estimated.
+  bool is_given(Index v) const
+  {
+    return (!is_estimated_ || is_given_[v]) &&
+           !std::binary_search(several_normals_.begin(), several_normals_.end(), v);
+  }
+  // in the order of the numbers
+  void set_vertices_with_several_normals(std::vector<Index> vertices)
+  {
+    several_normals_ = std::move(vertices);
+  }
+  void put_estimate(Index v, const Vector& n) { values_[v].normal = n; }
 
   // in the order of the numbers
   std::vector<Index> changes() const
@@ -139,6 +160,7 @@ private:
   std::vector<Value> values_;
   std::vector<bool> is_changed_;
   std::vector<bool> is_given_; // where normals are estimated
+  std::vector<Index> several_normals_;
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;

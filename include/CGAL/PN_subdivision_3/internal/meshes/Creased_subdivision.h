@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
+#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
@@ -30,6 +31,7 @@
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -126,7 +128,9 @@ private:
       put_corners(access, size, refiner, last, on_creases, writer, corners, carried.rows());
     else {
       Plain::put_values(refiner.refiner(), last.round(), writer, carried.rows());
-      put_crease_vertices(on_creases, last.number_of_vertices(), writer);
+      for_each_crease_vertex<Average>(
+        on_creases, last.number_of_vertices(),
+        [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
       Plain::grow_fully(access, size, refiner);
     }
     last.close();
@@ -231,25 +235,6 @@ private:
         result.vertices.push_back(vertices.sharpness(v));
     }
     return result;
-  }
-
-  // The values of a vertex follow one another. With several of them it has their mean normal.
-  template <class Writer>
-  static void put_crease_vertices(const Slot_values& on_creases, Index number_of_vertices,
-                                  const Writer& writer)
-  {
-    for (auto slot = on_creases.begin(); slot != on_creases.end();) {
-      const Index v = slot->first;
-      Value value = slot->second;
-      int wedges = 1;
-      for (++slot; slot != on_creases.end() && slot->first >= number_of_vertices; ++slot, ++wedges)
-        if constexpr (is_pn) add_multiple<FT, 3>(value.normal, FT(1), slot->second.normal);
-      if constexpr (is_pn)
-        if (wedges > 1)
-          decided<FT>([&] { value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges)); },
-                      [&] { return "the mean normal of vertex " + std::to_string(v); });
-      writer.put_values(v, &value, 1);
-    }
   }
 
   template <class Access, class Last, class Writer, class Corner_writer>

@@ -106,26 +106,39 @@ struct Set_normal_of_value
   Point_normal<FT, 3>* values;
 };
 
-// The points of a mesh and, of values that have them, the control normals: the user's, or estimated
-// ones if there is no map of them.
+// The points of a mesh and, of values that have them, the control normals, zero if there is no map of
+// them.
 template <class Average, class Access, class Point_map, class Normal_map>
-std::vector<typename Average::Value>
-read_values(const Access& access, const Level_connectivity& level, Point_map points,
-            [[maybe_unused]] Normal_map normals, [[maybe_unused]] Control_normal_estimate estimate)
+std::vector<typename Average::Value> read_given_values(const Access& access, Point_map points,
+                                                       [[maybe_unused]] Normal_map normals,
+                                                       Level_connectivity::Index number_of_vertices)
 {
   using FT = typename Average::FT;
   using Value = typename Average::Value;
-  using Index = Level_connectivity::Index;
-  std::vector<Value> values(level.number_of_vertices());
-  for (Index v = 0; v < values.size(); ++v)
+  std::vector<Value> values(number_of_vertices);
+  for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
     point_of(values[v]) = checked_point<FT>(access, points, v);
   if constexpr (std::is_same_v<Value, Point_normal<FT, 3>>) {
     if constexpr (std::is_same_v<Normal_map, No_normal_map>)
-      estimate_normals<FT>(level, estimate, Point_of_value<FT>{values.data()},
-                           Set_normal_of_value<FT>{values.data()});
+      for (Value& value : values) value.normal.fill(FT(0));
     else
       read_normals<FT>(access, normals, values);
   }
+  return values;
+}
+
+// the same, but that normals are estimated if there is no map of them
+template <class Average, class Access, class Point_map, class Normal_map>
+std::vector<typename Average::Value>
+read_values(const Access& access, const Level_connectivity& level, Point_map points,
+            Normal_map normals, [[maybe_unused]] Control_normal_estimate estimate)
+{
+  using FT = typename Average::FT;
+  auto values = read_given_values<Average>(access, points, normals, level.number_of_vertices());
+  if constexpr (std::is_same_v<typename Average::Value, Point_normal<FT, 3>> &&
+                std::is_same_v<Normal_map, No_normal_map>)
+    estimate_normals<FT>(level, estimate, Point_of_value<FT>{values.data()},
+                         Set_normal_of_value<FT>{values.data()});
   return values;
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -18,11 +19,32 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-using Refiner_parameters =
+using Pieces_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t>;
+using Refiner_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
+                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t>;
 using Build_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
+
+// the scheme and what is read of the mesh
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_control_arguments()
+{
+  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
+    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
+    return is_scheme &&
+           check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag>() &&
+           check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
+                            typename Parameters::Geom_traits, boost::readable_property_map_tag>();
+  }
+}
 
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_refiner_arguments()
@@ -30,21 +52,37 @@ constexpr bool check_refiner_arguments()
   constexpr bool are_used = are_used_v<Refiner_parameters, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
-                          "vertex_normal_map, geom_traits");
-  if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
+                          "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
+                          "geom_traits");
+  constexpr bool has_tangents = has_crease_tangents_v<Scheme>;
+  static_assert(!has_tangents, "PN_subdivision_3: Surface_refiner makes the tangents of creases "
+                               "from the control points: it takes no with_crease_tangents()");
+  if constexpr (!are_used || has_tangents ||
+                !check_control_arguments<Mesh, Scheme, NamedParameters>())
     return false;
   else {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
-    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
-    constexpr bool has_border = Border_of<Scheme>::is_given;
-    static_assert(!has_border, "PN_subdivision_3: Surface_refiner and Surface_pieces have no rules "
-                               "for creases: they take no with_border()");
-    return is_scheme && !has_border &&
-           check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag>() &&
-           check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                            typename Parameters::Geom_traits, boost::readable_property_map_tag>();
+    return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                                typename Parameters::Edge_constraint_map>() &&
+           check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                typename Parameters::Vertex_constraint_map>();
   }
+}
+
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_pieces_arguments()
+{
+  constexpr bool are_used = are_used_v<Pieces_parameters, NamedParameters>;
+  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
+                          "those that are: number_of_iterations, vertex_point_map, "
+                          "vertex_normal_map, geom_traits");
+  constexpr bool has_border = Border_of<Scheme>::is_given;
+  static_assert(!has_border, "PN_subdivision_3: Surface_pieces has no rules for creases: it takes "
+                             "no with_border()");
+  if constexpr (!are_used || has_border)
+    return false;
+  else
+    return check_control_arguments<Mesh, Scheme, NamedParameters>();
 }
 
 template <class Mesh, class NamedParameters>

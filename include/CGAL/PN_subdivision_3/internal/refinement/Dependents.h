@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -61,6 +62,54 @@ public:
 private:
   std::vector<std::size_t> begin_;
   std::vector<Index> readers_;
+};
+
+// Finds the new vertices of a round whose rows read any of some old ones. Finds out in the first call what
+// reads what.
+class Row_readers
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // in the order of the numbers
+  template <class Round>
+  std::vector<Index> operator()(const Round& round, std::size_t number_of_old_vertices,
+                                const std::vector<Index>& old)
+  {
+    if (dependents_.is_empty()) {
+      is_marked_.assign(round.refined_size().vertices, 0);
+      dependents_ = Dependents(round, number_of_old_vertices);
+    }
+    std::vector<Index> readers;
+    for (Index v : old)
+      dependents_.for_each(v, [&](Index r) {
+        if (is_marked_[r] != 0) return;
+        is_marked_[r] = 1;
+        readers.push_back(r);
+      });
+    // unless there are few, looking at all marks costs less than sorting
+    if (readers.size() < is_marked_.size() / 256)
+      std::sort(readers.begin(), readers.end());
+    else
+      collect_marks(readers);
+    for (Index r : readers) is_marked_[r] = 0;
+    return readers;
+  }
+
+  std::size_t memory() const { return dependents_.memory() + is_marked_.size(); }
+
+private:
+  void collect_marks(std::vector<Index>& marked) const
+  {
+    auto end = marked.begin();
+    const char* const marks = is_marked_.data();
+    const char* const last = marks + is_marked_.size();
+    for (const char* m = marks; (m = std::find(m, last, 1)) != last; ++m)
+      *end++ = static_cast<Index>(m - marks);
+  }
+
+  Dependents dependents_;
+  std::vector<char> is_marked_; // none of them between two calls
 };
 
 } // namespace internal

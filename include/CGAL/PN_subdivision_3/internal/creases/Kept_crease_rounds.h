@@ -1,0 +1,299 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_KEPT_CREASE_ROUNDS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_KEPT_CREASE_ROUNDS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Dependents.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+
+#include <boost/container/vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// whether two values are the same, bit by bit; other numbers are not compared
+template <class FT>
+bool is_same_value(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::equal(a.begin(), a.end(), b.begin(),
+                      [](FT x, FT y) { return x == y && std::signbit(x) == std::signbit(y); });
+  else
+    return false;
+}
+template <class FT>
+bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
+{
+  return is_same_value<FT>(a.point, b.point) && is_same_value<FT>(a.normal, b.normal);
+}
+
+// As Kept_rounds, with creases. Levels are kept cut open, and the values are those of slots. What lies on
+// creases is evaluated as a whole in every call, and goes on from where it has changed.
+template <class Scheme, class Average>
+class Kept_crease_rounds final : public Kept_refinement<Average>
+{
+  using Base = Kept_refinement<Average>;
+  using FT = typename Average::FT;
+
+public:
+  using typename Base::Index;
+  using typename Base::List_sink;
+  using typename Base::Sink;
+  using typename Base::Value;
+  using Control = Control_values<Average>;
+  using One_round = Crease_round<Scheme, Average>;
+  using Stored_value = typename One_round::One_round::Stored_value;
+
+  // \pre number_of_rounds > 0
+  Kept_crease_rounds(const Scheme& scheme, Level_connectivity&& control, Creases<FT>&& creases,
+                     unsigned number_of_rounds, Control& values, const For_chunks& for_chunks)
+    : Base(for_chunks)
+    , scheme_(scheme)
+    , control_(std::move(control))
+    , creases_(std::move(creases))
+  {
+    Level_connectivity level = control_;
+    const Creases<FT>* of_level = &creases_;
+    for (unsigned k = 1; k <= number_of_rounds; ++k) {
+      Level_connectivity child;
+      if (k < number_of_rounds)
+        child = refined(level, k);
+      else
+        last_ = level;
+      levels_.emplace_back(std::move(level), of_level->number_of_slots);
+      levels_.back().round.emplace(scheme_, levels_.back().connectivity, *of_level, k);
+      of_level = &levels_.back().round->refined_creases();
+      level = std::move(child);
+    }
+    std::vector<Index> several;
+    for (const Crease_star& star : creases_.stars)
+      if (star.number_of_wedges > 1) several.push_back(star.vertex);
+    values.set_vertices_with_several_normals(std::move(several));
+  }
+
+  Level_size refined_size() const override { return levels_.back().round->round().refined_size(); }
+  Level_connectivity refined_level() const override
+  {
+    return refined(last_, static_cast<unsigned>(levels_.size()));
+  }
+
+  std::vector<Index> take(Control& control) override
+  {
+    const std::vector<Index> set = control.changes();
+    if (set.empty()) return {};
+    const std::vector<Value> values = values_of_slots(control);
+    control.forget_changes();
+    auto& stored = levels_.front().values;
+    std::vector<Index> changed;
+    for (Index s = 0; s < values.size(); ++s) {
+      if (set.size() != control.size() && is_same_value<FT>(Value(stored[s]), values[s])) continue;
+      stored[s] = values[s];
+      changed.push_back(s);
+    }
+    return changed;
+  }
+
+  void evaluate(Sink sink) override
+  {
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
+      auto& refined = levels_[k + 1].values;
+      const Slot_values on_creases =
+        evaluate_round(levels_[k], [&](Index first, const Value* values, Index n) {
+          std::copy(values, values + n, refined.begin() + first);
+        });
+      for (const auto& [slot, value] : on_creases) refined[slot] = value;
+    }
+    last_on_creases_ = evaluate_round(levels_.back(), sink);
+    for_each_crease_vertex<Average>(
+      last_on_creases_, number_of_refined_vertices(),
+      [&](std::size_t, Index v, const Value& value) { sink(v, &value, 1); });
+  }
+
+  std::vector<Index> evaluate_from(std::vector<Index> changed, List_sink sink) override
+  {
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
+      auto& refined = levels_[k + 1].values;
+      const Slot_values on_creases = evaluate_round_from(
+        levels_[k], changed, [&](const Index* vertices, const Value* values, Index n) {
+          for (Index i = 0; i < n; ++i) refined[vertices[i]] = values[i];
+        });
+      for (const auto& [slot, value] : on_creases) {
+        if (is_same_value<FT>(Value(refined[slot]), value)) continue;
+        refined[slot] = value;
+        changed.push_back(slot);
+      }
+    }
+    Slot_values on_creases = evaluate_round_from(levels_.back(), changed, sink);
+    const auto end_of_others = static_cast<std::ptrdiff_t>(changed.size());
+    for_each_crease_vertex<Average>(on_creases, number_of_refined_vertices(),
+                                    [&](std::size_t i, Index v, const Value& value) {
+                                      if (is_as_before(on_creases, i)) return;
+                                      sink(&v, &value, 1);
+                                      changed.push_back(v);
+                                    });
+    last_on_creases_ = std::move(on_creases);
+    std::inplace_merge(changed.begin(), changed.begin() + end_of_others, changed.end());
+    return changed;
+  }
+
+  std::size_t memory() const override
+  {
+    std::size_t sum = memory(control_) + memory(last_) +
+                      last_on_creases_.capacity() * sizeof(last_on_creases_.front());
+    for (const Level& level : levels_)
+      sum += memory(level.connectivity) + sizeof(Stored_value) * level.values.size() +
+             level.readers.memory();
+    return sum;
+  }
+
+private:
+  using Slot_values = std::vector<typename One_round::Slot_value>;
+
+  struct Level
+  {
+    Level(Level_connectivity&& level, std::size_t number_of_slots)
+      : connectivity(std::move(level))
+      , values(number_of_slots, boost::container::default_init)
+    {}
+
+    Level_connectivity connectivity; // cut open
+    boost::container::vector<Stored_value> values;
+    std::optional<One_round> round; // refers to the connectivity
+    Row_readers readers;
+  };
+
+  static std::size_t memory(const Level_connectivity& level)
+  {
+    const Level_size& size = level.size();
+    return sizeof(Index) * (3 * size.halfedges() + size.vertices + size.faces);
+  }
+
+  Level_connectivity refined(const Level_connectivity& level, unsigned round) const
+  {
+    using Host = typename Scheme::Host;
+    Level_connectivity child(Host::refined_size(level.size(), round));
+    child.set_uniform_degree(Host::refined_degree);
+    Host(level, round).connect(child, this->for_chunks_);
+    return child;
+  }
+  Index number_of_refined_vertices() const { return static_cast<Index>(refined_size().vertices); }
+
+  // makes the tangents of the control creases, too
+  std::vector<Value> values_of_slots(Control& control)
+  {
+    const Index n = control_.number_of_vertices();
+    std::vector<Value> values(creases_.number_of_slots);
+    for (Index v = 0; v < n; ++v) values[v] = control[v];
+    const std::vector<Index> extra = vertices_of_extra_slots(creases_, n);
+    for (std::size_t i = 0; i < extra.size(); ++i) values[n + i] = control[extra[i]];
+    if constexpr (Control::has_normals) {
+      std::vector<bool> is_given(values.size(), false);
+      for (Index v = 0; v < n; ++v) is_given[v] = control.is_given(v);
+      for (std::size_t s = 0; s < values.size(); ++s)
+        if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
+      for (Crease_edge<FT>& e : creases_.edges) e.tangent_from.fill(zero_vector<FT, 3>());
+      Control_creases<FT>(control_, creases_, values, is_given, normal_estimate(scheme_))();
+      for (Index v = 0; v < n; ++v)
+        if (!is_given[v]) control.put_estimate(v, values[v].normal);
+      put_mean_normals(values, control);
+    }
+    return values;
+  }
+  void put_mean_normals(const std::vector<Value>& values, Control& control) const
+  {
+    Slot_values slots;
+    for (const Crease_star& star : creases_.stars)
+      if (star.number_of_wedges > 1)
+        for (Index w = 0; w < star.number_of_wedges; ++w)
+          slots.emplace_back(star.slot(w), values[star.slot(w)]);
+    for_each_crease_vertex<Average>(
+      slots, control_.number_of_vertices(),
+      [&](std::size_t, Index v, const Value& value) { control.put_estimate(v, value.normal); });
+  }
+
+  // the values of the vertices on creases that the sink gets do not hold; returns those that do
+  Slot_values evaluate_round(Level& level, Sink sink) const
+  {
+    One_round& round = *level.round;
+    round.read(level.values.data());
+    Slot_values on_creases = round.crease_values(this->for_chunks_);
+    this->in_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
+      round.round().evaluate(begin, end, level.values.data(), {}, sink);
+    });
+    round.put_back_softened();
+    return on_creases;
+  }
+
+  // the sink gets what the changed slots reach beside creases, which is put into `changed`; returns what is
+  // on creases
+  Slot_values evaluate_round_from(Level& level, std::vector<Index>& changed, List_sink sink) const
+  {
+    One_round& round = *level.round;
+    round.read(level.values.data());
+    round.for_each_softened([&](Index slot) { changed.push_back(slot); });
+    const std::vector<Index> readers = level.readers(round.round(), level.values.size(), changed);
+    const std::vector<Index> others = round.vertices_on_creases();
+    changed.clear();
+    std::set_difference(readers.begin(), readers.end(), others.begin(), others.end(),
+                        std::back_inserter(changed));
+    Slot_values on_creases = round.crease_values(this->for_chunks_);
+    this->in_chunks(static_cast<Index>(changed.size()), [&](Index begin, Index end) {
+      round.round().evaluate(changed.data() + begin, changed.data() + end, level.values.data(),
+                             sink);
+    });
+    round.put_back_softened();
+    return on_creases;
+  }
+
+  // the values of a vertex, which begin at this position
+  bool is_as_before(const Slot_values& on_creases, std::size_t first) const
+  {
+    const Index n = number_of_refined_vertices();
+    std::size_t i = first;
+    do {
+      if (!is_same_value<FT>(on_creases[i].second, last_on_creases_[i].second)) return false;
+      ++i;
+    } while (i < on_creases.size() && on_creases[i].first >= n);
+    return true;
+  }
+
+  const Scheme scheme_; // the masks may refer to it
+  const Level_connectivity control_;
+  Creases<FT> creases_;      // of the control level
+  std::deque<Level> levels_; // keeps its elements where they are
+  Level_connectivity last_;  // of the last round, whole
+  Slot_values last_on_creases_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_KEPT_CREASE_ROUNDS_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// A refiner of a mesh with creases is compared with a new call of subdivide().
+
+#include "Mesh_cases.h"
+#include "Surface_refiner_cases.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Surface_refiner.h>
+
+#include <stdexcept>
+#include <string>
+
+using namespace surface_refiner_cases;
+
+#ifdef CGAL_LINKED_WITH_TBB
+using Parallel_tag = CGAL::Parallel_tag;
+#else
+using Parallel_tag = CGAL::Sequential_tag;
+#endif
+
+TEST(Creased_refiner, CatmullClark)
+{
+  for (unsigned seed = 1; seed < 6; ++seed) {
+    expect_creases_as_subdivide(quads_and_others(), PN::CatmullClark_scheme(), 3, true, seed);
+    expect_creases_as_subdivide(triangles(), PN::CatmullClark_scheme(), 1, true, seed);
+  }
+}
+TEST(Creased_refiner, LoopOnSeveralThreads)
+{
+  for (unsigned seed = 1; seed < 6; ++seed)
+    expect_creases_as_subdivide<Parallel_tag>(triangles(), PN::Loop_scheme(), 3, true, seed);
+}
+TEST(Creased_refiner, EstimatedNormals)
+{
+  for (unsigned seed = 1; seed < 6; ++seed)
+    expect_creases_as_subdivide(quads_and_others(), PN::CatmullClark_scheme(), 2, false, seed);
+}
+TEST(Creased_refiner, LinearScheme)
+{
+  expect_creases_as_subdivide(quads_and_others(), PN::linear(PN::CatmullClark_scheme()), 3);
+}
+TEST(Creased_refiner, BordersThatAreCreases)
+{
+  for (const PN::Border border :
+       {PN::Border::surface, PN::Border::curve, PN::Border::corners, PN::Border::fixed})
+    expect_creases_as_subdivide(triangles(), PN::with_border(PN::modified_Loop_scheme(), border),
+                                3);
+}
+
+// What is far from the change is left alone, though creases are evaluated everywhere.
+TEST(Creased_refiner, ReachesNoMoreThanWithoutCreases)
+{
+  Mesh mesh = grid(16);
+  auto normals = add_normals(mesh);
+  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e", false).first;
+  for (auto e : mesh.edges())
+    sharp[e] = mesh.vertex(e, 0).idx() / 17 == 8 && mesh.vertex(e, 1).idx() / 17 == 8;
+  const auto np = params::number_of_iterations(3).vertex_normal_map(normals);
+  PN::Surface_refiner creased(mesh, PN::CatmullClark_scheme(), np.edge_is_constrained_map(sharp));
+  PN::Surface_refiner smooth(mesh, PN::CatmullClark_scheme(), np);
+  EXPECT_TRUE(creased.update().empty());
+  creased.set_point(3 * 17 + 3, Point(3, 3, 1));
+  smooth.set_point(3 * 17 + 3, Point(3, 3, 1));
+  EXPECT_EQ(creased.update(), smooth.update()); // no crease is near
+  EXPECT_GT(creased.memory(), smooth.memory());
+
+  // a point beyond the crease is not reached by one on this side
+  creased.set_point(6 * 17 + 8, Point(8, 6, 1));
+  for (const auto v : creased.update()) EXPECT_LE(creased.points()[v].y(), 8.);
+}
+
+TEST(Creased_refiner, RefusesTheNormalOfAVertexThatHasSeveral)
+{
+  Mesh mesh;
+  build(cube(), mesh, mesh.points());
+  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e", true).first;
+  PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
+                              params::number_of_iterations(2).edge_is_constrained_map(sharp));
+  const auto before = refiner.points();
+  try {
+    refiner.set_normal(3, Vector(0, 0, 1));
+    FAIL() << "no exception";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("control vertex 3"), std::string::npos) << e.what();
+  }
+  EXPECT_TRUE(refiner.update().empty());
+  EXPECT_EQ(refiner.points(), before);
+  // the mean of the normals of three faces
+  const Point corner = mesh.point(Vertex(3));
+  EXPECT_GT(refiner.control_normal(3) * (corner - CGAL::ORIGIN), 1.7);
+
+  EXPECT_THROW(
+    PN::Surface_refiner(mesh, PN::DooSabin_scheme(), params::edge_is_constrained_map(sharp)),
+    std::invalid_argument);
+}
+
+TEST(Creased_refiner, BuildsTheWholeMesh)
+{
+  const Creased control(quads_and_others(), 3);
+  control.with_parameters(2, true, [&](const auto& np) {
+    PN::Surface_refiner refiner(control.mesh, PN::CatmullClark_scheme(), np);
+    Mesh built;
+    refiner.build_mesh(built);
+    Creased refined = control;
+    refined.with_parameters(2, true, [&](const auto& parameters) {
+      PN::subdivide(refined.mesh, PN::CatmullClark_scheme(), parameters);
+    });
+    EXPECT_TRUE(is_linked(built));
+    EXPECT_EQ(faces_of(built), faces_of(refined.mesh));
+    EXPECT_EQ(points(built), points(refined.mesh));
+  });
+}
+
+// One point of a mesh whose border is a crease moves. The points of the refiner against those of subdivide().
+template <class K, class Concurrency_tag, class Scheme, class Is_same>
+void expect_numbers_as_subdivide(const Scheme& scheme, const Is_same& is_same)
+{
+  CGAL::Surface_mesh<typename K::Point_3> mesh;
+  build(mixed_with_border(), mesh, mesh.points());
+  auto normals = mesh.template add_property_map<Vertex, typename K::Vector_3>("n").first;
+  for (Vertex v : mesh.vertices())
+    normals[v] = typename K::Vector_3(0.25 * (v.idx() % 3), 0.125, 1);
+  const auto refine = [&](const auto& np) {
+    PN::Surface_refiner<Scheme, K, Concurrency_tag> refiner(mesh, scheme, np);
+    const typename K::Point_3 moved = mesh.point(Vertex(0)) + typename K::Vector_3(0, 0.125, 0.25);
+    refiner.set_point(0, moved);
+    EXPECT_FALSE(refiner.update().empty());
+    mesh.point(Vertex(0)) = moved;
+    PN::subdivide<Concurrency_tag>(mesh, scheme, np);
+    ASSERT_EQ(refiner.points().size(), mesh.number_of_vertices());
+    for (Vertex v : mesh.vertices())
+      for (int c = 0; c < 3; ++c)
+        EXPECT_TRUE(is_same(refiner.points()[v][c], mesh.point(v)[c])) << v;
+  };
+  if constexpr (PN::internal::Is_linear<Scheme>::value)
+    refine(params::number_of_iterations(2));
+  else
+    refine(params::number_of_iterations(2).vertex_normal_map(normals));
+}
+
+TEST(Creased_refiner, IntervalsOnSeveralThreads)
+{
+  using Interval = CGAL::Interval_nt<false>;
+  const Interval::Protector protector;
+  const auto is_same = [](const Interval& a, const Interval& b) {
+    return a.inf() == b.inf() && a.sup() == b.sup();
+  };
+  using K = CGAL::Simple_cartesian<Interval>;
+  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
+  expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
+}
+
+TEST(Creased_refiner, ExactConstructionsOnSeveralThreads)
+{
+  using K = CGAL::Exact_predicates_exact_constructions_kernel;
+  const auto is_same = [](const K::FT& a, const K::FT& b) { return a == b; };
+  const auto scheme = PN::linear(PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
+  expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
+  expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
+}
