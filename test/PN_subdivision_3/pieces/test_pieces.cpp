@@ -64,9 +64,15 @@ TYPED_TEST(Pieces_of_scheme, IsTheWholeSurface)
 TYPED_TEST(Pieces_of_scheme, NeedsAllOfItsRings)
 {
   constexpr unsigned rings = PN::internal::Ghost_rings<TypeParam>::value;
-  const Control_mesh control = torus_of_all_valences(kind_of<TypeParam>());
-  EXPECT_EQ(number_of_defects(control, TypeParam(), 3, 7, rings), 0u);
-  EXPECT_GT(number_of_defects(control, TypeParam(), 3, 7, rings - 1), 0u);
+  std::size_t with_one_less = 0;
+  for (const unsigned one_in : {1, 3, 12}) {
+    const Control_mesh control = torus_with_turned_edges(kind_of<TypeParam>(), one_in);
+    for (const std::size_t pieces : {7, 20}) {
+      EXPECT_EQ(number_of_defects(control, TypeParam(), 2, pieces, rings), 0u);
+      with_one_less += number_of_defects(control, TypeParam(), 2, pieces, rings - 1);
+    }
+  }
+  EXPECT_GT(with_one_less, 0u);
 }
 
 TEST(Pieces, OfLinearSchemes)

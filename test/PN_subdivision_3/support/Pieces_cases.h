@@ -25,6 +25,7 @@
 #include <random>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // A surface made piece by piece against the one that subdivide() makes.
@@ -235,25 +236,43 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
   return other + (mesh.number_of_faces() - faces);
 }
 
-// A torus whose vertices have four to eight edges, so that after a round many are separated.
-inline Control_mesh torus_of_all_valences(Kind kind)
+// A torus of which some pairs of faces are split in another way: the four vertices of each are extraordinary, all
+// others regular.
+inline Control_mesh torus_with_turned_edges(Kind kind, unsigned one_in)
 {
   std::mt19937 generator(5);
-  constexpr int n = 12;
-  Control_mesh mesh{"torus of all valences", {}, {}};
+  constexpr int n = 18;
+  Control_mesh mesh{"torus with turned edges", {}, {}};
   const auto vertex = [](int i, int j) { return i % n * n + j % n; };
+  const auto add = [&](std::vector<int> f) { mesh.faces.push_back(std::move(f)); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const double u = 6.283 * i / n, v = 6.283 * j / n, r = 3 + std::cos(v);
       mesh.points.push_back({r * std::cos(u), r * std::sin(u), std::sin(v)});
-      const auto a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
-                 d = vertex(i, j + 1);
-      if (generator() % 2 == 0)
-        mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
-      else
-        mesh.faces.insert(mesh.faces.end(), {{a, b, d}, {b, c, d}});
     }
-  if (kind != Kind::triangles) mesh = test_meshes::in_quads(mesh);
+  for (int i = 0; i < n; i += 2)
+    for (int j = 0; j < n; ++j) {
+      const int a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 2, j),
+                d = vertex(i + 2, j + 1), e = vertex(i + 1, j + 1), f = vertex(i, j + 1);
+      const bool is_turned = generator() % one_in == 0 && j % 2 == 0;
+      if (kind == Kind::triangles) {
+        if (is_turned) {
+          add({a, b, f});
+          add({b, e, f});
+        } else {
+          add({a, b, e});
+          add({a, e, f});
+        }
+        add({b, c, d});
+        add({b, d, e});
+      } else if (is_turned) {
+        add({a, b, c, d});
+        add({a, d, e, f});
+      } else {
+        add({a, b, e, f});
+        add({b, c, d, e});
+      }
+    }
   test_meshes::set_uneven_normals(mesh, 3);
   return mesh;
 }
@@ -264,7 +283,7 @@ constexpr Kind kind_of()
   using Host = typename Scheme::Host;
   if (std::is_same_v<Host, PN::PTQ_host> || std::is_same_v<Host, PN::Sqrt3_host>)
     return Kind::triangles;
-  return PN::internal::Ghost_rings<Scheme>::value == 3 &&
+  return PN::internal::Ghost_rings<Scheme>::value == 4 &&
              !PN::internal::Has_crease_rules<Scheme>::value
            ? Kind::quads // Kobbelt's
            : Kind::polygons;
