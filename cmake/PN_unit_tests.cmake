@@ -118,6 +118,35 @@ foreach(unit_test ${unit_tests})
   endif()
 endforeach()
 
+# ranks of mpirun, and VTK, for refinement in pieces
+if(TARGET test_pn_subdivide_pieces AND PN_SUBDIVISION_3_WITH_MPI)
+  find_program(PN_MPIRUN mpirun)
+  find_package(MPI QUIET COMPONENTS CXX)
+  if(PN_MPIRUN AND MPI_CXX_FOUND)
+    target_compile_definitions(test_pn_subdivide_pieces PRIVATE PN_TEST_MPIRUN="${PN_MPIRUN}")
+  endif()
+endif()
+if(TARGET pn_subdivide)
+  find_program(PN_PYTHON_WITH_VTK python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  set(failed TRUE)
+  if(PN_PYTHON_WITH_VTK)
+    execute_process(COMMAND ${PN_PYTHON_WITH_VTK} -c "import vtkmodules.vtkIOXML, numpy"
+                    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  endif()
+  if(failed)
+    message(STATUS "PN_subdivision_3: VTK not found, the test that reads .pvtp with it is left out"
+                   " (Debian package python3-vtk9)")
+  else()
+    foreach(scheme catmull-clark doo-sabin)
+      add_test(NAME pvtp_in_vtk_${scheme}
+               COMMAND ${PN_PYTHON_WITH_VTK} -B ${PN_subdivision_3_SOURCE_DIR}/scripts/check_pvtp.py
+                       $<TARGET_FILE:pn_subdivide>
+                       ${PN_subdivision_3_SOURCE_DIR}/data/meshes/mixed_borders.off
+                       --scheme ${scheme} --levels 3)
+    endforeach()
+  endif()
+endif()
+
 if(TARGET test_PN_mask_3_custom)
   include(${CMAKE_CURRENT_LIST_DIR}/PN_manual_masks.cmake)
   pn_unpack_cgal_examples(test_PN_mask_3_custom)

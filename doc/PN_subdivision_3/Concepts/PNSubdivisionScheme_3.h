@@ -48,6 +48,11 @@ public:
   static double dense_row_entries(const CGAL::PN_subdivision_3::Level_connectivity& level,
                                   unsigned round);
 
+  /// optional: how many rings of faces around its own a piece of a mesh needs for
+  /// `CGAL::PN_subdivision_3::Surface_pieces`: with so many rings that are right on a level, a round gives so many
+  /// that are right. It is at least as many as the rows reach; whatever else a mask looks at counts, too.
+  static constexpr unsigned ghost_rings;
+
   /// optional: `true` if the rules of the mask for border edges and border vertices, rows of two and three
   /// entries along the border, may serve along creases. The host is then `PQQ_host` or `PTQ_host`. If the
   /// mask has `face_part_of_edge()` and `face_part_of_vertex()` as `CatmullClark_mask`, they say how rows

@@ -94,8 +94,7 @@ public:
 
   bool is_empty(std::size_t piece) const
   {
-    return faces_of_piece_[piece] == 0 &&
-           (piece != 0 || base_.level().size().isolated_vertices == 0);
+    return faces_of_piece_[piece] == 0 && (piece != 0 || !has_isolated_vertices_);
   }
 
   void refine(std::size_t piece, const Output& out) const
@@ -137,6 +136,8 @@ private:
         Index& first = first_face_[level.target(h)];
         first = (std::min)(first, level.face(h));
       }
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      has_isolated_vertices_ = has_isolated_vertices_ || level.is_isolated(v);
     // where sqrt(3) refines the border other faces lose the vertex to their neighbors
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
       if (level.is_border(h))
@@ -263,6 +264,7 @@ private:
   Refiner base_;
   std::optional<Whole_levels<Host>> wholes_;
   std::vector<std::size_t> piece_of_face_, faces_of_piece_; // of the level that is divided
+  bool has_isolated_vertices_ = false;
   std::vector<Index> first_face_; // the face that decides on the piece of each of its vertices
 };
 

@@ -1,0 +1,377 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Refinement in pieces writes the file that refinement as a whole writes, alone and under mpirun; what fails or is
+// interrupted leaves nothing behind, or what --resume needs.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#ifdef __unix__
+#  include <chrono>
+#  include <csignal>
+#  include <fcntl.h>
+#  include <sys/wait.h>
+#  include <thread>
+#  include <unistd.h>
+#endif
+
+namespace {
+
+const std::vector<std::string> schemes = {
+  "catmull-clark",          "loop",         "doo-sabin", "sqrt3", "butterfly", "kobbelt",
+  "modified-catmull-clark", "modified-loop"};
+
+bool takes_triangles(const std::string& scheme)
+{
+  return scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" ||
+         scheme == "modified-loop";
+}
+
+class Pieces : public Command_test
+{
+protected:
+  // A wavy grid with a hole in it, in quads or triangles, and a vertex without faces.
+  void SetUp() override
+  {
+    std::string points, quads, triangles;
+    const auto name = [](int i, int j) { return std::to_string(i * 6 + j); };
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        points +=
+          std::to_string(i) + " " + std::to_string(j) + " 0." + std::to_string(i * j % 7) + "\n";
+    points += "9 9 9\n";
+    int faces = 0;
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) {
+        if (i == 2 && j == 3) continue;
+        const std::string a = name(i, j), b = name(i + 1, j), c = name(i + 1, j + 1),
+                          d = name(i, j + 1);
+        quads += "4 " + a + " " + b + " " + c + " " + d + "\n";
+        triangles += (i + j) % 2 == 0
+                       ? "3 " + a + " " + b + " " + c + "\n3 " + a + " " + c + " " + d
+                       : "3 " + a + " " + b + " " + d + "\n3 " + b + " " + c + " " + d;
+        triangles += "\n";
+        ++faces;
+      }
+    const auto off = [&](int number, const std::string& lines) {
+      return "OFF\n37 " + std::to_string(number) + " 0\n" + points + lines;
+    };
+    folder.write("quads.off", off(faces, quads));
+    folder.write("triangles.off", off(2 * faces, triangles));
+  }
+
+  std::string in_out(const std::string& scheme, const std::string& out) const
+  {
+    return "surface '" + folder.file(takes_triangles(scheme) ? "triangles.off" : "quads.off") +
+           "' '" + folder.file(out) + "' --quiet --scheme " + scheme + " ";
+  }
+
+  std::string content(const std::string& name) const
+  {
+    return Temporary_folder::content(folder.file(name));
+  }
+
+  std::string whole(const std::string& scheme, const std::string& options)
+  {
+    EXPECT_EQ(run(in_out(scheme, "whole.ply") + options).code, 0);
+    return content("whole.ply");
+  }
+
+  void expect_whole(const std::string& scheme, const std::string& options, const std::string& more,
+                    const std::string& before = "")
+  {
+    const std::string expected = whole(scheme, options);
+    std::filesystem::remove(folder.file("out.ply"));
+    const Outcome outcome = run(in_out(scheme, "out.ply") + options + " " + more, before);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options << " " << more;
+    EXPECT_EQ(folder.number_of_files(), 4u); // the two controls and the two results
+  }
+};
+
+} // namespace
+
+TEST_F(Pieces, AreTheWholeFile)
+{
+  for (const std::string& scheme : schemes)
+    for (const char* const pieces : {"--pieces 2", "--pieces 7", "--pieces 64"})
+      expect_whole(scheme, "--levels 3", pieces);
+}
+
+TEST_F(Pieces, OfOtherOptions)
+{
+  expect_whole("catmull-clark", "--levels 3 --linear", "--pieces 7");
+  expect_whole("loop", "--levels 3 --linear", "--pieces 7");
+  expect_whole("loop", "--levels 3 --normal-scheme modified-loop", "--pieces 7");
+  expect_whole("doo-sabin", "--levels 0", "--pieces 3");
+  expect_whole("catmull-clark", "--levels 3", "--memory 1G");
+  expect_whole("catmull-clark", "--levels 3", "--pieces 5 --threads 2");
+  expect_whole("catmull-clark", "--levels 3", "--pieces 5 --resume");
+  expect_whole("ct-catmull-clark", "--levels 4", "--pieces 7");
+}
+
+TEST_F(Pieces, LongFaces)
+{
+  std::string points, face = "300";
+  for (int i = 0; i < 300; ++i) {
+    points += std::to_string(i < 150 ? i : 299 - i) + (i < 150 ? " 0 0\n" : " 1 0\n");
+    face += " " + std::to_string(i);
+  }
+  folder.write("quads.off", "OFF\n300 1 0\n" + points + face + "\n");
+  for (const char* const levels : {"--levels 0", "--levels 1", "--levels 2"}) {
+    expect_whole("doo-sabin", levels, "--pieces 2");
+    expect_whole("catmull-clark", levels, "--pieces 2");
+  }
+}
+
+TEST_F(Pieces, WhatDoesNotGoWithThem)
+{
+  const auto expect_refusal = [&](const std::string& options, int code, const std::string& part,
+                                  const std::string& out = "out.ply") {
+    const std::size_t files = folder.number_of_files();
+    expect_one_line(run(in_out("catmull-clark", out) + options), code, part);
+    EXPECT_EQ(folder.number_of_files(), files);
+  };
+  expect_refusal("--pieces 0", 2, "--pieces");
+  expect_refusal("--pieces 2 --memory 1G", 2, "--memory");
+  expect_refusal("--memory 1X", 2, "500M");
+  expect_refusal("--memory 1M --levels 6", 1, "at least");
+  expect_refusal("--pieces 2", 2, ".ply or .pvtp", "out.obj");
+  for (const std::string option :
+       {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide", "--limit",
+        "--surface-normals", "--border curve", "--ascii"})
+    expect_refusal("--pieces 2 " + option, 2, option.substr(0, option.find(' ')));
+  expect_refusal("--pieces 2 --sharp angle:5", 1, "--sharp none");
+  folder.write("quads.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+  std::string off = content("quads.off");
+  off.replace(0, 3, "COFF");
+  folder.write("quads.off", off);
+  expect_refusal("--pieces 2", 1, "--drop-attributes");
+}
+
+TEST_F(Pieces, PvtpAndItsFolder)
+{
+  ASSERT_EQ(run(in_out("catmull-clark", "out.pvtp") + "--levels 3 --pieces 7").code, 0);
+  const std::string index = content("out.pvtp");
+  for (int i = 0; i < 7; ++i) {
+    const std::string piece = "out_pieces/piece_" + std::to_string(i) + ".vtp";
+    EXPECT_NE(index.find("<Piece Source=\"" + piece + "\"/>"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder.file(piece)));
+  }
+  // again, with fewer pieces: nothing of the first is left
+  ASSERT_EQ(run(in_out("catmull-clark", "out.pvtp") + "--levels 3 --pieces 2").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out_pieces/piece_2.vtp")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("out_pieces/piece_1.vtp")));
+  // something of the user's in the folder
+  std::ofstream(folder.file("out_pieces/mine.txt")) << "mine";
+  expect_one_line(run(in_out("catmull-clark", "out.pvtp") + "--levels 3 --pieces 2"), 1,
+                  "out_pieces");
+  EXPECT_EQ(content("out_pieces/mine.txt"), "mine");
+}
+
+#ifdef __unix__
+
+// The limit on the size of files stands for a full disk.
+TEST_F(Pieces, AFullDisk)
+{
+  const std::size_t files = folder.number_of_files();
+  expect_one_line(
+    run(in_out("catmull-clark", "out.ply") + "--levels 5 --pieces 7", "ulimit -f 200; "), 1,
+    "out.ply");
+  EXPECT_EQ(folder.number_of_files(), files);
+  expect_one_line(
+    run(in_out("catmull-clark", "out.pvtp") + "--levels 5 --pieces 7", "ulimit -f 200; "), 1,
+    "out.pvtp");
+  EXPECT_EQ(folder.number_of_files(), files);
+}
+
+TEST_F(Pieces, ResumeAfterAFullDisk)
+{
+  for (const std::string scheme : {"catmull-clark", "doo-sabin"}) {
+    const std::string expected = whole(scheme, "--levels 5");
+    const std::string arguments = in_out(scheme, "out.ply") + "--levels 5 --pieces 7 --resume";
+    // the file gets its size before, so that the pieces fail
+    std::filesystem::remove(folder.file("out.ply"));
+    const auto half = std::to_string(expected.size() / 1024);
+    run(arguments, "ulimit -f 1; ");
+    expect_one_line(run(arguments, "ulimit -f " + half + "; "), 1, "out.ply");
+    ASSERT_TRUE(std::filesystem::exists(folder.file("out.ply.part.done")));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out.ply")));
+    // other options, and a run that does not know of it
+    expect_one_line(run(in_out(scheme, "out.ply") + "--levels 4 --pieces 7 --resume"), 1,
+                    "out.ply.part.done");
+    expect_one_line(run(in_out(scheme, "out.ply") + "--levels 5 --pieces 7"), 1, "--resume");
+    EXPECT_EQ(run(arguments).code, 0);
+    EXPECT_TRUE(content("out.ply") == expected);
+    EXPECT_EQ(folder.number_of_files(), 4u);
+  }
+}
+
+// What is finished is not made again.
+TEST_F(Pieces, ResumeTakesFinishedPiecesAsTheyAre)
+{
+  const std::string expected = whole("loop", "--levels 6");
+  const std::string arguments = in_out("loop", "out.ply") + "--levels 6 --pieces 40 --resume";
+  const pid_t child = fork();
+  ASSERT_NE(child, -1);
+  if (child == 0) {
+    const int null = open("/dev/null", O_WRONLY);
+    dup2(null, 2);
+    execl("/bin/sh", "sh", "-c", ("exec '" PN_SUBDIVIDE_COMMAND "' " + arguments).c_str(), nullptr);
+    _exit(127);
+  }
+  const std::string done = folder.file("out.ply.part.done");
+  const auto finished = [&] {
+    const std::string text = Temporary_folder::content(done);
+    const std::size_t line = text.find('\n');
+    return line == std::string::npos
+             ? 0
+             : std::count(text.begin() + std::ptrdiff_t(line), text.end(), '1');
+  };
+  int status = 0;
+  while ((!std::filesystem::exists(done) || finished() < 3) &&
+         waitpid(child, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status)) << "it was faster than the test";
+  ASSERT_GE(finished(), 3);
+  // A byte of the first piece is changed: it would be mended if the piece were made again.
+  std::string part = Temporary_folder::content(folder.file("out.ply.part"));
+  std::size_t place = part.find("end_header") + 11;
+  while (part[place] != expected[place] || part[place] == 0) ++place;
+  std::fstream(folder.file("out.ply.part"), std::ios::in | std::ios::out | std::ios::binary)
+    .seekp(std::streamoff(place))
+    .put('?');
+  ASSERT_EQ(run(arguments).code, 0);
+  std::string result = content("out.ply");
+  EXPECT_EQ(result[place], '?');
+  result[place] = expected[place];
+  EXPECT_TRUE(result == expected);
+}
+
+TEST_F(Pieces, ASignal)
+{
+  const std::size_t files = folder.number_of_files();
+  int killed = 0;
+  for (const std::string out : {"out.ply", "out.pvtp"})
+    for (const int signal : {SIGINT, SIGTERM})
+      for (int delay = 0; delay < 4; ++delay) {
+        const pid_t child = fork();
+        ASSERT_NE(child, -1);
+        if (child == 0) {
+          execl(
+            "/bin/sh", "sh", "-c",
+            ("exec '" PN_SUBDIVIDE_COMMAND "' " + in_out("loop", out) + "--levels 6 --pieces 40")
+              .c_str(),
+            nullptr);
+          _exit(127);
+        }
+        int status = 0;
+        pid_t ended = 0;
+        while (folder.number_of_files() == files && ended == 0)
+          ended = waitpid(child, &status, WNOHANG);
+        if (ended == 0) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(5 * delay));
+          kill(child, signal);
+          waitpid(child, &status, 0);
+        }
+        if (WIFSIGNALED(status)) {
+          ++killed;
+          EXPECT_EQ(folder.number_of_files(), files) << out << " " << signal << " " << delay;
+        }
+        std::filesystem::remove(folder.file(out));
+        std::filesystem::remove_all(folder.file("out_pieces"));
+      }
+  EXPECT_GE(killed, 1);
+}
+
+#  ifdef PN_TEST_MPIRUN
+
+namespace {
+
+class Ranks : public Pieces
+{
+protected:
+  static std::string with_ranks(int number)
+  {
+    return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '" PN_TEST_MPIRUN
+           "' --oversubscribe -n " +
+           std::to_string(number) + " ";
+  }
+};
+
+} // namespace
+
+TEST_F(Ranks, WriteTheWholeFile)
+{
+  for (const std::string& scheme : schemes)
+    for (const char* const pieces : {"--pieces 2", "--pieces 7", "--pieces 64"})
+      for (const int number : {2, 3})
+        expect_whole(scheme, "--levels 3", pieces, with_ranks(number));
+}
+
+TEST_F(Ranks, WithoutFurtherOptions)
+{
+  expect_whole("catmull-clark", "--levels 3", "", with_ranks(2));
+  expect_whole("catmull-clark", "--levels 3", "--resume", with_ranks(2));
+}
+
+// one line of ours, and none under the final name
+TEST_F(Ranks, FailTogether)
+{
+  const auto lines_of_ours = [](const Outcome& outcome) {
+    std::size_t lines = 0;
+    for (std::size_t i = outcome.err.find("pn_subdivide: "); i != std::string::npos;
+         i = outcome.err.find("pn_subdivide: ", i + 1))
+      ++lines;
+    return lines;
+  };
+  const std::size_t files = folder.number_of_files();
+  for (const std::string& before : {with_ranks(2), "ulimit -f 200; " + with_ranks(2)})
+    for (const std::string out : {"out.ply", "out.pvtp", "out.obj"}) {
+      const bool is_full = before[0] == 'u';
+      if (is_full && out == "out.obj") continue;
+      const Outcome outcome =
+        run(in_out("catmull-clark", out) + "--levels 5 --pieces 7" + (is_full ? "" : " --limit"),
+            before);
+      EXPECT_NE(outcome.code, 0);
+      EXPECT_EQ(lines_of_ours(outcome), 1u) << outcome.err;
+      EXPECT_EQ(folder.number_of_files(), files) << out << outcome.err;
+    }
+}
+
+TEST_F(Ranks, AKilledRank)
+{
+  const std::size_t files = folder.number_of_files();
+  for (const std::string out : {"out.ply", "out.pvtp"}) {
+    // rank 1 kills itself after a while
+    const std::string script =
+      "if [ $OMPI_COMM_WORLD_RANK = 1 ]; then (sleep 0.3; kill -9 $$) & fi; "
+      "exec '" PN_SUBDIVIDE_COMMAND "' " +
+      in_out("loop", out) + "--levels 8 --pieces 40";
+    folder.write("script.sh", script);
+    const std::string command = with_ranks(2) + "sh '" + folder.file("script.sh") + "' 2>/dev/null";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    EXPECT_FALSE(std::filesystem::exists(folder.file(out)));
+    EXPECT_EQ(folder.number_of_files(), files + 1) << out;
+  }
+}
+
+#  endif
+#endif

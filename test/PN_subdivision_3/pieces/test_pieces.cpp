@@ -1,0 +1,106 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Every scheme in pieces gives the surface of subdivide(), bit for bit and under the same numbers.
+
+#include "Pieces_cases.h"
+
+#include <CGAL/PN_subdivision_3.h>
+
+#include <random>
+#include <stdexcept>
+#include <string>
+
+using namespace pieces_cases;
+
+namespace {
+
+template <class Scheme>
+class Pieces_of_scheme : public testing::Test
+{};
+
+using All = PN::Shipped_schemes::apply<testing::Types>;
+
+struct Names
+{
+  template <class Scheme>
+  static std::string GetName(int)
+  {
+    return Scheme::name();
+  }
+};
+TYPED_TEST_SUITE(Pieces_of_scheme, All, Names);
+
+std::vector<Control_mesh> random_controls(Kind kind, int number)
+{
+  std::mt19937 generator(17);
+  std::vector<Control_mesh> controls;
+  while (number-- > 0) {
+    controls.push_back(random_meshes::random_mesh(kind, generator));
+    controls.back().name += " " + std::to_string(number);
+  }
+  return controls;
+}
+
+} // namespace
+
+TYPED_TEST(Pieces_of_scheme, IsTheWholeSurface)
+{
+  constexpr Kind kind = kind_of<TypeParam>();
+  for (const Control_mesh& control : random_controls(kind, 8)) {
+    expect_as_subdivide<double>(control, TypeParam(), 2, {1, 3});
+    expect_as_subdivide<double>(control, TypeParam(), 3, {2, 7, 64});
+    if (this->HasFailure()) return;
+  }
+  expect_as_subdivide<double>(random_controls(kind, 1)[0], TypeParam(), 4, {3});
+  expect_as_subdivide<double>(random_controls(kind, 1)[0], TypeParam(), 0, {1, 2, 7, 1000});
+}
+
+TYPED_TEST(Pieces_of_scheme, NeedsAllOfItsRings)
+{
+  constexpr unsigned rings = PN::internal::Ghost_rings<TypeParam>::value;
+  std::size_t with_one_less = 0;
+  for (const unsigned one_in : {1, 3, 12}) {
+    const Control_mesh control = torus_with_turned_edges(kind_of<TypeParam>(), one_in);
+    for (const std::size_t pieces : {7, 20}) {
+      EXPECT_EQ(number_of_defects(control, TypeParam(), 2, pieces, rings), 0u);
+      with_one_less += number_of_defects(control, TypeParam(), 2, pieces, rings - 1);
+    }
+  }
+  EXPECT_GT(with_one_less, 0u);
+}
+
+TEST(Pieces, OfLinearSchemes)
+{
+  const auto expect = [](const auto& scheme, Kind kind) {
+    for (const Control_mesh& control : random_controls(kind, 4))
+      expect_as_subdivide<double>(control, PN::linear(scheme), 3, {2, 7});
+  };
+  expect(PN::CatmullClark_scheme(), Kind::polygons);
+  expect(PN::DooSabin_scheme(), Kind::polygons);
+  expect(PN::Sqrt3_scheme(), Kind::triangles);
+  expect(PN::modified_Loop_scheme(), Kind::triangles);
+}
+
+TEST(Pieces, InFloat)
+{
+  const auto expect = [](const auto& scheme, Kind kind) {
+    for (const Control_mesh& control : random_controls(kind, 4))
+      expect_as_subdivide<float>(control, scheme, 3, {2, 7});
+  };
+  expect(PN::CatmullClark_scheme(), Kind::polygons);
+  expect(PN::Sqrt3_scheme(), Kind::triangles);
+  expect(PN::linear(PN::Butterfly_scheme()), Kind::triangles);
+}
+
+TEST(Pieces, WithNormalsOfAnotherScheme)
+{
+  for (const Control_mesh& control : random_controls(Kind::triangles, 4))
+    expect_as_subdivide<double>(
+      control, PN::with_normal_scheme(PN::Loop_scheme(), PN::modified_Loop_scheme()), 4, {2, 7});
+}
