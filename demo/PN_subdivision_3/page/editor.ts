@@ -60,6 +60,8 @@ export class Editor {
   name = "";
   normalLength = 1;
   colorEnd = 1;
+  /** The most rounds for this mesh and scheme. */
+  greatestRounds = 7;
   status = "";
   readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
   settings: Settings = {
@@ -265,7 +267,8 @@ export class Editor {
     const traits = this.schemes.get(wanted.scheme);
     if (!traits) throw new Error(`there is no scheme ${wanted.scheme}`);
     const split = traits.takesTriangles && !mesh.hasOnlyTriangles() ? mesh.triangulated() : mesh;
-    const rounds = Math.min(wanted.rounds, this.greatestRounds(split, wanted.scheme));
+    const most = this.mostRounds(split, wanted.scheme);
+    const rounds = Math.min(wanted.rounds, most);
     const made = new Map<boolean, RefinedSurface>();
     try {
       for (const isLinear of [false, true])
@@ -284,12 +287,13 @@ export class Editor {
     this.surfaces = made;
     this.mesh = split;
     this.settings = { ...wanted, rounds };
+    this.greatestRounds = most;
     this.readHandles();
     for (const [isLinear, surface] of made) this.viewer.pane(isLinear).setTriangles(surface.triangles());
     this.show(true, performance.now() - started);
   }
 
-  greatestRounds(mesh: ControlMesh, scheme: string): number {
+  private mostRounds(mesh: ControlMesh, scheme: string): number {
     const { corners, degrees } = mesh.state();
     const traits = this.schemes.get(scheme)!;
     const inFirst = traits.takesTriangles ? (scheme === "sqrt3" ? 3 : 4) * degrees.length : corners.length;

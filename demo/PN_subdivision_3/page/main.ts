@@ -37,6 +37,7 @@ class Page {
   private readonly curvePanel: CurvePanel;
   private timer = 0;
   private ownAddress = "";
+  private isReady = false; // before, the address is what is to be shown
 
   constructor(readonly modeler: Modeler) {
     this.editor = new Editor(modeler, this.viewer, say);
@@ -62,6 +63,8 @@ class Page {
   async start(): Promise<void> {
     this.curve.show(curveExamples.bottle, "bottle", true);
     if (!(await this.readAddress())) this.panel.showExample("cube", {}, true);
+    this.isReady = true;
+    this.changed();
     element("loading").remove();
     this.viewer.draw();
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
@@ -145,6 +148,7 @@ class Page {
   // --- the address ---
 
   private changed(): void {
+    if (!this.isReady) return;
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => void this.writeAddress(), 400);
   }

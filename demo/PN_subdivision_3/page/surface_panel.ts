@@ -195,8 +195,8 @@ export class SurfacePanel {
     this.showName();
     element("about").textContent = example ? example.about : `${format(editor.mesh.numberOfFaces())} faces`;
     select("scheme").value = settings.scheme;
+    input("rounds").max = String(editor.greatestRounds);
     input("rounds").value = String(settings.rounds);
-    input("rounds").max = String(editor.greatestRounds(editor.mesh, settings.scheme));
     element("rounds-value").textContent = String(settings.rounds);
     choose("layout", settings.layout);
     choose("shading", settings.shading);

@@ -179,6 +179,15 @@ function setPositions(object: THREE.LineSegments | THREE.Points, positions: Arra
   }
 }
 
+/** Without it smooth edges cost half of the frames. */
+function hasGraphicsHardware(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const renderer = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return !/swiftshader|llvmpipe|software/i.test(renderer);
+}
+
 export type Layout = "pn" | "linear" | "both";
 
 export class Viewer {
@@ -198,7 +207,7 @@ export class Viewer {
   onDraw: (() => void) | undefined;
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: hasGraphicsHardware(), alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
     const pnOverlay = new THREE.Group();
@@ -390,6 +399,8 @@ export class Viewer {
 
   /** The picture on the screen, on the page's background. */
   async png(): Promise<Blob> {
+    const ratio = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(Math.max(2, ratio));
     this.draw();
     const copy = document.createElement("canvas");
     copy.width = this.canvas.width;
@@ -398,6 +409,8 @@ export class Viewer {
     context.fillStyle = this.theme?.background ?? "#fff";
     context.fillRect(0, 0, copy.width, copy.height);
     context.drawImage(this.canvas, 0, 0);
+    this.renderer.setPixelRatio(ratio);
+    this.requestDraw();
     return new Promise((resolve, reject) =>
       copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture cannot be made"))), "image/png"));
   }

@@ -32,6 +32,7 @@ export async function withPage(file, options, test) {
   });
   try {
     const page = context.pages()[0] ?? (await context.newPage());
+    page.setDefaultTimeout(120_000); // on a busy machine
     const requests = [];
     const errors = [];
     page.on("request", (request) => requests.push(request.url()));
