@@ -137,7 +137,7 @@ Computed in `double`, whatever the number type.
 \throws std::invalid_argument as `interpolate_limit_points()` does, and with the name of the vertex if what
   is prescribed is not finite, or a normal is prescribed where the scheme tells of no tangent plane;
   the mesh has not been changed then
-\cost that of a sparse factorization over the control points that may move
+<br><b>Cost:</b> that of a sparse factorization over the control points that may move
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class PrescribedPoints, class PrescribedNormals,
