@@ -66,6 +66,13 @@ pn_precompile(
   <CGAL/subdivision_method_3.h>)
 pn_test_settings(pn_test_headers)
 
+# What of the reference implementations takes long to compile.
+file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
+if(TARGET Eigen3::Eigen)
+  add_library(pn_test_references STATIC ${reference_sources})
+  pn_test_settings(pn_test_references)
+endif()
+
 # pn_add_test(name source... [WHOLE]): a GoogleTest program. Each of its tests is an entry of its own
 # in ctest; with WHOLE the program is one entry (for costly set-up that its tests share).
 function(pn_add_test name)
@@ -73,6 +80,9 @@ function(pn_add_test name)
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   pn_test_settings(${name})
   target_link_libraries(${name} PRIVATE GTest::gtest_main)
+  if(TARGET pn_test_references)
+    target_link_libraries(${name} PRIVATE pn_test_references)
+  endif()
   target_precompile_headers(${name} REUSE_FROM pn_test_headers)
   if(arg_WHOLE)
     add_test(NAME ${name} COMMAND ${name})

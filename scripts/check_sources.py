@@ -33,8 +33,10 @@ This file is part of {NAME}, a package for CGAL (www.cgal.org).
 SPDX-License-Identifier: LGPL-3.0-or-later
 Author(s): {NAME} developers
 """
-FOLDERS = ("include", "src", "examples", "test", "benchmark", "scripts", "doc", "cmake")
-COMMENTS = {".h": "//", ".cpp": "//", ".py": "#", ".sh": "#"}
+FOLDERS = ("include", "src", "examples", "demo", "test", "benchmark", "scripts", "doc", "cmake")
+COMMENTS = {".h": "//", ".cpp": "//", ".ts": "//", ".mjs": "//", ".py": "#", ".sh": "#"}
+# Folders of these names hold what is not the package's: interfaces that are only documented, libraries.
+NOT_OURS = {"Concepts", "node_modules"}
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 
@@ -46,7 +48,7 @@ def notice(comment: str) -> str:
 def sources() -> Iterator[Path]:
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix in COMMENTS and "Concepts" not in path.parts:
+            if path.suffix in COMMENTS and NOT_OURS.isdisjoint(path.parts):
                 yield path
 
 

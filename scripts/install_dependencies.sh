@@ -9,9 +9,10 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--picture | --manual]
+#   scripts/install_dependencies.sh [--picture | --manual | --page]
 #
-#   --picture: also what scripts/render.py needs; --manual: also what the target doc needs
+#   --picture: also what scripts/render.py needs; --manual: also what the target doc needs;
+#   --page: only what the page needs
 set -euo pipefail
 
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
@@ -19,9 +20,12 @@ required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-de
 optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3)
 if [[ ${1:-} == --picture ]]; then
   optional+=(python3-vtk9 python3-numpy xvfb xauth)
-fi
-
-if [[ ${1:-} == --manual ]]; then
+elif [[ ${1:-} == --page ]]; then
+  required=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libboost-dev)
+  optional=(chromium) # its tests
+  command -v node >/dev/null || required+=(nodejs)
+  command -v npm >/dev/null || required+=(npm)
+elif [[ ${1:-} == --manual ]]; then
   optional+=(doxygen blahtexml)
 fi
 
@@ -97,7 +101,7 @@ if [[ ${#missing_optional[@]} -gt 0 ]] && ! install_packages "${missing_optional
   done
 fi
 
-if [[ ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
+if [[ ${1:-} != --page && ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
   mkdir -p "$own_archives"
   (
     cd "$own_archives"

@@ -11,7 +11,7 @@
     scripts/mutate.py [--list] [--check] [--unchanged] [--first N] [NAME...]
 
 NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes hours of one core: only
-the named tests are compiled for each, at -O0. --check tells whether every pattern is still found, --unchanged
+the named tests are compiled for each, at -O0, by $CXX or clang++. --check tells whether every pattern is still found, --unchanged
 runs the tests of the selection on headers as they are (all have to pass), --first tries the first N.
 Exit code 1 if a change survives that is not expected to, or cannot be made.
 """
@@ -20,6 +20,7 @@ import argparse
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -30,6 +31,10 @@ TESTS = ROOT / "test" / "PN_subdivision_3"
 HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
 WORK = ROOT / "build" / "mutate"
 TIME_LIMIT = 600  # seconds of one test
+MEMORY_LIMIT = 4 << 30  # bytes, for wrong changes that do not end
+COMPILER = os.environ.get("CXX") or shutil.which("clang++") or "g++"  # clang++ takes half the time
+OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", f"-I{TESTS}", f"-I{TESTS}/support",
+           "-isystem", "/usr/include/eigen3"]
 
 
 def mutations():
@@ -46,22 +51,28 @@ def changed_text(mutation):
     return None if changed == text else changed
 
 
+def compile_references():
+    """The reference implementations, which include nothing of the package."""
+    for source in (TESTS / "reference").glob("*.cpp"):
+        subprocess.run([COMPILER, *OPTIONS, "-c", str(source), "-o", str(WORK / (source.stem + ".o"))], check=True)
+
+
 def compile_and_run(test, include):
     """What a test says of the headers in a folder: None if it passes, otherwise what failed."""
     program = WORK / test.replace("/", "_")
     program.unlink(missing_ok=True)
-    command = [os.environ.get("CXX", "g++"), "-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math",
-               f"-I{include}", f"-I{TESTS}", f"-I{TESTS}/support", "-isystem", "/usr/include/eigen3",
-               f'-DPN_DATA_DIR="{ROOT}/data/meshes"', f'-DPN_TEST_REAL_MESH_DIR="{WORK}"',
-               '-DPN_TEST_EXTRA_MESH_DIR=""', str(TESTS / (test + ".cpp")), "-o", str(program),
-               "-lgtest", "-lgtest_main", "-lmpfr", "-lgmp", "-lpthread"]
+    command = [COMPILER, *OPTIONS, f"-I{include}", f'-DPN_DATA_DIR="{ROOT}/data/meshes"',
+               f'-DPN_TEST_REAL_MESH_DIR="{WORK}"', '-DPN_TEST_EXTRA_MESH_DIR=""', str(TESTS / (test + ".cpp")),
+               *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest", "-lgtest_main", "-lmpfr", "-lgmp",
+               "-lpthread"]
     compilation = subprocess.run(command, capture_output=True, text=True)
     if compilation.returncode != 0:
         errors = [line for line in compilation.stderr.splitlines() if "error" in line]
         return "does not compile: " + (errors[0] if errors else compilation.stderr[:200])
     try:
         run = subprocess.run([program, "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, text=True,
-                             errors="replace", timeout=TIME_LIMIT)
+                             errors="replace", timeout=TIME_LIMIT,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT)))
     except subprocess.TimeoutExpired:
         return "does not end"
     if run.returncode == 0:
@@ -121,6 +132,7 @@ def main():
 
     shutil.rmtree(WORK, ignore_errors=True)
     shutil.copytree(ROOT / "include", WORK / "include")
+    compile_references()
     if options.unchanged:
         tests = sorted({test for m in selected for test in m["tests"]})
         results = {test: compile_and_run(test, WORK / "include") for test in tests}

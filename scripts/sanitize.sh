@@ -62,7 +62,8 @@ containers()
   g++ "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
   for name in "${programs[@]}"; do
     source=$(ls test/PN_subdivision_3/*/"$name".cpp)
-    local sources=("$source" "$(dirname "$source")/${name#test_}"_*.cpp) objects=()
+    local sources=("$source" "$(dirname "$source")/${name#test_}"_*.cpp test/PN_subdivision_3/reference/*.cpp)
+    local objects=()
     for source in "${sources[@]}"; do
       [[ -e $source ]] || continue
       objects+=("$folder/$(basename "$source" .cpp).o")

@@ -185,7 +185,7 @@ def oscillation(mesh: Refined, v: int) -> float:
 
 def extraordinary(number: str, folder: Path, control_vertices: int, regular: int) -> Numbers:
     """Only vertices at which the modified schemes differ in the paper, of more edges than regular."""
-    for name in ("linear", "modified", "PN_modified"):
+    for name in ("linear", "modified", "PN_modified", "PN_modified_1", "PN"):
         mesh = Refined(folder / f"{name}.ply")
         hubs = [v for v in range(control_vertices)
                 if len(mesh.neighbors[v]) > regular and not mesh.is_border(v)]

@@ -167,15 +167,29 @@ void add_repair_options(CLI::App& command, Surface_options& options)
                    "Split faces with more than three vertices before anything else");
 }
 
-void add_limit_options(CLI::App& command, Limit_choice& limit)
+void add_limit_options(CLI::App& command, Limit_choice& limit, const std::string& points)
 {
+  const std::string shape = limit.shape;
   command.add_flag("--limit", limit.points,
-                   "Put the vertices of the last level on the limit surface");
+                   "Put the " + points + " of the last level on the limit " + shape);
   command.add_option("--limit-tolerance", limit.tolerance,
                      "The largest estimated error of these points, as a part of the bounding box; "
                      "default 1e-9");
-  command.add_flag("--surface-normals", limit.normals,
-                   "Write the normals of the limit surface instead of the control normals");
+  command.add_flag("--" + shape + "-normals", limit.normals,
+                   "Write the normals of the limit " + shape + " instead of the control normals");
+}
+
+void add_pieces_options(CLI::App& command, Pieces_options& options)
+{
+  command.add_option("--memory", options.memory,
+                     "Refine and write piece by piece, so that a process takes no more than this, "
+                     "500M or 2G (.ply, .pvtp); under mpirun the ranks share the pieces");
+  command
+    .add_option("--pieces", options.pieces, "The same with so many pieces, instead of --memory")
+    ->transform(whole_number());
+  command.add_flag("--resume", options.resume,
+                   "Of refinement in pieces: if it is interrupted, keep what is written in "
+                   "OUTPUT.part, and continue that with the next --resume");
 }
 
 void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const std::string& what)
@@ -204,7 +218,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "cylinder:X,Y,Z,DX,DY,DZ");
   add_crease_options(surface, options.creases);
   add_interpolate(surface, options.interpolate, "The limit surface");
-  add_limit_options(surface, options.limit);
+  add_limit_options(surface, options.limit, "vertices");
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");
@@ -212,6 +226,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     ->transform(whole_number())
     ->capture_default_str();
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
+  add_pieces_options(surface, options.pieces);
   add_repair_options(surface, options);
   surface.add_flag("--drop-attributes", options.drop_attributes,
                    "Points, faces and normals only: texture coordinates, colors, materials, groups "
@@ -243,6 +258,7 @@ void add_curve_command(CLI::App& app, Curve_options& options)
                    "File with the numbers of the vertices, from 0 on, that are corners (primal "
                    "schemes)");
   add_interpolate(curve, options.interpolate, "The limit curve (bspline:3)");
+  add_limit_options(curve, options.limit, "points (of dual schemes the middles of the edges)");
   curve.add_option("--comb", options.comb,
                    "Draw curve, control polygon, control normals and curvature comb into this "
                    "SVG file");

@@ -8,6 +8,7 @@
 
 #include "command_line.h"
 #include "io/Error.h"
+#include "pieces/Ranks.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -23,6 +24,7 @@ namespace {
 
 int run(int argc, char** argv)
 {
+  ranks(); // before anything that they could fail in together
   const Command command = parse_command_line(argc, argv);
   if (const auto* surface = std::get_if<Surface_options>(&command))
     run_surface_command(*surface);
@@ -35,17 +37,12 @@ int report(std::string message, Exit_code code)
 {
   boost::algorithm::trim(message);
   boost::algorithm::replace_all(message, "\n", " ");
-  std::fprintf(stderr, "pn_subdivide: %s\n", message.c_str());
+  if (ranks().reports_failure()) std::fprintf(stderr, "pn_subdivide: %s\n", message.c_str());
   return code;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run_and_report(int argc, char** argv)
 {
-#ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN); // a file size limit is then an error in writing like a full disk
-#endif
   try {
     return run(argc, argv);
   } catch (const Usage_error& e) {
@@ -57,4 +54,16 @@ int main(int argc, char** argv)
   } catch (const std::exception& e) {
     return report(e.what(), exit_failure);
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN); // a file size limit is then an error in writing like a full disk
+#endif
+  const int code = run_and_report(argc, argv);
+  ranks().end(code);
+  return code;
 }

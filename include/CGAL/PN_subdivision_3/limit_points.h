@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -85,27 +86,6 @@ struct Limit_options
   /// how many rounds the call has done that made the mesh: the borders of \f$ \sqrt{3} \f$ depend on
   /// whether that is even, and modified schemes on whether it is before their first round; others do not.
   unsigned rounds_done = 0;
-};
-
-/// \ingroup PkgPNSubdivision3Limit
-/// What `limit_points()` has reached.
-struct Limit_report
-{
-  /// the largest estimated error of a limit point, in the unit of the coordinates.
-  double error = 0;
-  /// the largest estimated error of a surface normal, in radians.
-  double normal_error = 0;
-  /// the largest error that the options allow, in the unit of the coordinates.
-  double tolerance = 0;
-  /// how many limit points or surface normals are estimated not to meet their tolerances.
-  std::size_t number_of_misses = 0;
-  /// at how many vertices the control normal stands in for the surface normal.
-  std::size_t number_of_stand_ins = 0;
-  /// the most rounds of refinement that were done about a vertex.
-  unsigned depth = 0;
-
-  /// whether the estimated error is within the tolerance.
-  bool is_within_tolerance() const { return number_of_misses == 0; }
 };
 
 namespace internal {

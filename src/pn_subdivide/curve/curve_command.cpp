@@ -12,6 +12,7 @@
 #include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
 #include "curve/interpolate_curve.h"
+#include "curve/limit_curve.h"
 #include "io/Error.h"
 #include "io/Report.h"
 #include "io/curve_io.h"
@@ -155,15 +156,29 @@ void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
   if (!text.empty()) report.warn(title + ": " + text);
 }
 
+// On the limit curve, if that is asked for.
+void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule,
+                    const Limit_choice& choice, const std::string& title, Report& report)
+{
+  Limit_summary whole;
+  for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, choice));
+  report.note(whole.description(choice));
+  const std::string text = whole.warning();
+  if (!text.empty()) report.warn(title + ": " + text);
+}
+
+// finish(parts, rule) is called before they are joined
+template <class Finish>
 Refined_curve refined_parts(const std::vector<Curve_data>& parts, const Curve_rule& rule,
                             const std::vector<std::size_t>& corners, std::size_t size,
-                            unsigned levels)
+                            unsigned levels, const Finish& finish)
 {
   Refined_curve refined;
   Curve_rule part_rule = rule;
   if (!corners.empty()) part_rule.end = PN::Curve_end::reflect;
   for (const Curve_data& part : parts)
     refined.parts.push_back(refine_curve(part, part_rule, levels));
+  finish(refined.parts, part_rule);
   if (corners.empty()) {
     refined.whole = refined.parts.front();
     return refined;
@@ -239,6 +254,8 @@ void run_curve_command(const Curve_options& options)
   Report report(options.quiet);
   const Curve_rule rule = parse_rule(options);
   const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
+  require_consistent(options.limit);
+  require_limits_of_points(options.scheme, rule, options.limit);
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
@@ -258,9 +275,14 @@ void run_curve_command(const Curve_options& options)
     if (interpolation)
       interpolate_parts(parts, rule, corners, *interpolation, input_title(options), report);
     // normals of unit length, as the drawing shows them too
-    const Refined_curve control = refined_parts(parts, rule, corners, size, 0);
+    const auto keep = [](std::vector<Curve_data>&, const Curve_rule&) {};
+    const Refined_curve control = refined_parts(parts, rule, corners, size, 0, keep);
     polygon = control.whole;
-    Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels);
+    const auto finish = [&](std::vector<Curve_data>& curves, const Curve_rule& part_rule) {
+      if (options.limit.is_used())
+        move_to_limits(curves, part_rule, options.limit, input_title(options), report);
+    };
+    Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels, finish);
     if (verification) verification->measure(curve.whole);
     return curve;
   });

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_CURVE_COMMAND_H
 #define PN_SUBDIVIDE_CURVE_COMMAND_H
 
+#include "io/Limit_choice.h"
 #include "surface/Verify_options.h"
 
 #include <optional>
@@ -20,6 +21,7 @@ struct Curve_options
 {
   std::string input, output, scheme; // "-": standard input, output
   std::optional<std::string> normal_scheme, end, comb, sharp, interpolate;
+  Limit_choice limit{"curve", false, false, std::nullopt};
   Verify_options verify;
   unsigned levels = 1;
   bool closed = false, linear = false, quiet = false;

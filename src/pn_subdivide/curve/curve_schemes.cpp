@@ -14,7 +14,6 @@
 
 #include <charconv>
 #include <cstdint>
-#include <type_traits>
 
 namespace pn_subdivide {
 namespace {
@@ -68,20 +67,6 @@ void require_possible_size(std::size_t n, const Curve_rule& rule, unsigned level
   }
 }
 
-template <class Curve, class Function>
-Curve with_mask(const Curve_rule& rule, const Function& function)
-{
-  return std::visit(
-    [&](const auto& mask) {
-      if (rule.linear) return function(PN::linear(mask));
-      if (!rule.normal_scheme) return function(mask);
-      return std::visit(
-        [&](const auto& other) { return function(PN::with_normal_mask(mask, other)); },
-        rule.normal_scheme->mask);
-    },
-    rule.scheme.mask);
-}
-
 } // namespace
 
 std::string curve_scheme_names()
@@ -117,8 +102,7 @@ Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigne
   refined.has_normals = !rule.linear;
   std::visit(
     [&](const auto& points) {
-      using Curve = std::decay_t<decltype(points)>;
-      refined.points = with_mask<Curve>(rule, [&](const auto& mask) {
+      refined.points = with_mask(rule, [&](const auto& mask) {
         return PN::subdivide_curve(points, mask, rule.end,
                                    CGAL::parameters::number_of_iterations(levels));
       });

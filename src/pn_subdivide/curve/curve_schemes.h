@@ -43,6 +43,22 @@ struct Curve_rule
   CGAL::PN_subdivision_3::Curve_end end = CGAL::PN_subdivision_3::Curve_end::closed;
 };
 
+// function(mask) with the mask of a rule
+template <class Function>
+auto with_mask(const Curve_rule& rule, const Function& function)
+{
+  namespace PN = CGAL::PN_subdivision_3;
+  return std::visit(
+    [&](const auto& mask) {
+      if (rule.linear) return function(PN::linear(mask));
+      if (!rule.normal_scheme) return function(mask);
+      return std::visit(
+        [&](const auto& other) { return function(PN::with_normal_mask(mask, other)); },
+        rule.normal_scheme->mask);
+    },
+    rule.scheme.mask);
+}
+
 // The refined curve. Throws Error if it would have more points than can be numbered, and what the
 // library throws.
 Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels);

@@ -69,6 +69,15 @@ void Output_file::check(const std::string& file)
   if (file != "-") checked_status(real_target(file));
 }
 
+fs::path Output_file::regular_target(const std::string& file)
+{
+  const fs::path target = real_target(file);
+  const fs::file_status status = checked_status(target);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw Error("this is no file into which pieces can be written at their places");
+  return target;
+}
+
 // Made complete first, so that whatever is thrown from here on finds the destructor.
 Output_file::Output_file(const std::string& file)
   : Output_file()

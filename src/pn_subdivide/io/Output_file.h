@@ -33,6 +33,9 @@ public:
   // Throws Error if it can be seen without touching anything that the file cannot be written.
   static void check(const std::string& file);
 
+  // What a link leads to. Throws Error as check() does, and if the file is a device or a pipe.
+  static std::filesystem::path regular_target(const std::string& file);
+
   // Throws Error if the file cannot be written.
   explicit Output_file(const std::string& file);
   ~Output_file();

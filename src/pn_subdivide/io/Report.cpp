@@ -32,6 +32,7 @@ void Report::progress(const std::string& text) const
 
 void Report::print_warnings() const
 {
+  if (silent_) return;
   for (const std::string& w : warnings_) std::fprintf(stderr, "warning: %s\n", w.c_str());
 }
 

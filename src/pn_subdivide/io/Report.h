@@ -23,8 +23,10 @@ std::string enumeration(const std::vector<std::string>& names);
 class Report
 {
 public:
-  explicit Report(bool quiet)
-    : quiet_(quiet)
+  // One that is silent prints no warnings either: other processes do.
+  explicit Report(bool quiet, bool silent = false)
+    : quiet_(quiet || silent)
+    , silent_(silent)
     , start_(std::chrono::steady_clock::now())
   {}
 
@@ -42,7 +44,7 @@ public:
   void print_notes() const;
 
 private:
-  bool quiet_;
+  bool quiet_, silent_;
   std::chrono::steady_clock::time_point start_;
   std::vector<std::string> warnings_, notes_;
 };

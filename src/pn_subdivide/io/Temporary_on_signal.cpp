@@ -28,20 +28,46 @@ namespace {
 struct Slot
 {
   char file[4096];
+  std::size_t pieces; // files in it if it is a folder, otherwise 0
   std::atomic<bool> is_used{false};
 };
 Slot slots[4];
 
+// All of it may be called in the handler of a signal.
+void remove_file(const char* file)
+{
+#if __has_include(<unistd.h>)
+  ::unlink(file);
+#else
+  std::remove(file);
+#endif
+}
+
+void remove_folder(const Slot& slot)
+{
+  static char file[sizeof slot.file + 40];
+  const std::size_t length = std::strlen(slot.file);
+  std::memcpy(file, slot.file, length);
+  std::memcpy(file + length, "/piece_", 7);
+  for (std::size_t i = 0; i < slot.pieces; ++i) {
+    char* end = file + length + 7;
+    std::size_t divisor = 1;
+    while (i / divisor >= 10) divisor *= 10;
+    for (; divisor > 0; divisor /= 10) *end++ = static_cast<char>('0' + i / divisor % 10);
+    std::memcpy(end, ".vtp", 5);
+    remove_file(file);
+  }
+#if __has_include(<unistd.h>)
+  ::rmdir(slot.file);
+#endif
+}
+
 extern "C" void remove_temporaries(int signal)
 {
-  for (Slot& slot : slots)
-    if (slot.is_used.load()) {
-#if __has_include(<unistd.h>)
-      ::unlink(slot.file);
-#else
-      std::remove(slot.file);
-#endif
-    }
+  for (const Slot& slot : slots)
+    if (slot.is_used.load() && slot.pieces == 0) remove_file(slot.file);
+  for (const Slot& slot : slots)
+    if (slot.is_used.load() && slot.pieces != 0) remove_folder(slot);
   std::signal(signal, SIG_DFL);
   std::raise(signal); // ends the program in the way that the caller expects
 }
@@ -62,7 +88,7 @@ void install_handlers()
 
 } // namespace
 
-Temporary_on_signal::Temporary_on_signal(const std::string& file)
+Temporary_on_signal::Temporary_on_signal(const std::string& file, std::size_t pieces)
 {
   static const bool installed = (install_handlers(), true);
   (void)installed;
@@ -70,6 +96,7 @@ Temporary_on_signal::Temporary_on_signal(const std::string& file)
   for (slot_ = 0; slot_ < std::size(slots); ++slot_)
     if (!slots[slot_].is_used) {
       std::memcpy(slots[slot_].file, file.c_str(), file.size() + 1);
+      slots[slot_].pieces = pieces;
       slots[slot_].is_used = true;
       return;
     }

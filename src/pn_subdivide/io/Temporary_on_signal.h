@@ -19,7 +19,11 @@ namespace pn_subdivide {
 class Temporary_on_signal
 {
 public:
-  explicit Temporary_on_signal(const std::string& file);
+  explicit Temporary_on_signal(const std::string& file)
+    : Temporary_on_signal(file, 0)
+  {}
+  // A folder with files piece_0.vtp, piece_1.vtp, ..., of which some may be there.
+  Temporary_on_signal(const std::string& folder, std::size_t pieces);
   ~Temporary_on_signal();
   Temporary_on_signal(const Temporary_on_signal&) = delete;
   Temporary_on_signal& operator=(const Temporary_on_signal&) = delete;

@@ -70,9 +70,16 @@ public:
 
   void triples(const char* name, const std::vector<Triple>& values)
   {
-    array_tag("Float64", name, 3, 24 * values.size(), [this, &values] {
-      for (const Triple& t : values)
+    triples(name, values.size(), [&values](std::size_t i) { return values[i]; });
+  }
+  // triple(i), which must stay until end() has been called
+  void triples(const char* name, std::size_t number, std::function<Triple(std::size_t)> triple)
+  {
+    array_tag("Float64", name, 3, 24 * number, [this, number, triple = std::move(triple)] {
+      for (std::size_t n = 0; n < number; ++n) {
+        const Triple t = triple(n);
         for (std::size_t i = 0; i < 3; ++i) value<double>(t[i], i == 2);
+      }
     });
   }
 

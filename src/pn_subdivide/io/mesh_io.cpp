@@ -40,7 +40,9 @@ const Format formats[] = {{"ply", read_ply, write_ply, not_held_by_ply, true, tr
                           {"off", read_off, write_off, not_held_by_off, false, true, false, true},
                           {"obj", read_obj, write_obj, not_held_by_obj, false, true, true, true},
                           {"stl", read_stl, write_stl, not_held_by_stl, false, false, false, false},
-                          {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, false, true}};
+                          {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, false, true},
+                          // written piece by piece only
+                          {"pvtp", nullptr, nullptr, not_held_by_vtp, false, true, false, true}};
 
 bool is_readable(const Format& format)
 {

@@ -7,10 +7,12 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Held_attributes.h"
+#include "io/Ply_shape.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -37,7 +39,10 @@ struct Ply_content
       if (m.face(f).size() > (has_texture ? 127u : 255u)) has_short_lists = false;
   }
 
-  bool fits_int() const { return mesh.points.size() <= 0x7fffffffu; }
+  Ply_shape shape() const
+  {
+    return {mesh.points.size(), mesh.number_of_faces(), mesh.has_normals(), has_short_lists};
+  }
 
   // Two numbers for each corner of a face, or none if a corner has none.
   void read_texture(std::size_t f, std::vector<double>& numbers) const
@@ -70,43 +75,50 @@ struct Ply_content
   }
 };
 
-void write_comments(Output_file& out, const Attributes& attributes)
+std::string comments(const Attributes& attributes)
 {
+  std::string text;
   for (const std::string& file : attributes.texture_files)
-    out.text("comment TextureFile " + file + "\n");
-  for (const std::string& file : attributes.material_files)
-    out.text("comment mtllib " + file + "\n");
+    text += "comment TextureFile " + file + "\n";
+  for (const std::string& file : attributes.material_files) text += "comment mtllib " + file + "\n";
   for (const Column& column : attributes.of_faces)
     for (std::size_t i = 0; i < column.words.size(); ++i)
-      out.text("comment " + column.name + " " + std::to_string(i) + " " + column.words[i] + "\n");
+      text += "comment " + column.name + " " + std::to_string(i) + " " + column.words[i] + "\n";
+  return text;
 }
 
-void write_properties(Output_file& out, const Column_group& columns)
+std::string properties(const Column_group& columns)
 {
+  std::string text;
   for (const Column* column : columns)
-    out.text(std::string("property ") + traits(column->type).ply + " " + column->name + "\n");
+    text += std::string("property ") + traits(column->type).ply + " " + column->name + "\n";
+  return text;
+}
+
+// `extra` is text of the attributes: comments, properties of vertices, properties of faces.
+std::string header(const Ply_shape& shape, Encoding encoding,
+                   const std::array<std::string, 3>& extra)
+{
+  std::string text = encoding == Encoding::text ? "ply\nformat ascii 1.0\n"
+                                                : "ply\nformat binary_little_endian 1.0\n";
+  text += "comment written by pn_subdivide\n" + extra[0];
+  text += "element vertex " + std::to_string(shape.vertices);
+  text += "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (shape.has_normals) text += "property double nx\nproperty double ny\nproperty double nz\n";
+  text += extra[1] + "element face " + std::to_string(shape.faces);
+  text += "\n" + shape.list() + (shape.fits_int() ? "int" : "uint") + " vertex_indices\n";
+  return text + extra[2] + "end_header\n";
 }
 
 void write_header(Output_file& out, const Ply_content& content, Encoding encoding)
 {
-  const Mesh_data& mesh = content.mesh;
-  const std::string list = content.has_short_lists ? "property list uchar " : "property list uint ";
-  out.text(encoding == Encoding::text ? "ply\nformat ascii 1.0\n"
-                                      : "ply\nformat binary_little_endian 1.0\n");
-  out.text("comment written by pn_subdivide\n");
-  write_comments(out, mesh.attributes);
-  out.text("element vertex ");
-  write_count(out, mesh.points.size());
-  out.text("\nproperty double x\nproperty double y\nproperty double z\n");
-  if (mesh.has_normals()) out.text("property double nx\nproperty double ny\nproperty double nz\n");
-  write_properties(out, content.of_vertices);
-  out.text("element face ");
-  write_count(out, mesh.number_of_faces());
-  out.text("\n" + list + (content.fits_int() ? "int" : "uint") + " vertex_indices\n");
-  write_properties(out, content.of_faces);
+  const Attributes& attributes = content.mesh.attributes;
+  const Ply_shape shape = content.shape();
+  std::string of_faces = properties(content.of_faces);
   if (content.has_texture)
-    out.text(list + traits(mesh.attributes.texture_type).ply + " texcoord\n");
-  out.text("end_header\n");
+    of_faces += shape.list() + traits(attributes.texture_type).ply + " texcoord\n";
+  out.text(
+    header(shape, encoding, {comments(attributes), properties(content.of_vertices), of_faces}));
 }
 
 void write_triple_in_binary(Output_file& out, const Triple& t)
@@ -172,6 +184,11 @@ void write_in_text(Output_file& out, const Ply_content& content)
 std::vector<std::string> not_held_by_ply(const Mesh_data& mesh)
 {
   return Ply_content(mesh).lost_texture();
+}
+
+std::string ply_header(const Ply_shape& shape)
+{
+  return header(shape, Encoding::binary, {});
 }
 
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)

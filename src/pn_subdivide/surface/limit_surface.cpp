@@ -11,8 +11,6 @@
 #include "io/Error.h"
 #include "surface/limit.h"
 
-#include <cmath>
-#include <cstdio>
 #include <type_traits>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -21,8 +19,6 @@
 
 namespace pn_subdivide {
 namespace {
-
-constexpr double degrees = 57.29577951308232; // a radian
 
 Limit_report limits_of(Surface& surface, const Scheme_choice& choice, Limit_map limits,
                        const Limit_options& options)
@@ -50,14 +46,6 @@ void write_limits(Surface& surface, Limit_map limits, const Limit_choice& choice
 
 } // namespace
 
-void require_consistent(const Limit_choice& choice)
-{
-  if (!choice.tolerance) return;
-  if (!choice.points) throw Usage_error("--limit-tolerance is for --limit, which is not given");
-  if (!(*choice.tolerance > 0) || !std::isfinite(*choice.tolerance))
-    throw Usage_error("--limit-tolerance must be greater than 0");
-}
-
 void require_limit_of_vertices(const std::string& scheme, const Limit_choice& choice)
 {
   if (!choice.is_used()) return;
@@ -68,37 +56,6 @@ void require_limit_of_vertices(const std::string& scheme, const Limit_choice& ch
     throw Usage_error(std::string(choice.points ? "--limit" : "--surface-normals") +
                       ": the limit points of " + scheme +
                       " belong to the faces, not to the vertices; take another scheme");
-}
-
-std::string Limit_summary::description(const Limit_choice& choice) const
-{
-  char text[200];
-  const double of_box = box > 0 ? error / box : 0;
-  std::snprintf(text, sizeof text, "limit points: estimated error %.2g (%.2g of the box), %u %s",
-                error, of_box, depth, depth == 1 ? "round" : "rounds");
-  std::string s = choice.points ? text : "";
-  if (choice.normals) {
-    std::snprintf(text, sizeof text, "surface normals: estimated error %.2g degrees",
-                  normal_error * degrees);
-    s += (s.empty() ? "" : "; ") + std::string(text);
-    if (stand_ins > 0)
-      s += ", control normals at " + std::to_string(stand_ins) +
-           (stand_ins == 1 ? " vertex" : " vertices") + " where the scheme tells of none";
-  }
-  return s;
-}
-
-std::string Limit_summary::warning() const
-{
-  if (misses == 0) return {};
-  char text[200];
-  std::snprintf(
-    text, sizeof text,
-    "the tolerance of the limit is missed at %zu %s; estimated errors: points %.2g (%.2g "
-    "of the box, tolerance %.2g), normals %.2g degrees",
-    misses, misses == 1 ? "vertex" : "vertices", error, box > 0 ? error / box : 0,
-    box > 0 ? tolerance / box : 0, normal_error * degrees);
-  return text;
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
@@ -115,15 +72,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
   const Limit_report report = limits_of(surface, scheme, limits, options);
   write_limits(surface, limits, choice);
   surface.remove_property_map(limits);
-  Limit_summary summary;
-  summary.error = report.error;
-  summary.tolerance = report.tolerance;
-  summary.box = report.tolerance / options.tolerance;
-  summary.normal_error = report.normal_error;
-  summary.misses = report.number_of_misses;
-  summary.stand_ins = report.number_of_stand_ins;
-  summary.depth = report.depth;
-  return summary;
+  return {report, report.tolerance / options.tolerance};
 }
 
 } // namespace pn_subdivide

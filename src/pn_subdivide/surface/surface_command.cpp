@@ -12,6 +12,8 @@
 #include "io/Report.h"
 #include "io/file_references.h"
 #include "io/mesh_io.h"
+#include "pieces/Ranks.h"
+#include "pieces/pieces_command.h"
 #include "surface/Bounding_box.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
@@ -81,6 +83,7 @@ Plan make_plan(const Surface_options& options)
             std::nullopt,
             1};
   require_consistent(options);
+  if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
@@ -282,48 +285,86 @@ void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& re
                 " files cannot hold it: " + enumeration(names));
 }
 
+std::string rounds_of(const Plan& plan, const Surface_options& options, const Scheme_choice& scheme,
+                      bool has_normals)
+{
+  const bool is_linear = !has_normals || plan.normals.source == Normals_option::Source::none;
+  return std::to_string(options.levels) + (options.levels == 1 ? " round of " : " rounds of ") +
+         (is_linear ? "linear " : "") + scheme.scheme;
+}
+
+std::string time_of(const Report& report)
+{
+  char time[40];
+  std::snprintf(time, sizeof time, ", %.2f s", report.seconds());
+  return time;
+}
+
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                          const Scheme_choice& scheme, const std::string& normals,
                          const Creases& creases, const Report& report)
 {
-  const bool is_linear = !mesh.has_normals() || plan.normals.source == Normals_option::Source::none;
-  std::string s =
-    plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
-    std::to_string(options.levels) + (options.levels == 1 ? " round of " : " rounds of ") +
-    (is_linear ? "linear " : "") + scheme.scheme + ", " + normals + creases.description();
+  std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
+                  rounds_of(plan, options, scheme, mesh.has_normals()) + ", " + normals +
+                  creases.description();
   if (mesh.has_normals() && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
-  char time[40];
-  std::snprintf(time, sizeof time, ", %.2f s", report.seconds());
-  return s + time;
+  return s + time_of(report);
+}
+
+void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
+                     const Scheme_choice& scheme, const std::string& normals, Report& report)
+{
+  const unsigned number = ranks().number();
+  const std::string pieces =
+    std::to_string(job.pieces->number()) + (job.pieces->number() == 1 ? " piece" : " pieces") +
+    (number == 1 ? "" : ", shared by " + std::to_string(number) + " ranks");
+  const Any_pieces::Size& size = job.pieces->size();
+  if (size.faces >= faces_worth_a_report)
+    report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
+                    " faces, " + pieces);
+  write_pieces(job, plan.output, plan.threads, report);
+  report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
+              std::to_string(size.faces) + " faces, " +
+              rounds_of(plan, options, scheme, job.has_normals) + ", " + normals + ", " + pieces +
+              time_of(report));
+  report.print_warnings();
+  report.print_notes();
 }
 
 } // namespace
 
 void run_surface_command(const Surface_options& options)
 {
-  Report report(options.quiet);
+  Report report(options.quiet, ranks().rank() != 0);
   Plan plan = make_plan(options);
   const std::string input = plan.input.title("standard input");
   Mesh_data mesh;
   Scheme_choice scheme;
   std::string normals;
   Creases creases;
+  Pieces_job pieces;
+  const bool in_pieces = is_in_pieces(options, plan.output);
   try {
     mesh = read_control_mesh(plan.input, options, report);
     scheme = chosen_scheme(mesh, options.scheme);
-    if (options.levels > 0 || options.limit.is_used() || plan.interpolation)
+    if (options.levels > 0 || options.limit.is_used() || plan.interpolation || in_pieces)
       require_faces_for_scheme(mesh, scheme);
     require_limit_of_vertices(scheme.scheme, options.limit);
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
     require_limit_without_creases(creases, options.limit);
     require_interpolation_without_creases(creases, plan);
+    if (in_pieces) require_mesh_for_pieces(mesh, creases);
     const bool has_file_normals = mesh.has_normals();
     normals = set_normals(mesh, plan, creases, report);
-    const Bounding_box control(mesh.points);
-    process(mesh, plan, options, scheme, creases, has_file_normals, report);
-    if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
+    if (in_pieces)
+      pieces = make_pieces_job(std::move(mesh), options, scheme);
+    else {
+      const Bounding_box control(mesh.points);
+      process(mesh, plan, options, scheme, creases, has_file_normals, report);
+      if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
+    }
     if (plan.verification) plan.verification->measure(mesh.points);
   } catch (const Usage_error&) {
     throw;
@@ -333,6 +374,7 @@ void run_surface_command(const Surface_options& options)
     const std::string what = e.what();
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
+  if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, report);
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "pieces/Pieces_options.h"
 #include "surface/Crease_options.h"
 #include "surface/Verify_options.h"
 #include "surface/limit_surface.h"
@@ -31,6 +32,7 @@ struct Surface_options
   Crease_options creases;
   Limit_choice limit;
   Verify_options verify;
+  Pieces_options pieces;
   bool merge_points = false, repair = false, triangulate = false;
   bool drop_attributes = false;
   bool ascii = false, quiet = false;

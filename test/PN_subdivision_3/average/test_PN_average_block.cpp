@@ -149,11 +149,11 @@ TYPED_TEST(PN_average_block, BlocksWithOppositeAndMissingNormalsAreRowsOneByOne)
   compare_blocks<TypeParam>(some_values<TypeParam>(40, 6), 65536 * this->epsilon);
 }
 
-template <int dimension>
-std::vector<PN::Point_normal<double, dimension>> some_values_of(std::size_t n, std::size_t wild)
+template <class FT, int dimension>
+std::vector<PN::Point_normal<FT, dimension>> some_values_of(std::size_t n, std::size_t wild)
 {
-  std::vector<PN::Point_normal<double, dimension>> values;
-  for (const auto& v : some_values<double>(n, wild)) {
+  std::vector<PN::Point_normal<FT, dimension>> values;
+  for (const auto& v : some_values<FT>(n, wild)) {
     values.emplace_back();
     for (std::size_t c = 0; c < dimension; ++c) {
       values.back().point[c] = v.point[c];
@@ -164,19 +164,19 @@ std::vector<PN::Point_normal<double, dimension>> some_values_of(std::size_t n, s
 }
 
 // The wide block against the narrow one: rows of any length and number, runs that end anywhere.
-template <int dimension>
+template <class FT, int dimension>
 void expect_same_bits(std::size_t wild)
 {
-  using Block = typename PN::internal::Block_of<PN::PN_average<double, dimension>>::type;
-  const auto old = some_values_of<dimension>(40, wild);
+  using Block = typename PN::internal::Block_of<PN::PN_average<FT, dimension>>::type;
+  const auto old = some_values_of<FT, dimension>(40, wild);
   for (std::size_t length = 1; length <= 64; ++length)
-    for (std::size_t number = 1; number <= PN::internal::block_size_v<double>; ++number)
+    for (std::size_t number = 1; number <= PN::internal::block_size_v<FT>; ++number)
       for (bool any_length : {false, true}) {
         // of few lengths, so that there are runs
         const std::size_t longest = any_length ? 1 + length % 3 : length;
-        const auto rows = some_rows<double>(number, longest, any_length, old.size());
+        const auto rows = some_rows<FT>(number, longest, any_length, old.size());
         const auto wide = block_of_rows<Block>(rows, old);
-        const auto narrow = block_of_rows<Narrow_block<double, dimension>>(rows, old);
+        const auto narrow = block_of_rows<Narrow_block<FT, dimension>>(rows, old);
         for (std::size_t r = 0; r < number; ++r) {
           ASSERT_EQ(wide[r].point, narrow[r].point) << r << " of " << number << " x " << length;
           ASSERT_EQ(wide[r].normal, narrow[r].normal) << r << " of " << number << " x " << length;
@@ -184,12 +184,13 @@ void expect_same_bits(std::size_t wild)
       }
 }
 
+template <class FT>
 bool differs_by_design()
 {
 #if defined(__FMA__) // the compiler fuses operations as it likes
   return true;
 #else
-  using Wide = PN::internal::Wide_PN_average<double, 3>;
+  using Wide = PN::internal::Wide_PN_average<FT, 3>;
   if constexpr (Wide::maximum_length == 0)
     return true;
   else
@@ -197,18 +198,18 @@ bool differs_by_design()
 #endif
 }
 
-TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOne)
+TYPED_TEST(PN_average_block, OfWideRegistersHasTheBitsOfTheNarrowOne)
 {
-  if (differs_by_design()) GTEST_SKIP() << "no wide registers, or fused operations";
-  expect_same_bits<2>(0);
-  expect_same_bits<3>(0);
+  if (differs_by_design<TypeParam>()) GTEST_SKIP() << "no wide registers, or fused operations";
+  expect_same_bits<TypeParam, 2>(0);
+  expect_same_bits<TypeParam, 3>(0);
 }
 
-TEST(Wide_PN_average_block, HasTheBitsOfTheNarrowOneWithOppositeAndMissingNormals)
+TYPED_TEST(PN_average_block, OfWideRegistersHasTheBitsOfTheNarrowOneWithOppositeAndMissingNormals)
 {
-  if (differs_by_design()) GTEST_SKIP() << "no wide registers, or fused operations";
-  expect_same_bits<2>(6);
-  expect_same_bits<3>(6);
+  if (differs_by_design<TypeParam>()) GTEST_SKIP() << "no wide registers, or fused operations";
+  expect_same_bits<TypeParam, 2>(6);
+  expect_same_bits<TypeParam, 3>(6);
 }
 
 // What programs that trap floating point exceptions rely on.

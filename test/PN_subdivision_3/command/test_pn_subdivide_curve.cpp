@@ -421,3 +421,78 @@ TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhatWasDone)
   EXPECT_NE(said("--linear").find("no normals"), std::string::npos);
   EXPECT_EQ(said("--quiet"), "");
 }
+
+// --- limits ---
+
+TEST_F(Pn_subdivide_curve, LinearLimitsAsComputedByHand)
+{
+  const std::string polygon = "0 0\n6 0\n6 6\n0 6\n";
+  expect_rows(numbers(refined(polygon, "--closed --scheme bspline:3 --linear --levels 0 --limit")),
+              {{1, 1}, {5, 1}, {5, 5}, {1, 5}}, 1e-14);
+  // of dual schemes the middles of the edges
+  expect_rows(numbers(refined(polygon, "--closed --scheme chaikin --linear --levels 0 --limit")),
+              {{3, 0}, {6, 3}, {3, 6}, {0, 3}}, 1e-14);
+  const double r = std::sqrt(.5);
+  expect_rows(numbers(refined(polygon, "--closed --scheme bspline:3 --linear --levels 0 --limit "
+                                       "--curve-normals")),
+              {{1, 1, -r, -r}, {5, 1, r, -r}, {5, 5, r, r}, {1, 5, -r, r}}, 1e-14);
+}
+
+TEST_F(Pn_subdivide_curve, LimitsAreTheSameAtEveryLevel)
+{
+  const std::string polygon = "0 0\n2 0\n3 1\n3 3\n1 4\n0 2\n";
+  for (const char* scheme : {"bspline:3", "bspline:5", "4-point"})
+    for (const char* how : {" --closed", "", " --sharp corners.txt"}) {
+      const std::string corners = folder.write("corners.txt", "2 3\n");
+      std::string options = std::string("--limit --curve-normals --scheme ") + scheme + how;
+      if (const auto at = options.find("corners.txt"); at != std::string::npos)
+        options.replace(at, 11, "'" + corners + "'");
+      const Rows coarse = numbers(refined(polygon, options + " --levels 0"));
+      const Rows fine = numbers(refined(polygon, options + " --levels 3"));
+      ASSERT_EQ(coarse.size(), 6u);
+      for (std::size_t i = 0; i < coarse.size(); ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+          EXPECT_NEAR(coarse[i][j], fine.at(8 * i)[j], j < 2 ? 1e-8 : 2e-3) << options << i;
+    }
+}
+
+TEST_F(Pn_subdivide_curve, NormalsOfTheCurveWithoutItsPoints)
+{
+  const std::string polygon = "0 0\n2 0\n3 1\n3 3\n";
+  const std::string options = "--scheme bspline:3 --levels 2";
+  const Rows control = numbers(refined(polygon, options));
+  const Rows normals = numbers(refined(polygon, options + " --curve-normals"));
+  const Rows both = numbers(refined(polygon, options + " --curve-normals --limit"));
+  ASSERT_EQ(normals.size(), control.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    EXPECT_EQ(normals[i][0], control[i][0]);
+    EXPECT_EQ(normals[i][2], both[i][2]);
+  }
+  EXPECT_NE(normals[2][2], control[2][2]);
+}
+
+TEST_F(Pn_subdivide_curve, SaysHowCloseTheLimitIs)
+{
+  const std::string input = folder.write("p.txt", "0 0\n1 0\n1 1\n3 2\n"),
+                    output = folder.file("c.txt");
+  const auto said = [&](const std::string& options) {
+    return run("curve '" + input + "' '" + output + "' --scheme bspline:3 " + options).err;
+  };
+  const std::string all = said("--limit --curve-normals");
+  EXPECT_NE(all.find("limit points: estimated error"), std::string::npos) << all;
+  EXPECT_NE(all.find("curve normals: estimated error"), std::string::npos) << all;
+  EXPECT_EQ(said("--curve-normals").find("limit points"), std::string::npos);
+  EXPECT_NE(said("--limit --limit-tolerance 1e-30").find("the tolerance of the limit is missed"),
+            std::string::npos);
+}
+
+TEST_F(Pn_subdivide_curve, LimitsThatCannotBe)
+{
+  expect_failure(square, "--scheme bspline:3 --limit-tolerance 1e-6", 2, "--limit-tolerance");
+  expect_failure(square, "--scheme bspline:3 --limit --limit-tolerance 0", 2, "greater than 0");
+  expect_failure(square, "--scheme bspline:3 --surface-normals", 2, "--surface-normals");
+  expect_failure(square, "--scheme chaikin --curve-normals", 2, "belong to the edges");
+  expect_failure(square, "--scheme bspline:3 --end none --curve-normals", 2, "--end none");
+  expect_failure("0 0 0\n1 0 0\n1 1 1\n", "--scheme bspline:3 --linear --limit --curve-normals", 1,
+                 "in space");
+}

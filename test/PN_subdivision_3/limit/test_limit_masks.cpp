@@ -259,9 +259,11 @@ TEST(Limit_estimates, AreNoLessThanTheErrors)
     if (!test_meshes::is_closed(control)) continue;
     expect_honest_estimates(PN::CatmullClark_scheme(), control);
     expect_honest_estimates(PN::modified_CatmullClark_scheme(), control);
+    expect_honest_estimates(PN::ct_CatmullClark_scheme(), control);
     if (!test_meshes::all_faces_have_degree(control, 3)) continue;
     expect_honest_estimates(PN::Loop_scheme(), control);
     expect_honest_estimates(PN::modified_Loop_scheme(), control);
+    expect_honest_estimates(PN::ct_Loop_scheme(), control);
     expect_honest_estimates(PN::Sqrt3_scheme(), control);
   }
 }

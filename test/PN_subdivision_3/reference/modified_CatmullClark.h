@@ -40,7 +40,7 @@ inline const Matrix& modified_catmull_clark_ring(int n, Real cap)
   static std::map<std::pair<int, Real>, Matrix> rings;
   Matrix& ring = rings[{n, cap}];
   if (ring.size() == 0)
-    ring = Tuned_ring(catmull_clark_ring(n), n, 2, cap, n == 3 ? Real(0.5) : Real(0)).matrix();
+    ring = tuned_ring(catmull_clark_ring(n), n, 2, cap, n == 3 ? Real(0.5) : Real(0));
   return ring;
 }
 

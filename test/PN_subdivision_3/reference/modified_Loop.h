@@ -36,8 +36,7 @@ inline const Matrix& modified_loop_ring(int n, Real cap)
 {
   static std::map<std::pair<int, Real>, Matrix> rings;
   Matrix& ring = rings[{n, cap}];
-  if (ring.size() == 0)
-    ring = Tuned_ring(loop_ring(n), n, 1, cap, n <= 4 ? Real(0.5) : Real(0)).matrix();
+  if (ring.size() == 0) ring = tuned_ring(loop_ring(n), n, 1, cap, n <= 4 ? Real(0.5) : Real(0));
   return ring;
 }
 

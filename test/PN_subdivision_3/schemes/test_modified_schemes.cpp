@@ -10,6 +10,7 @@
 // of the 1-ring, rows known from hand, all valences and caps.
 
 #include "Modified_rings.h"
+#include "reference/Complex_matrix.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3/subdivision_matrix.h>

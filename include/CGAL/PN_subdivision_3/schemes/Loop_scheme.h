@@ -105,6 +105,8 @@ struct Loop_scheme
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "loop"; }
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
+  static constexpr unsigned ghost_rings = 1;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;

@@ -128,6 +128,8 @@ struct Sqrt3_scheme
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "sqrt3"; }
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
+  static constexpr unsigned ghost_rings = 2;
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>

@@ -319,6 +319,8 @@ public:
 
   /// the name of the scheme, as in the command `pn_subdivide`.
   static constexpr const char* name() { return "modified-catmull-clark"; }
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
+  static constexpr unsigned ghost_rings = 3;
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "cap"; }
   /// the default cap.

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -94,6 +95,16 @@ double dense_row_entries([[maybe_unused]] const Level_connectivity& level,
     return 0;
 }
 
+// how many rings of faces around its own a piece needs to be refined without the rest, 0 if the scheme
+// does not tell
+template <class Scheme, class = void>
+struct Ghost_rings : std::integral_constant<unsigned, 0>
+{};
+template <class Scheme>
+struct Ghost_rings<Scheme, std::void_t<decltype(Scheme::ghost_rings)>>
+  : std::integral_constant<unsigned, Scheme::ghost_rings>
+{};
+
 template <class Scheme, class = void>
 struct Is_adaptor : std::false_type
 {};
@@ -139,6 +150,7 @@ struct Scheme_adaptor
   static constexpr bool has_normal_mask = internal::Has_normal_mask<Scheme>::value;
   /// whether a round transfers curvature to the normals.
   static constexpr bool transfers_curvature = internal::Has_curvature_transfer<Scheme>::value;
+  static constexpr unsigned ghost_rings = internal::Ghost_rings<Scheme>::value;
 
   /// the mask of a round, that of the adapted scheme.
   template <class FT>
@@ -213,6 +225,11 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
   /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = true;
+  static constexpr unsigned ghost_rings =
+    internal::Ghost_rings<Scheme>::value == 0 || internal::Ghost_rings<Normal_scheme>::value == 0
+      ? 0
+      : (std::max)(internal::Ghost_rings<Scheme>::value,
+                   internal::Ghost_rings<Normal_scheme>::value);
 
   /// the mask of the normals in a round.
   template <class FT>

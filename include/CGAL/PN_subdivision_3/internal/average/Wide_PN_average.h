@@ -10,18 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_WIDE_PN_AVERAGE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/Avx2_lanes.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 
 #include <cstddef>
 #include <cstdint>
-
-// g++ and clang++. On Windows the stack is aligned for 16 bytes, and wide registers spilled there
-// crash (MinGW).
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(_WIN32) && !defined(__CYGWIN__) &&        \
-  !defined(CGAL_PN_SUBDIVISION_3_NO_AVX2)
-#  include <immintrin.h>
-#  define CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
-#endif
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -43,27 +36,31 @@ constexpr FT least_squared_length() // of a normal that is too short
 
 // The PN averages of rows of the same length side by side in the lanes of wide registers. For this
 // number type and compiler there are none.
-template <class FT, int dimension>
+template <class FT, int dimension, bool has_lanes = (Avx2_lanes<FT>::width > 0)>
 struct Wide_PN_average
 {
   static constexpr std::size_t maximum_length = 0;
 };
 
 #ifdef CGAL_PN_SUBDIVISION_3_HAS_AVX2_FUNCTIONS
-// Four doubles to a register. Whether the processor has AVX2 is asked at run time, so that programs
-// built for any x86-64 gain a third. Every row is summed in the order of Staged_PN_average_block:
-// the results are the same bit by bit, unless the whole program is built for processors with FMA and
-// the compiler fuses operations as it likes.
-template <int dimension>
-class Wide_PN_average<double, dimension>
+// Whether the processor has AVX2 is asked at run time, so that programs built for any x86-64 gain a
+// third. Every row is summed in the order of Staged_PN_average_block: the results are the same bit by
+// bit, unless the whole program is built for processors with FMA and the compiler fuses operations as
+// it likes.
+template <class FT, int dimension>
+class Wide_PN_average<FT, dimension, true>
 {
+  using Lanes = Avx2_lanes<FT>;
+  using Packed = typename Lanes::Packed;
+  static constexpr std::size_t width = Lanes::width;
+
 public:
-  using Entry = Stencil_block<double>::Entry;
-  using Value = Point_normal<double, dimension>;
+  using Entry = typename Stencil_block<FT>::Entry;
+  using Value = Point_normal<FT, dimension>;
 
   static constexpr std::size_t maximum_length = 32;
   // four registers of rows hide the latency of square root and division
-  static constexpr std::size_t maximum_number_of_rows = 16;
+  static constexpr std::size_t maximum_number_of_rows = 4 * width;
 
   static bool is_available() { return __builtin_cpu_supports("avx2"); }
 
@@ -75,30 +72,29 @@ public:
                                                        std::size_t number, const Stored_value* old,
                                                        Value* result)
   {
-    static_assert(sizeof(Entry) == 16 && sizeof(Stored_value) == std::size_t(16) * dimension);
-    Old entries[maximum_length * maximum_number_of_rows / 4];
-    Sums sums[maximum_number_of_rows / 4];
-    const std::size_t groups = (number + 3) / 4;
+    constexpr std::size_t pair = 2 * sizeof(FT);
+    static_assert(sizeof(Entry) == pair && sizeof(Stored_value) == pair * dimension);
+    Old entries[maximum_length * maximum_number_of_rows / width];
+    Sums sums[maximum_number_of_rows / width];
+    const std::size_t groups = (number + width - 1) / width;
     for (std::size_t g = 0; g < groups; ++g) {
-      const Entry* row[4];
-      for (std::size_t i = 0; i < 4; ++i) row[i] = rows + row_of_lane(g, i, number) * length;
+      const Entry* row[width];
+      for (std::size_t i = 0; i < width; ++i) row[i] = rows + row_of_lane(g, i, number) * length;
       sum(row, length, old, entries + g * length, sums[g]);
     }
     for (std::size_t g = 0; g < groups; ++g)
-      sums[g].scale = _mm256_set1_pd(1) / _mm256_sqrt_pd(sums[g].squared_length);
+      sums[g].scale = Lanes::all(1) / Lanes::sqrt(sums[g].squared_length);
     std::uint32_t fails = 0;
     for (std::size_t g = 0; g < groups; ++g) {
-      Value* values[4];
-      for (std::size_t i = 0; i < 4; ++i) values[i] = result + row_of_lane(g, i, number);
-      fails |= put_averages(entries + g * length, length, sums[g], values) << (4 * g);
+      Value* values[width];
+      for (std::size_t i = 0; i < width; ++i) values[i] = result + row_of_lane(g, i, number);
+      fails |= put_averages(entries + g * length, length, sums[g], values) << (width * g);
     }
     return fails;
   }
 
 private:
-  using Packed = __m256d;
-
-  // the j-th entries of four rows
+  // the j-th entries of a register of rows
   struct Old
   {
     Packed weight, point[dimension], normal[dimension];
@@ -112,18 +108,17 @@ private:
   // lanes without a row repeat the last one
   static std::size_t row_of_lane(std::size_t group, std::size_t lane, std::size_t number)
   {
-    const std::size_t r = 4 * group + lane;
+    const std::size_t r = width * group + lane;
     return r < number ? r : number - 1;
   }
 
   // all of the sums but the scale; keeps the entries
   template <class Stored_value>
-  [[gnu::target("avx2"), gnu::always_inline]] static inline void
-  sum(const Entry* const (&row)[4], std::size_t length, const Stored_value* old, Old* entries,
-      Sums& sums)
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE void sum(const Entry* const (&row)[width], std::size_t length,
+                                             const Stored_value* old, Old* entries, Sums& sums)
   {
     Packed q[dimension], n[dimension];
-    for (int c = 0; c < dimension; ++c) q[c] = n[c] = _mm256_setzero_pd();
+    for (int c = 0; c < dimension; ++c) q[c] = n[c] = Lanes::all(0);
     for (std::size_t j = 0; j < length; ++j) {
       gather(row, j, old, entries[j]);
       for (int c = 0; c < dimension; ++c) {
@@ -134,7 +129,7 @@ private:
     sums.squared_length = n[0] * n[0];
     for (int c = 1; c < dimension; ++c) sums.squared_length += n[c] * n[c];
     sums.squared_length =
-      _mm256_max_pd(sums.squared_length, _mm256_set1_pd(least_squared_length<double>()));
+      Lanes::greater(sums.squared_length, Lanes::all(least_squared_length<FT>()));
     for (int c = 0; c < dimension; ++c) {
       sums.q[c] = q[c];
       sums.normal[c] = n[c];
@@ -142,38 +137,33 @@ private:
   }
 
   template <class Stored_value>
-  [[gnu::target("avx2"), gnu::always_inline]] static inline void
-  gather(const Entry* const (&row)[4], std::size_t j, const Stored_value* old, Old& entry)
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE void gather(const Entry* const (&row)[width], std::size_t j,
+                                                const Stored_value* old, Old& entry)
   {
-    // the weight is the second half of a (vertex, weight)
-    entry.weight = _mm256_unpackhi_pd(two(row[0] + j, row[2] + j), two(row[1] + j, row[3] + j));
-    const Stored_value* const v[4] = {old + row[0][j].vertex, old + row[1][j].vertex,
-                                      old + row[2][j].vertex, old + row[3][j].vertex};
+    const void* at[width];
+    for (std::size_t i = 0; i < width; ++i) at[i] = row[i] + j;
+    entry.weight = Lanes::pairs(at).second; // of a (vertex, weight)
+    const Stored_value* v[width];
+    for (std::size_t i = 0; i < width; ++i) v[i] = old + row[i][j].vertex;
     for (int c = 0; c < dimension; ++c) {
-      const Packed v02 = two(&v[0]->pairs[c], &v[2]->pairs[c]);
-      const Packed v13 = two(&v[1]->pairs[c], &v[3]->pairs[c]);
-      entry.point[c] = _mm256_unpacklo_pd(v02, v13);
-      entry.normal[c] = _mm256_unpackhi_pd(v02, v13);
+      for (std::size_t i = 0; i < width; ++i) at[i] = &v[i]->pairs[c];
+      const typename Lanes::Pairs pairs = Lanes::pairs(at);
+      entry.point[c] = pairs.first;
+      entry.normal[c] = pairs.second;
     }
   }
 
-  // the sixteen bytes at each of two places
-  [[gnu::target("avx2"), gnu::always_inline]] static inline Packed two(const void* a, const void* b)
-  {
-    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(static_cast<const double*>(a))),
-                                _mm_loadu_pd(static_cast<const double*>(b)), 1);
-  }
-
   // returns the lanes that fail
-  [[gnu::target("avx2"), gnu::always_inline]] static inline std::uint32_t
-  put_averages(const Old* entries, std::size_t length, const Sums& sums, Value* const (&values)[4])
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE std::uint32_t put_averages(const Old* entries,
+                                                               std::size_t length, const Sums& sums,
+                                                               Value* const (&values)[width])
   {
     Packed q[dimension], n[dimension];
     for (int c = 0; c < dimension; ++c) {
       q[c] = sums.q[c];
       n[c] = sums.normal[c] * sums.scale;
     }
-    Packed even = _mm256_setzero_pd(), odd = even, last = even, least = _mm256_set1_pd(2);
+    Packed even = Lanes::all(0), odd = even, last = even, least = Lanes::all(2);
     std::size_t j = 0;
     for (; j + 1 < length; j += 2) {
       even += weighted_height(entries[j], q, n, least);
@@ -183,20 +173,20 @@ private:
     const Packed height = even + odd + last;
     for (int c = 0; c < dimension; ++c) {
       q[c] += height * n[c];
-      for (int i = 0; i < 4; ++i) {
+      for (std::size_t i = 0; i < width; ++i) {
         values[i]->point[c] = q[c][i];
         values[i]->normal[c] = n[c][i];
       }
     }
-    const Packed holds = _mm256_and_pd(
-      _mm256_cmp_pd(least, _mm256_set1_pd(fade_begin<double>()), _CMP_GE_OQ),
-      _mm256_cmp_pd(sums.scale, _mm256_set1_pd(greatest_scale<double>()), _CMP_LT_OQ));
-    return static_cast<std::uint32_t>(_mm256_movemask_pd(holds)) ^ 15u;
+    const std::uint32_t holds = Lanes::at_least_and_less(
+      least, Lanes::all(fade_begin<FT>()), sums.scale, Lanes::all(greatest_scale<FT>()));
+    return holds ^ ((1u << width) - 1u);
   }
 
-  [[gnu::target("avx2"), gnu::always_inline]] static inline Packed
-  weighted_height(const Old& entry, const Packed (&q)[dimension], const Packed (&n)[dimension],
-                  Packed& least_denominator)
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed weighted_height(const Old& entry,
+                                                           const Packed (&q)[dimension],
+                                                           const Packed (&n)[dimension],
+                                                           Packed& least_denominator)
   {
     Packed s = entry.normal[0] + n[0];
     Packed numerator = s * (entry.point[0] - q[0]), denominator = s * n[0];
@@ -205,11 +195,11 @@ private:
       numerator += s * (entry.point[c] - q[c]);
       denominator += s * n[c];
     }
-    least_denominator = _mm256_min_pd(denominator, least_denominator);
-    return entry.weight *
-           (numerator / _mm256_max_pd(denominator, _mm256_set1_pd(fade_begin<double>())));
+    least_denominator = Lanes::lesser(denominator, least_denominator);
+    return entry.weight * (numerator / Lanes::greater(denominator, Lanes::all(fade_begin<FT>())));
   }
 };
+#  undef CGAL_PN_SUBDIVISION_3_AVX2_INLINE
 #endif
 
 } // namespace internal

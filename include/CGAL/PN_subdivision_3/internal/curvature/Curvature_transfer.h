@@ -157,14 +157,16 @@ public:
 
   std::size_t size() const { return transfer_.size(); }
 
-  // The quadratic part of a ring. What rounding leaves of spheres and cylinders is none.
-  std::optional<Part> operator()(const std::vector<Value>& ring)
+  // The quadratic part of a ring. What rounding leaves of spheres and cylinders is none: it is that of the
+  // coordinates that the points have about the origin of the mesh, if they are given about another one.
+  std::optional<Part> operator()(const std::vector<Value>& ring,
+                                 const Coordinates<FT, 3>& origin = {FT(0), FT(0), FT(0)})
   {
     Real largest(0);
     ring_.resize(ring.size());
     for (std::size_t j = 0; j < ring.size(); ++j)
       for (std::size_t c = 0; c < 3; ++c) {
-        largest = (std::max)(largest, std::abs(real(ring[j].point[c])));
+        largest = (std::max)(largest, std::abs(real(FT(origin[c] + ring[j].point[c]))));
         ring_[j].point[c] = real(FT(ring[j].point[c] - ring[0].point[c]));
         ring_[j].normal[c] = real(ring[j].normal[c]);
       }

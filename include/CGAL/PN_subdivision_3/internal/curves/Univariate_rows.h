@@ -57,6 +57,15 @@ public:
     return twice_center_ == other.twice_center_;
   }
 
+  // whether old points have new points of their own
+  bool is_primal() const { return twice_center_ % 2 == 0; }
+
+  // the first new point that is not before the first old one
+  Index first_point() const
+  {
+    return twice_center_ >= 0 ? (twice_center_ + 1) / 2 : -(-twice_center_ / 2);
+  }
+
   // The new points [first, last) of a polygon with n points, in the numbering of the mask.
   std::pair<Index, Index> range(Index n, Curve_end end) const
   {
@@ -89,12 +98,6 @@ private:
   static std::size_t row_of(Index i) { return (i & 1) != 0 ? 1 : 0; }
   // by how much the old points of the row of the new point i are shifted to those of the row of its parity
   static Index shift_of(Index i) { return (i - (i & 1)) / 2; }
-
-  // the first new point that is not before the first old one
-  Index first_point() const
-  {
-    return twice_center_ >= 0 ? (twice_center_ + 1) / 2 : -(-twice_center_ / 2);
-  }
 
   // puts the largest weight last and makes it 1 minus the sum of the others
   void close_row(std::size_t parity)

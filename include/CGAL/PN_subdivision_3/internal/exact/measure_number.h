@@ -12,21 +12,16 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/Uncertain.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-template <class FT>
-constexpr bool is_interval_v =
-  std::is_same_v<decltype(std::declval<FT>() == std::declval<FT>()), Uncertain<bool>>;
 
 // Numbers that are a sum of few doubles: float, double, long double, Gmpfr.
 template <class FT>

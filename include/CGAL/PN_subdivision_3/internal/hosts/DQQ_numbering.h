@@ -58,14 +58,14 @@ private:
 //
 // vertices: corners. Edges: one a corner, on the smaller face; two for every interior edge, that cross
 // it. Faces: smaller faces, quads of interior edges, polygons of interior vertices.
-template <class Index>
+template <class Index, class Any_ranks = Ranks<Index>>
 class DQQ_numbering
 {
 public:
   using Parent = Basic_element_parent<Index>;
 
   // the ranks are those of the interior edges and vertices, and must stay
-  DQQ_numbering(const Level_size& size, const Ranks<Index>& edges, const Ranks<Index>& vertices)
+  DQQ_numbering(const Level_size& size, const Any_ranks& edges, const Any_ranks& vertices)
     : corners_(static_cast<Index>(size.corners))
     , faces_(static_cast<Index>(size.faces))
     , interior_edges_(static_cast<Index>(size.corners - size.edges))
@@ -97,8 +97,8 @@ public:
 
 private:
   Index corners_, faces_, interior_edges_;
-  const Ranks<Index>& edges_;
-  const Ranks<Index>& vertices_;
+  const Any_ranks& edges_;
+  const Any_ranks& vertices_;
 };
 
 } // namespace internal

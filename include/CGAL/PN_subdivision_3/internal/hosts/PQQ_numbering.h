@@ -24,14 +24,14 @@ namespace internal {
 //
 // vertices: old ones, edges, faces. Edges: halves of edges, spokes by corners. Faces: the first quads of
 // all faces, then the other ones.
-template <class Index>
+template <class Index, class Corners = Face_corners<Index>>
 class PQQ_numbering
 {
 public:
   using Parent = Basic_element_parent<Index>;
 
   // `corners` must stay
-  PQQ_numbering(const Level_size& size, const Face_corners<Index>& corners)
+  PQQ_numbering(const Level_size& size, const Corners& corners)
     : halves_(size)
     , faces_(static_cast<Index>(size.faces))
     , corners_(corners)
@@ -71,7 +71,7 @@ public:
 private:
   Edge_halves<Index> halves_;
   Index faces_;
-  const Face_corners<Index>& corners_;
+  const Corners& corners_;
 };
 
 } // namespace internal

@@ -27,7 +27,7 @@ namespace internal {
 // vertices: old ones, then one a face and two in a face at a refined border. Edges: old ones (flipped, or
 // the first parts of refined border edges), three a face, the last parts of refined border edges. Faces: the
 // triangles of the first half-edges of all faces, then those of the second and third ones.
-template <class Index>
+template <class Index, class Border_faces = boost::container::vector<Index>>
 class Sqrt3_numbering
 {
 public:
@@ -35,7 +35,7 @@ public:
   using Table = boost::container::vector<Index>;
 
   // the tables must stay
-  Sqrt3_numbering(const Level_size& size, const Table& border_faces_before,
+  Sqrt3_numbering(const Level_size& size, const Border_faces& border_faces_before,
                   const Table& face_of_center)
     : vertices_(static_cast<Index>(size.vertices))
     , edges_(static_cast<Index>(size.edges))
@@ -87,7 +87,7 @@ public:
 
 private:
   Index vertices_, edges_, faces_;
-  const Table& border_faces_before_;
+  const Border_faces& border_faces_before_;
   const Table& face_of_center_;
 };
 

@@ -147,10 +147,19 @@ private:
     for (std::size_t c = 0; c < count_; ++c) {
       const auto at = [&](std::size_t j) -> Value& { return next_[place(j) * copies_ + c]; };
       for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = at(j);
-      if (const auto part = (*transfer_)(ring))
+      if (const auto part = (*transfer_)(ring, origin(c)))
         transfer_->add_half(
           *part, [&](std::size_t j) -> auto& { return at(j).normal; });
     }
+  }
+
+  // of the coordinates of ring c, see relative()
+  Coordinates<FT, 3> origin(std::size_t c) const
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      return states_[c].center;
+    else
+      return {FT(0), FT(0), FT(0)};
   }
 
   // Floating point keeps more digits of a ring about the origin; intervals would only grow.
@@ -249,7 +258,7 @@ private:
     if (!is_spline_ && !settles()) return;
     const Ring_geometry g = geometry(c);
     if (!g.is_regular()) return;
-    const auto part = remaining_part();
+    const auto part = remaining_part(to_double_3(origin(c)));
     const Curvatures<double> k =
       is_spline_ ? spline_curvatures() : g.extraordinary_curvatures(part ? &*part : nullptr);
     if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
@@ -260,13 +269,13 @@ private:
   }
 
   // what will still be transferred in `ring_`
-  std::optional<Quadratic_part<double>> remaining_part() const
+  std::optional<Quadratic_part<double>> remaining_part(const Vector& origin_of_ring) const
   {
     if (!transfer_ || is_spline_) return std::nullopt;
     std::vector<Point_normal<double, 3>> ring(ring_.size());
     for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = ring_[place(j)];
     const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
-    return Normal_transfer<double>(degree, class_.transfer_valence())(ring);
+    return Normal_transfer<double>(degree, class_.transfer_valence())(ring, origin_of_ring);
   }
 
   // of `ring_`, whose neighbors are in front of its diagonal vertices

@@ -38,8 +38,8 @@ constexpr bool check_refiner_arguments()
     constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
     static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
     constexpr bool has_border = Border_of<Scheme>::is_given;
-    static_assert(!has_border, "PN_subdivision_3: Surface_refiner has no rules for creases: it "
-                               "takes no with_border()");
+    static_assert(!has_border, "PN_subdivision_3: Surface_refiner and Surface_pieces have no rules "
+                               "for creases: they take no with_border()");
     return is_scheme && !has_border &&
            check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag>() &&
            check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,

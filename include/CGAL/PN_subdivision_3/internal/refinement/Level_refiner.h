@@ -47,12 +47,13 @@ public:
   using Stored_value = typename One_round::Stored_value;
   using Values = boost::container::vector<Stored_value>;
 
-  // Level and values are those of the first round.
+  // Level and values are those of the first round that is not done.
   Level_refiner(const Scheme& scheme, Level_connectivity&& level, Values&& values,
-                const For_chunks& for_chunks = For_chunks())
+                const For_chunks& for_chunks = For_chunks(), unsigned rounds_done = 0)
     : scheme_(scheme)
     , level_(std::move(level))
     , values_(std::move(values))
+    , rounds_done_(rounds_done)
     , for_chunks_(for_chunks)
   {}
 
@@ -132,7 +133,7 @@ private:
   const Scheme& scheme_;
   Level_connectivity level_;
   Values values_;
-  unsigned rounds_done_ = 0;
+  unsigned rounds_done_;
   For_chunks for_chunks_;
 };
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -19,7 +20,6 @@
 #include <cstddef>
 #include <map>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,11 +34,6 @@ struct No_transfers
   void put(Index, Index, Value*) const
   {}
 };
-
-// Comparisons of intervals may be undecided.
-template <class FT>
-constexpr bool is_interval_v =
-  !std::is_same_v<decltype(std::declval<const FT&>() < std::declval<const FT&>()), bool>;
 
 // The normals that a round gives to the rings of its separated vertices by the transfer of curvature.
 // The rows of the rings are evaluated for it, besides the round itself, which is not stored in any

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVISION_3_DEMO_REFINEMENT_H
+#define PN_SUBDIVISION_3_DEMO_REFINEMENT_H
+
+#include "Control_mesh.h"
+#include "surface/Scheme.h"
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace pn_demo {
+
+using Index = std::uint32_t;
+using pn_subdivide::Scheme;
+
+// Faces as vertices one after the other.
+struct Faces
+{
+  std::vector<Index> end; // where each face ends in `corners`
+  std::vector<Index> corners;
+};
+
+// The refined surface of a control mesh, which follows it.
+class Refinement
+{
+public:
+  virtual ~Refinement() = default;
+
+  // What is said of a control vertex counts from the next update() on.
+  virtual void follow(const Control_mesh& mesh, std::size_t vertex) = 0;
+  // Returns the vertices that have new points.
+  virtual const std::vector<Index>& update(const Control_mesh& mesh) = 0;
+
+  virtual const std::vector<Point_3>& points() const = 0;
+  // Control normals; empty with linear schemes.
+  virtual const std::vector<Vector_3>& normals() const = 0;
+  virtual Faces faces() const = 0;
+  // Vertices as a renderer needs them, those on creases several times: the faces, and for each of these
+  // vertices its number in points(). Empty: no creases.
+  virtual const Faces* cut_faces() const { return nullptr; }
+  virtual const std::vector<Index>& cut_vertices() const = 0;
+};
+
+// Each of these has a source file of its own, since calls for every scheme take long to compile.
+
+// Nothing must be sharp, and the scheme must not transfer curvature.
+std::unique_ptr<Refinement> make_pn_refinement(const Control_mesh& mesh, const Scheme& scheme,
+                                               unsigned rounds);
+std::unique_ptr<Refinement> make_linear_refinement(const Control_mesh& mesh, const Scheme& scheme,
+                                                   unsigned rounds);
+// Subdivides anew in every update(). The scheme must have rules for creases.
+std::unique_ptr<Refinement> make_pn_refinement_with_creases(const Control_mesh& mesh,
+                                                            const Scheme& scheme, unsigned rounds);
+std::unique_ptr<Refinement> make_linear_refinement_with_creases(const Control_mesh& mesh,
+                                                                const Scheme& scheme,
+                                                                unsigned rounds);
+
+} // namespace pn_demo
+
+#endif // PN_SUBDIVISION_3_DEMO_REFINEMENT_H

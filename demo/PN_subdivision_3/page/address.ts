@@ -1,0 +1,91 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What is on the screen as the part of the address behind '#', so that a view can be shared.
+
+import { inflate } from "./modeler";
+import type { MeshState } from "./modeler";
+
+/** What has changed in an example, or a whole mesh. Numbers keep all their digits. */
+export interface Edits {
+  points?: number[][]; // vertex, x, y, z
+  normals?: number[][]; // corner, x, y, z
+  sharp?: number[]; // pairs of vertices, all of them
+  mesh?: { points: number[]; degrees: number[]; corners: number[]; normals: number[]; sharp: number[] };
+}
+
+const sameArray = (a: ArrayLike<number>, b: ArrayLike<number>): boolean =>
+  a.length === b.length && Array.prototype.every.call(a, (x: number, i: number) => x === b[i]);
+
+function changedTriples(before: Float64Array, after: Float64Array): number[][] {
+  const result: number[][] = [];
+  for (let i = 0; i < after.length / 3; ++i) {
+    const now = after.subarray(3 * i, 3 * i + 3);
+    if (!sameArray(before.subarray(3 * i, 3 * i + 3), now)) result.push([i, ...now]);
+  }
+  return result;
+}
+
+/** Nothing if the mesh is its example. */
+export function editsOf(mesh: MeshState, example: MeshState | undefined): Edits | undefined {
+  if (!example || !sameArray(mesh.corners, example.corners) || !sameArray(mesh.degrees, example.degrees))
+    return {
+      mesh: {
+        points: [...mesh.points],
+        degrees: [...mesh.degrees],
+        corners: [...mesh.corners],
+        normals: [...mesh.cornerNormals!],
+        sharp: [...mesh.sharpEdges],
+      },
+    };
+  const edits: Edits = {};
+  const points = changedTriples(example.points, mesh.points);
+  const normals = changedTriples(example.cornerNormals!, mesh.cornerNormals!);
+  if (points.length > 0) edits.points = points;
+  if (normals.length > 0) edits.normals = normals;
+  if (!sameArray(mesh.sharpEdges, example.sharpEdges)) edits.sharp = [...mesh.sharpEdges];
+  return Object.keys(edits).length > 0 ? edits : undefined;
+}
+
+export function applyEdits(edits: Edits, example: MeshState | undefined): MeshState {
+  if (edits.mesh)
+    return {
+      points: Float64Array.from(edits.mesh.points),
+      degrees: Uint32Array.from(edits.mesh.degrees),
+      corners: Uint32Array.from(edits.mesh.corners),
+      cornerNormals: Float64Array.from(edits.mesh.normals),
+      sharpEdges: Uint32Array.from(edits.mesh.sharp),
+    };
+  if (!example) throw new Error("the example of this link is not known");
+  const state = { ...example, points: example.points.slice(), cornerNormals: example.cornerNormals!.slice() };
+  const put = (array: Float64Array, changes: number[][] | undefined): void => {
+    for (const [i, ...values] of changes ?? []) {
+      if (!(3 * i + 3 <= array.length) || values.length !== 3) throw new Error("the link is damaged");
+      array.set(values, 3 * i);
+    }
+  };
+  put(state.points, edits.points);
+  put(state.cornerNormals, edits.normals);
+  if (edits.sharp) state.sharpEdges = Uint32Array.from(edits.sharp);
+  return state;
+}
+
+/** Compressed, in letters that an address takes. */
+export async function pack(value: unknown): Promise<string> {
+  const stream = new Blob([JSON.stringify(value)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+export async function unpack(text: string): Promise<unknown> {
+  const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
+  const bytes = await inflate(Uint8Array.from(binary, (c) => c.charCodeAt(0)), "deflate-raw");
+  return JSON.parse(new TextDecoder().decode(bytes));
+}

@@ -1,0 +1,31 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What build.mjs makes of files that are no TypeScript.
+
+declare module "modeler-code" {
+  import type { Modeler } from "./modeler";
+  const create: (options: { wasmBinary: Uint8Array }) => Promise<Modeler>;
+  export default create;
+}
+declare module "modeler-wasm" {
+  const bytes: Uint8Array;
+  export default bytes;
+}
+declare module "*.ply" {
+  const text: string;
+  export default text;
+}
+declare module "*.off" {
+  const text: string;
+  export default text;
+}
+declare module "*.obj" {
+  const text: string;
+  export default text;
+}

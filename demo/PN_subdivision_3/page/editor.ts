@@ -1,0 +1,403 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The surface that is shown: its control mesh, what is made of it, and every change of it.
+
+import { History } from "./history";
+import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
+import { deviation, roundShapeThrough } from "./round_shapes";
+import { endOfColors, type Shading } from "./shading";
+import type { Layout, Selection, Viewer } from "./viewer";
+
+export interface Settings {
+  scheme: string;
+  rounds: number;
+  layout: Layout;
+  shading: Shading;
+  limit: boolean;
+  showControl: boolean;
+  showNormals: boolean;
+}
+
+export type Say = (text: string, kind: "error" | "note") => void;
+
+/** More faces than this would be slow to draw. */
+const greatestNumberOfFaces = 600_000;
+/** What takes no longer than this many milliseconds is done while the mouse moves. */
+const whileDragging = 25;
+
+/** Settings from an address, of which anyone may be the author: what is no setting is left out. */
+export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>): Partial<Settings> {
+  const result: Partial<Settings> = {};
+  if (typeof given.scheme === "string") result.scheme = given.scheme;
+  if (typeof given.rounds === "number" && given.rounds >= 0) result.rounds = Math.min(7, Math.floor(given.rounds));
+  const layout = (["pn", "linear", "both"] as const).find((name) => name === given.layout);
+  if (layout) result.layout = layout;
+  const shading = (["smooth", "zebra", "gaussian", "mean"] as const).find((name) => name === given.shading);
+  if (shading) result.shading = shading;
+  for (const name of ["limit", "showControl", "showNormals"] as const)
+    if (typeof given[name] === "boolean") result[name] = given[name];
+  return result;
+}
+
+interface Version {
+  mesh: MeshState;
+  scheme: string;
+  name: string;
+}
+
+export class Editor {
+  readonly schemes: Map<string, SchemeTraits>;
+  mesh!: ControlMesh;
+  handles!: Handles;
+  selection: Selection = {};
+  /** What the mesh is called; it is changed if it differs from its example. */
+  name = "";
+  normalLength = 1;
+  colorEnd = 1;
+  status = "";
+  readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
+  settings: Settings = {
+    scheme: "catmull-clark",
+    rounds: 4,
+    layout: "both",
+    shading: "smooth",
+    limit: false,
+    showControl: true,
+    showNormals: true,
+  };
+  /** Called when anything has changed that the panel or the address tells of. */
+  onChange: ((isFinal: boolean) => void) | undefined;
+
+  private surfaces = new Map<boolean, RefinedSurface>(); // by whether they are linear
+  private size = 1;
+  private cost = { limit: 0, curvature: 0 };
+  private dragged = new Set<number>();
+  private frame = 0;
+
+  constructor(
+    private readonly modeler: Modeler,
+    private readonly viewer: Viewer,
+    private readonly say: Say,
+  ) {
+    this.schemes = new Map(modeler.schemes().map((s) => [s.name, s]));
+  }
+
+  get scheme(): SchemeTraits {
+    return this.schemes.get(this.settings.scheme)!;
+  }
+
+  /** The surface on the screen; where there are two, the point-normal one. */
+  get shownSurface(): RefinedSurface {
+    return this.surfaces.get(this.settings.layout === "linear")!;
+  }
+  surface(isLinear: boolean): RefinedSurface | undefined {
+    return this.surfaces.get(isLinear);
+  }
+
+  // --- other meshes, schemes and views ---
+
+  /** Shows another mesh. If that fails, everything stays as it is, and the message says why. */
+  load(make: () => ControlMesh, name: string, settings: Partial<Settings>, isFirst = false): boolean {
+    let mesh: ControlMesh | undefined;
+    try {
+      mesh = make();
+      const next = { ...this.settings, ...settings };
+      const before = isFirst ? undefined : this.version();
+      this.replace(mesh, next);
+      if (before) this.history.remember(before);
+    } catch (error) {
+      mesh?.delete();
+      this.say(`${name}: ${messageOf(error)}`, "error");
+      return false;
+    }
+    this.name = name;
+    this.selection = {};
+    this.frameAll();
+    this.changed();
+    return true;
+  }
+
+  /** Reads a file as the command does: Loop subdivision for triangles, Catmull-Clark for other faces. */
+  open(content: Uint8Array, fileName: string): boolean {
+    const format = fileName.split(".").pop()!.toLowerCase();
+    let scheme = this.settings.scheme;
+    return this.load(
+      () => {
+        const mesh = this.modeler.readMesh(content, format);
+        scheme = mesh.hasOnlyTriangles() ? "loop" : "catmull-clark";
+        return mesh;
+      },
+      fileName,
+      {
+        get scheme() {
+          return scheme;
+        },
+      } as Partial<Settings>,
+    );
+  }
+
+  set(change: Partial<Settings>): void {
+    const before = this.version();
+    const hadOnlyTriangles = this.mesh.hasOnlyTriangles();
+    try {
+      const next = { ...this.settings, ...change };
+      const needsSurfaces = ["scheme", "rounds", "layout"].some((key) => key in change);
+      if (needsSurfaces) this.replace(this.mesh, next);
+      this.settings = next;
+      if (change.scheme !== undefined && change.scheme !== before.scheme) this.history.remember(before);
+      if (!hadOnlyTriangles && this.mesh.hasOnlyTriangles())
+        this.say("The faces were split into triangles, which is what this scheme takes. Undo brings them back.", "note");
+    } catch (error) {
+      this.say(messageOf(error), "error");
+    }
+    this.show(true);
+    this.changed();
+  }
+
+  frameAll(keepDirection = false): void {
+    this.viewer.frameAll([this.handles.points, this.shownSurface.positionsView()], keepDirection);
+  }
+
+  // --- changes of the mesh ---
+
+  /** A change that is done at once. */
+  change(change: (mesh: ControlMesh) => void): void {
+    this.history.remember(this.version());
+    try {
+      change(this.mesh);
+      this.replace(this.mesh, this.settings);
+    } catch (error) {
+      const before = this.history.undo(this.version())!;
+      this.replace(this.modeler.restoreMesh(before.mesh), { ...this.settings, scheme: before.scheme });
+      this.say(messageOf(error), "error");
+    }
+    this.changed();
+  }
+
+  beginDrag(): void {
+    this.history.remember(this.version());
+  }
+
+  dragPoint(vertex: number, x: number, y: number, z: number): void {
+    this.mesh.setPoint(vertex, x, y, z);
+    this.handles.points.set([x, y, z], 3 * vertex);
+    this.drag(vertex);
+  }
+
+  dragNormal(wedge: number, x: number, y: number, z: number): void {
+    this.mesh.setNormal(wedge, x, y, z);
+    this.handles.normals.set([x, y, z], 3 * wedge);
+    this.drag(this.handles.vertices[wedge]);
+  }
+
+  private drag(vertex: number): void {
+    this.dragged.add(vertex);
+    if (this.frame === 0)
+      this.frame = requestAnimationFrame(() => {
+        this.frame = 0;
+        this.follow(false);
+      });
+  }
+
+  endDrag(): void {
+    if (this.frame !== 0) cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    this.follow(true);
+    this.changed();
+  }
+
+  /** A point that is entered or moved by a key. */
+  setPoint(vertex: number, x: number, y: number, z: number): void {
+    this.beginDrag();
+    this.dragPoint(vertex, x, y, z);
+    this.endDrag();
+  }
+  setNormal(wedge: number, x: number, y: number, z: number): void {
+    this.beginDrag();
+    this.dragNormal(wedge, x, y, z);
+    this.endDrag();
+  }
+
+  undo(): void {
+    this.go(this.history.undo(this.version()));
+  }
+  redo(): void {
+    this.go(this.history.redo(this.version()));
+  }
+
+  private go(version: Version | undefined): void {
+    if (!version) return;
+    const isOther = version.name !== this.name;
+    this.replace(this.modeler.restoreMesh(version.mesh), { ...this.settings, scheme: version.scheme });
+    this.name = version.name;
+    if (isOther) {
+      this.selection = {};
+      this.frameAll();
+    }
+    this.changed();
+  }
+
+  select(selection: Selection): void {
+    this.selection = selection;
+    this.showControlMesh();
+    this.onChange?.(false);
+  }
+
+  private version(): Version {
+    return { mesh: this.mesh.state(), scheme: this.settings.scheme, name: this.name };
+  }
+
+  private changed(): void {
+    this.onChange?.(true);
+  }
+
+  // --- the surfaces ---
+
+  /** New surfaces, of this mesh or another one. If anything fails, nothing has changed. */
+  private replace(mesh: ControlMesh, wanted: Settings): void {
+    const started = performance.now();
+    const traits = this.schemes.get(wanted.scheme);
+    if (!traits) throw new Error(`there is no scheme ${wanted.scheme}`);
+    const split = traits.takesTriangles && !mesh.hasOnlyTriangles() ? mesh.triangulated() : mesh;
+    const rounds = Math.min(wanted.rounds, this.greatestRounds(split, wanted.scheme));
+    const made = new Map<boolean, RefinedSurface>();
+    try {
+      for (const isLinear of [false, true])
+        if (wanted.layout === "both" || (wanted.layout === "linear") === isLinear)
+          made.set(isLinear, this.modeler.refine(split, wanted.scheme, rounds, isLinear));
+    } catch (error) {
+      for (const surface of made.values()) surface.delete();
+      if (split !== mesh) split.delete();
+      throw error;
+    }
+    if (rounds < wanted.rounds)
+      this.say(`${rounds} rounds: ${wanted.rounds} would make more than ${greatestNumberOfFaces} faces.`, "note");
+    for (const surface of this.surfaces.values()) surface.delete();
+    if (this.mesh !== undefined && this.mesh !== split) this.mesh.delete();
+    if (split !== mesh && mesh !== this.mesh) mesh.delete();
+    this.surfaces = made;
+    this.mesh = split;
+    this.settings = { ...wanted, rounds };
+    this.readHandles();
+    for (const [isLinear, surface] of made) this.viewer.pane(isLinear).setTriangles(surface.triangles());
+    this.show(true, performance.now() - started);
+  }
+
+  greatestRounds(mesh: ControlMesh, scheme: string): number {
+    const { corners, degrees } = mesh.state();
+    const traits = this.schemes.get(scheme)!;
+    const inFirst = traits.takesTriangles ? (scheme === "sqrt3" ? 3 : 4) * degrees.length : corners.length;
+    const perRound = scheme === "sqrt3" ? 3 : 4;
+    let rounds = 1;
+    for (let faces = inFirst * perRound; faces <= greatestNumberOfFaces; faces *= perRound) ++rounds;
+    return Math.min(rounds, 7);
+  }
+
+  private readHandles(): void {
+    this.handles = this.mesh.handles();
+    const { points, edges, sharp } = this.handles;
+    let length = 0;
+    for (let e = 0; e < sharp.length; ++e) {
+      const [a, b] = [3 * edges[2 * e], 3 * edges[2 * e + 1]];
+      length += Math.hypot(points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]);
+    }
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    points.forEach((x, i) => {
+      low[i % 3] = Math.min(low[i % 3], x);
+      high[i % 3] = Math.max(high[i % 3], x);
+    });
+    this.size = Math.hypot(...low.map((x, k) => high[k] - x)) || 1;
+    this.normalLength = Math.min((0.5 * length) / Math.max(1, sharp.length), 0.14 * this.size);
+    const { wedge, vertex } = this.selection;
+    if (wedge !== undefined && (wedge >= this.handles.vertices.length || this.handles.vertices[wedge] !== vertex))
+      this.selection = {};
+  }
+
+  private follow(isLast: boolean): void {
+    const started = performance.now();
+    try {
+      for (const surface of this.surfaces.values()) {
+        for (const v of this.dragged) surface.follow(this.mesh, v);
+        surface.update(this.mesh);
+      }
+    } catch (error) {
+      this.say(messageOf(error), "error");
+    }
+    this.dragged.clear();
+    this.show(isLast, performance.now() - started);
+  }
+
+  /** Limit points and curvatures are left for the end of a drag where they take long. */
+  private show(isLast: boolean, milliseconds?: number): void {
+    const { limit, shading } = this.settings;
+    const curved = shading === "gaussian" || shading === "mean";
+    for (const [isLinear, surface] of this.surfaces) {
+      const pane = this.viewer.pane(isLinear);
+      if (limit && this.canShowLimit && (isLast || this.cost.limit < whileDragging))
+        this.cost.limit = timeOf(() => surface.showLimit());
+      else if (!limit || !this.canShowLimit) surface.hideLimit();
+      pane.setVertices(surface.positionsView(), surface.normalsView());
+    }
+    if (curved && (isLast || this.cost.curvature < whileDragging)) {
+      const values = new Map<boolean, Float32Array>();
+      this.cost.curvature = timeOf(() => {
+        for (const [isLinear, surface] of this.surfaces)
+          values.set(isLinear, surface.curvature(shading === "gaussian"));
+      });
+      // the colors are those of the surface that is looked at, so that both views can be compared
+      const pn = values.get(false) ?? values.get(true)!;
+      this.colorEnd = endOfColors([pn], this.size, shading);
+      for (const [isLinear, array] of values) this.viewer.pane(isLinear).setValues(array);
+    }
+    this.viewer.setLayout(this.settings.layout);
+    this.viewer.setShading(shading, this.colorEnd);
+    this.viewer.setVisible(this.settings.showControl, this.settings.showNormals);
+    this.viewer.setSize(this.size / 2);
+    this.showControlMesh();
+    if (milliseconds !== undefined) {
+      const vertices = this.shownSurface.positionsView().length / 3;
+      this.status = `${format(vertices)} vertices · ${milliseconds.toFixed(1)} ms${this.deviations(isLast)}`;
+    }
+    this.onChange?.(false);
+  }
+
+  /** How far the surfaces are from the sphere that the control points are on, if they are on one. */
+  private deviations(isLast: boolean): string {
+    const sphere = isLast ? roundShapeThrough(this.handles.points, 3) : undefined;
+    if (!sphere) return "";
+    const parts = [...this.surfaces].map(
+      ([isLinear, surface]) =>
+        `${isLinear ? "linear" : "point-normal"} ${deviation(surface.points(), sphere.center, sphere.radius).toExponential(0)}`,
+    );
+    return ` · distance from the sphere in radii: ${parts.join(", ")}`;
+  }
+
+  get canShowLimit(): boolean {
+    return this.scheme.hasLimitPoints && this.mesh.numberOfSharpEdges() === 0;
+  }
+
+  private showControlMesh(): void {
+    this.viewer.showControlMesh(this.handles, this.normalLength, this.selection);
+  }
+}
+
+function timeOf(work: () => void): number {
+  const started = performance.now();
+  work();
+  return performance.now() - started;
+}
+
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+export function format(n: number): string {
+  return n.toString().replace(/\B(?=(\d{3})+$)/g, "\u202f");
+}

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The elements of the page by their ids.
+
+export function element<E extends Element = HTMLElement>(id: string): E {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no element ${id}`);
+  return found as unknown as E;
+}
+export const button = (id: string): HTMLButtonElement => element<HTMLButtonElement>(id);
+export const input = (id: string): HTMLInputElement => element<HTMLInputElement>(id);
+export const select = (id: string): HTMLSelectElement => element<HTMLSelectElement>(id);
+
+export function fill(list: HTMLSelectElement, options: Iterable<[value: string, title: string]>): void {
+  list.replaceChildren(...Array.from(options, ([value, title]) => new Option(title, value)));
+}
+
+export function choose(name: string, value: string): void {
+  for (const radio of document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`))
+    radio.checked = radio.value === value;
+}
+
+export function onChoice(name: string, act: (value: string) => void): void {
+  for (const radio of document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`))
+    radio.addEventListener("change", () => radio.checked && act(radio.value));
+}
+
+/** One line for the user; an error stays until it is closed or another message comes. */
+export function say(text: string, kind: "error" | "note"): void {
+  const box = element("message");
+  box.className = kind;
+  box.querySelector("span")!.textContent = text;
+  box.hidden = false;
+}
+export function silence(): void {
+  element("message").hidden = true;
+}
+
+/** For screen readers. */
+export function announce(text: string): void {
+  element("announcement").textContent = text;
+}

@@ -1,0 +1,229 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The page: two tabs, what they share, and the address.
+
+import { applyEdits, editsOf, pack, unpack, type Edits } from "./address";
+import { CurvePanel } from "./curve_panel";
+import { checkedCurve, CurveEditor, type CurveState } from "./curves";
+import { checkedSettings, Editor, messageOf, type Settings } from "./editor";
+import { announce, button, element, say, silence } from "./elements";
+import { curveExamples, examples } from "./examples";
+import { Handles } from "./handles";
+import { loadModeler, type MeshState, type Modeler } from "./modeler";
+import type { Theme } from "./shading";
+import { SurfacePanel } from "./surface_panel";
+import { Viewer } from "./viewer";
+
+type Tab = "surface" | "curve";
+
+interface Shared {
+  settings: Settings;
+  camera: number[];
+  edits?: Edits;
+}
+
+class Page {
+  private tab: Tab = "surface";
+  private readonly viewer = new Viewer(element<HTMLCanvasElement>("canvas"));
+  readonly editor: Editor;
+  readonly curve: CurveEditor;
+  private readonly panel: SurfacePanel;
+  private readonly curvePanel: CurvePanel;
+  private timer = 0;
+  private ownAddress = "";
+
+  constructor(readonly modeler: Modeler) {
+    this.editor = new Editor(modeler, this.viewer, say);
+    this.curve = new CurveEditor(element<SVGSVGElement>("drawing"), modeler, say, announce);
+    const link = (): void => void this.copyLink();
+    const handles = new Handles(this.viewer, this.editor, announce);
+    this.panel = new SurfacePanel(this.editor, this.viewer, handles, modeler, link);
+    this.curvePanel = new CurvePanel(this.curve, link);
+    this.editor.onChange = (isFinal) => {
+      this.panel.refresh();
+      if (isFinal) this.changed();
+    };
+    this.curve.onChange = () => {
+      this.curvePanel.refresh();
+      this.changed();
+    };
+    this.viewer.controls.addEventListener("end", () => this.changed());
+    this.editor.history.onChange = this.curve.history.onChange = () => this.showHistory();
+    this.wire();
+    this.takeTheme();
+  }
+
+  async start(): Promise<void> {
+    this.curve.show(curveExamples.bottle, "bottle", true);
+    if (!(await this.readAddress())) this.panel.showExample("cube", {}, true);
+    element("loading").remove();
+    this.viewer.draw();
+    document.documentElement.dataset.ready = String(Math.round(performance.now()));
+  }
+
+  // --- the frame of the page ---
+
+  private wire(): void {
+    button("undo").addEventListener("click", () => this.undo());
+    button("redo").addEventListener("click", () => this.redo());
+    button("help").addEventListener("click", () => element<HTMLDialogElement>("help-dialog").showModal());
+    element("message").querySelector("button")!.addEventListener("click", silence);
+    for (const tab of ["surface", "curve"] as const)
+      button(`tab-${tab}`).addEventListener("click", () => this.show(tab));
+    element("tab-surface").parentElement!.addEventListener("keydown", (event) => {
+      if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+      this.show(this.tab === "surface" ? "curve" : "surface");
+      button(`tab-${this.tab}`).focus();
+    });
+    window.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("hashchange", () => {
+      if (location.hash !== this.ownAddress) void this.readAddress();
+    });
+    window.addEventListener("resize", () => this.panel.refresh());
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takeTheme());
+  }
+
+  private key(event: KeyboardEvent): void {
+    const inText = event.target instanceof HTMLInputElement && !["range", "checkbox", "radio"].includes(event.target.type);
+    if ((event.ctrlKey || event.metaKey) && !inText && ["z", "y"].includes(event.key.toLowerCase())) {
+      event.preventDefault();
+      if (event.key.toLowerCase() === "y" || event.shiftKey) this.redo();
+      else this.undo();
+    }
+    if (event.key === "?" && !inText) element<HTMLDialogElement>("help-dialog").showModal();
+  }
+
+  private undo(): void {
+    silence();
+    (this.tab === "surface" ? this.editor : this.curve).undo();
+  }
+  private redo(): void {
+    silence();
+    (this.tab === "surface" ? this.editor : this.curve).redo();
+  }
+
+  private showHistory(): void {
+    const { history } = this.tab === "surface" ? this.editor : this.curve;
+    button("undo").disabled = !history.canUndo;
+    button("redo").disabled = !history.canRedo;
+  }
+
+  private show(tab: Tab): void {
+    this.tab = tab;
+    for (const name of ["surface", "curve"] as const) {
+      element(name).hidden = name !== tab;
+      button(`tab-${name}`).setAttribute("aria-selected", String(name === tab));
+      button(`tab-${name}`).tabIndex = name === tab ? 0 : -1;
+    }
+    this.showHistory();
+    if (tab === "surface") this.viewer.requestDraw();
+    else this.curve.requestDraw();
+    this.changed();
+  }
+
+  private takeTheme(): void {
+    const style = getComputedStyle(document.documentElement);
+    const color = (name: string): string => style.getPropertyValue(`--${name}`).trim();
+    this.viewer.setTheme({
+      background: color("background"),
+      surface: color("surface"),
+      inside: color("inside"),
+      edge: color("edge"),
+      crease: color("crease"),
+      vertex: color("vertex"),
+      normal: color("normal"),
+      selection: color("selection"),
+    } satisfies Theme);
+  }
+
+  // --- the address ---
+
+  private changed(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => void this.writeAddress(), 400);
+  }
+
+  private async address(): Promise<string> {
+    if (this.tab === "curve") return `#curve=${await pack(this.curve.state)}`;
+    const { editor } = this;
+    const round = (x: number): number => Number(x.toPrecision(6));
+    const shared: Shared = {
+      settings: editor.settings,
+      camera: [...this.viewer.camera.position.toArray(), ...this.viewer.controls.target.toArray()].map(round),
+    };
+    const edits = editsOf(editor.mesh.state(), this.exampleState(editor.name));
+    if (edits) shared.edits = edits;
+    return `#${encodeURIComponent(editor.name)}=${await pack(shared)}`;
+  }
+
+  private exampleState(name: string): MeshState | undefined {
+    if (!examples[name]) return undefined;
+    const mesh = this.panel.exampleMesh(name);
+    const state = mesh.state();
+    mesh.delete();
+    return state;
+  }
+
+  private async writeAddress(): Promise<void> {
+    const hash = await this.address();
+    if (hash.length > 200_000) return; // a large mesh of the user's
+    this.ownAddress = hash;
+    history.replaceState(null, "", hash);
+  }
+
+  private async copyLink(): Promise<void> {
+    const hash = await this.address();
+    const text = location.href.replace(/#.*$/, "") + hash;
+    try {
+      await navigator.clipboard.writeText(text);
+      say(`The link is copied; it has ${text.length} characters.`, "note");
+    } catch {
+      say("The link cannot be copied; the address of the page is the same.", "error");
+    }
+  }
+
+  /** Shows what the address says; false if it says nothing. */
+  private async readAddress(): Promise<boolean> {
+    const [name, packed] = location.hash.slice(1).split("=");
+    if (!packed) return name !== "" && this.panel.showExample(decodeURIComponent(name), {}, true);
+    try {
+      const value = await unpack(packed);
+      if (name === "curve") {
+        this.curve.restore(checkedCurve(value as Partial<CurveState>, this.curve.state));
+        this.show("curve");
+        return this.panel.showExample("cube", {}, true);
+      }
+      return this.takeShared(decodeURIComponent(name), value as Shared);
+    } catch (error) {
+      say(`The link cannot be read: ${messageOf(error)}`, "error");
+      return false;
+    }
+  }
+
+  private takeShared(name: string, shared: Shared): boolean {
+    const { settings, edits } = shared;
+    const make = () =>
+      edits ? this.modeler.restoreMesh(applyEdits(edits, this.exampleState(name))) : this.panel.exampleMesh(name);
+    if (!this.editor.load(make, name, checkedSettings(settings ?? {}), this.editor.mesh === undefined)) return false;
+    if (shared.camera?.length === 6 && shared.camera.every(Number.isFinite)) {
+      this.viewer.controls.target.fromArray(shared.camera, 3);
+      this.viewer.camera.position.fromArray(shared.camera);
+      this.viewer.controls.update();
+    }
+    return true;
+  }
+}
+
+try {
+  const page = new Page(await loadModeler());
+  await page.start();
+  Object.assign(window, { page }); // for the tests
+} catch (error) {
+  element("loading").textContent = `The page cannot be shown: ${messageOf(error)}`;
+}

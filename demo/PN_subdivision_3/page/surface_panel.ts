@@ -1,0 +1,251 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The panel beside the surface.
+
+import { button, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
+import { format, type Editor, type Settings } from "./editor";
+import { examples } from "./examples";
+import { objFile, plyFile, save } from "./files";
+import type { Handles } from "./handles";
+import type { Modeler } from "./modeler";
+import type { Shading } from "./shading";
+import type { Layout, Viewer } from "./viewer";
+
+const titles: Record<string, string> = {
+  "catmull-clark": "Catmull-Clark",
+  kobbelt: "Kobbelt (quads)",
+  loop: "Loop (triangles)",
+  butterfly: "Butterfly (triangles)",
+  "doo-sabin": "Doo-Sabin",
+  sqrt3: "√3 (triangles)",
+  "modified-catmull-clark": "Modified Catmull-Clark",
+  "modified-loop": "Modified Loop (triangles)",
+  "ct-catmull-clark": "Catmull-Clark, curvature transfer",
+  "ct-loop": "Loop, curvature transfer",
+};
+
+export class SurfacePanel {
+  constructor(
+    private readonly editor: Editor,
+    private readonly viewer: Viewer,
+    private readonly handles: Handles,
+    private readonly modeler: Modeler,
+    private readonly onLink: () => void,
+  ) {
+    fill(select("example"), Object.entries(examples).map(([name, e]) => [name, e.title]));
+    fill(select("scheme"), [...editor.schemes.keys()].map((name) => [name, titles[name] ?? name]));
+    select("example").addEventListener("change", () => {
+      silence();
+      this.showExample(select("example").value);
+    });
+    this.wireFiles();
+    this.wireSettings();
+    this.wireMesh();
+    this.wireSelection();
+    this.wireExport();
+  }
+
+  /** Returns whether it worked. */
+  showExample(name: string, settings: Partial<Settings> = {}, isFirst = false): boolean {
+    const example = examples[name];
+    if (!example) return false;
+    return this.editor.load(
+      () => this.exampleMesh(name),
+      name,
+      { scheme: example.scheme, rounds: example.rounds, showNormals: !example.hidesNormals, ...settings },
+      isFirst,
+    );
+  }
+
+  exampleMesh(name: string): ReturnType<Modeler["readMesh"]> {
+    const example = examples[name];
+    const mesh = this.modeler.readMesh(new TextEncoder().encode(example.text), example.format);
+    if (example.normals === "sphere") mesh.takeNormalsOfSphere();
+    return mesh;
+  }
+
+  async open(file: File): Promise<void> {
+    silence();
+    try {
+      this.editor.open(new Uint8Array(await file.arrayBuffer()), file.name);
+    } catch {
+      say(`${file.name}: the file cannot be read`, "error");
+    }
+  }
+
+  private wireFiles(): void {
+    button("open").addEventListener("click", () => input("file").click());
+    input("file").addEventListener("change", () => {
+      const file = input("file").files?.[0];
+      if (file) void this.open(file);
+      input("file").value = "";
+    });
+    const drop = element("drop");
+    let depth = 0; // of elements that the mouse is over
+    const show = (change: number): void => {
+      depth = Math.max(0, depth + change);
+      drop.hidden = depth === 0;
+    };
+    const hasFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
+    window.addEventListener("dragenter", (e) => hasFile(e) && show(1));
+    window.addEventListener("dragleave", (e) => hasFile(e) && show(-1));
+    window.addEventListener("dragover", (e) => e.preventDefault());
+    window.addEventListener("drop", (event) => {
+      event.preventDefault();
+      show(-depth);
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.open(file);
+    });
+  }
+
+  private wireSettings(): void {
+    const { editor } = this;
+    select("scheme").addEventListener("change", () => editor.set({ scheme: select("scheme").value }));
+    input("rounds").addEventListener("input", () => editor.set({ rounds: Number(input("rounds").value) }));
+    onChoice("layout", (value) => editor.set({ layout: value as Layout }));
+    onChoice("shading", (value) => editor.set({ shading: value as Shading }));
+    input("limit").addEventListener("change", () => editor.set({ limit: input("limit").checked }));
+    input("show-control").addEventListener("change", () => editor.set({ showControl: input("show-control").checked }));
+    input("show-normals").addEventListener("change", () => editor.set({ showNormals: input("show-normals").checked }));
+  }
+
+  private wireMesh(): void {
+    const { editor } = this;
+    const onClick = (id: string, act: () => void): void => button(id).addEventListener("click", act);
+    onClick("normals-zero", () => editor.change((mesh) => mesh.dropNormals()));
+    onClick("normals-estimate", () => editor.change((mesh) => mesh.estimateNormals()));
+    onClick("normals-sphere", () => editor.change((mesh) => mesh.takeNormalsOfSphere()));
+    onClick("mark", () => {
+      this.handles.marksEdges = !this.handles.marksEdges;
+      button("mark").setAttribute("aria-pressed", String(this.handles.marksEdges));
+    });
+    onClick("creases-clear", () => editor.change((mesh) => void mesh.detectCreases(180)));
+    onClick("detect", () => {
+      const angle = Number(input("angle").value);
+      editor.change((mesh) => {
+        const n = mesh.detectCreases(angle);
+        say(`${n} ${n === 1 ? "edge is" : "edges are"} sharp.`, "note");
+      });
+    });
+  }
+
+  private wireSelection(): void {
+    const { editor } = this;
+    const numbers = (names: string[]): number[] | undefined => {
+      const values = names.map((name) => Number(input(name).value.replace(",", ".")));
+      return values.every(Number.isFinite) ? values : undefined;
+    };
+    const onNumbers = (names: string[], act: (x: number, y: number, z: number) => void): void => {
+      for (const name of names)
+        input(name).addEventListener("change", () => {
+          const values = numbers(names);
+          if (values) act(values[0], values[1], values[2]);
+          else this.refresh();
+        });
+    };
+    onNumbers(["px", "py", "pz"], (x, y, z) => {
+      const { vertex } = editor.selection;
+      if (vertex !== undefined) editor.setPoint(vertex, x, y, z);
+    });
+    onNumbers(["nx", "ny", "nz"], (x, y, z) => {
+      const { wedge } = editor.selection;
+      if (wedge !== undefined) editor.setNormal(wedge, x, y, z);
+    });
+    button("normal-zero").addEventListener("click", () => {
+      const { wedge } = editor.selection;
+      if (wedge !== undefined) editor.setNormal(wedge, 0, 0, 0);
+    });
+    button("deselect").addEventListener("click", () => editor.select({}));
+  }
+
+  private wireExport(): void {
+    const name = (): string => this.editor.name.replace(/\.[^.]*$/, "") || "mesh";
+    button("save-surface").addEventListener("click", () => {
+      const surface = this.editor.shownSurface;
+      save(plyFile(surface.points(), surface.controlNormals(), surface.faces()) as BlobPart, "model/ply",
+        `${name()}_${this.editor.settings.scheme}.ply`);
+    });
+    button("save-control").addEventListener("click", () => this.saveControlMesh(name()));
+    button("save-png").addEventListener("click", async () => save(await this.viewer.png(), "image/png", `${name()}.png`));
+    button("copy-link").addEventListener("click", this.onLink);
+  }
+
+  /** PLY holds one normal for each vertex: with creases it is OBJ. */
+  private saveControlMesh(name: string): void {
+    const { mesh, handles } = this.editor;
+    const state = mesh.state();
+    if (mesh.numberOfSharpEdges() > 0)
+      return save(objFile(state.points, state.cornerNormals!, state), "model/obj", `${name}_control.obj`);
+    const normals = new Float64Array(state.points.length);
+    handles.vertices.forEach((v, w) => normals.set(handles.normals.subarray(3 * w, 3 * w + 3), 3 * v));
+    save(plyFile(state.points, normals, state) as BlobPart, "model/ply", `${name}_control.ply`);
+  }
+
+  /** Shows what holds now. */
+  refresh(): void {
+    const { editor } = this;
+    const { settings, selection, handles } = editor;
+    const example = examples[editor.name];
+    this.showName();
+    element("about").textContent = example ? example.about : `${format(editor.mesh.numberOfFaces())} faces`;
+    select("scheme").value = settings.scheme;
+    input("rounds").value = String(settings.rounds);
+    input("rounds").max = String(editor.greatestRounds(editor.mesh, settings.scheme));
+    element("rounds-value").textContent = String(settings.rounds);
+    choose("layout", settings.layout);
+    choose("shading", settings.shading);
+    input("limit").checked = settings.limit && editor.canShowLimit;
+    input("limit").disabled = !editor.canShowLimit;
+    input("show-control").checked = settings.showControl;
+    input("show-normals").checked = settings.showNormals;
+    for (const id of ["mark", "detect", "creases-clear"]) button(id).disabled = !editor.scheme.hasCreaseRules;
+    element("status").textContent = editor.status;
+    this.showScale();
+
+    const { vertex, wedge } = selection;
+    element("selection-title").textContent = vertex === undefined ? "Vertex" : `Vertex ${vertex}`;
+    element("selection-hint").hidden = vertex !== undefined;
+    element("selection-values").hidden = vertex === undefined;
+    if (vertex !== undefined) showTriple(["px", "py", "pz"], handles.points, vertex);
+    if (wedge !== undefined) showTriple(["nx", "ny", "nz"], handles.normals, wedge);
+
+    const picture = this.viewer.canvas.parentElement!;
+    picture.classList.toggle("both", settings.layout === "both");
+    picture.classList.toggle("stacked", this.viewer.isStacked());
+    element("label-linear").hidden = settings.layout === "pn";
+    element("label-pn").hidden = settings.layout === "linear";
+  }
+
+  private showName(): void {
+    const list = select("example");
+    list.querySelector("option[data-file]")?.remove();
+    if (!examples[this.editor.name]) {
+      const own = new Option(this.editor.name, this.editor.name);
+      own.dataset.file = "";
+      list.prepend(own);
+    }
+    list.value = this.editor.name;
+  }
+
+  private showScale(): void {
+    const { settings, colorEnd } = this.editor;
+    const isCurvature = settings.shading === "gaussian" || settings.shading === "mean";
+    element("scale").hidden = !isCurvature;
+    element("scale-name").textContent = settings.shading === "gaussian" ? "Gaussian curvature" : "Mean curvature";
+    element("scale-low").textContent = `−${colorEnd.toPrecision(2)}`;
+    element("scale-high").textContent = colorEnd.toPrecision(2);
+  }
+}
+
+function showTriple(names: string[], values: Float64Array, i: number): void {
+  names.forEach((name, k) => {
+    const field = input(name);
+    if (document.activeElement !== field) field.value = String(Number(values[3 * i + k].toPrecision(6)));
+  });
+}

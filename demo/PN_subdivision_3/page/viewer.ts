@@ -1,0 +1,404 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The picture: one or two views of surfaces with one camera, and the control mesh over them.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Handles } from "./modeler";
+import { makeMaterial, setShading, setTheme, type Shading, type Theme } from "./shading";
+
+/** A surface, and where it is on the canvas. */
+class Pane {
+  readonly scene = new THREE.Scene();
+  readonly material = makeMaterial();
+  private readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+
+  constructor(controlMesh: THREE.Object3D) {
+    this.mesh.frustumCulled = false;
+    this.scene.add(this.mesh, controlMesh);
+  }
+
+  setTriangles(triangles: Uint32Array): void {
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = new THREE.BufferGeometry();
+    this.mesh.geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+  }
+
+  setVertices(positions: Float32Array, normals: Float32Array): void {
+    this.setAttribute("position", positions, 3);
+    this.setAttribute("normal", normals, 3);
+  }
+
+  setValues(values: Float32Array): void {
+    this.setAttribute("value", values, 1);
+  }
+
+  private setAttribute(name: string, values: Float32Array, itemSize: number): void {
+    const old = this.mesh.geometry.getAttribute(name) as THREE.BufferAttribute | undefined;
+    if (old && old.array.length === values.length) {
+      (old.array as Float32Array).set(values);
+      old.needsUpdate = true;
+    } else {
+      const attribute = new THREE.BufferAttribute(values.slice(), itemSize);
+      attribute.setUsage(THREE.DynamicDrawUsage);
+      this.mesh.geometry.setAttribute(name, attribute);
+    }
+  }
+}
+
+/** Lines and dots of a control mesh. */
+class ControlPicture {
+  readonly group = new THREE.Group();
+  readonly normals = new THREE.Group();
+  private readonly edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly sharp = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly dots = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
+  private readonly stems = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly tips = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
+  private readonly mark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
+  private readonly tipMark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
+
+  constructor() {
+    this.group.add(this.edges, this.sharp, this.dots, this.mark);
+    this.normals.add(this.stems, this.tips, this.tipMark);
+    for (const object of [...this.group.children, ...this.normals.children] as Drawn[]) {
+      object.frustumCulled = false;
+      object.add(makeGhost(object));
+    }
+  }
+
+  setTheme(theme: Theme): void {
+    this.edges.material.color.set(theme.edge);
+    this.sharp.material.color.set(theme.crease);
+    this.dots.material.color.set(theme.vertex);
+    this.stems.material.color.set(theme.normal);
+    this.tips.material.color.set(theme.normal);
+    this.mark.material.color.set(theme.selection);
+    this.tipMark.material.color.set(theme.selection);
+    for (const object of [...this.group.children, ...this.normals.children] as Drawn[])
+      (object.children[0] as Drawn).material.color.copy(object.material.color);
+  }
+
+  /** In pixels. */
+  setDotSize(size: number): void {
+    for (const [points, factor] of [[this.dots, 1], [this.tips, 0.9], [this.mark, 1.6], [this.tipMark, 1.5]] as const) {
+      points.material.size = factor * size;
+      (points.children[0] as THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial>).material.size = factor * size;
+    }
+  }
+
+  show(handles: Handles, normalLength: number, selection: Selection): void {
+    const { points, edges, sharp, vertices } = handles;
+    const lines: number[] = [];
+    const creases: number[] = [];
+    for (let e = 0; e < sharp.length; ++e) {
+      const list = sharp[e] ? creases : lines;
+      for (const v of [edges[2 * e], edges[2 * e + 1]]) list.push(points[3 * v], points[3 * v + 1], points[3 * v + 2]);
+    }
+    const stems: number[] = [];
+    const tips: number[] = [];
+    for (let w = 0; w < vertices.length; ++w) {
+      const tip = normalTip(handles, w, normalLength);
+      if (!tip) continue;
+      const v = vertices[w];
+      stems.push(points[3 * v], points[3 * v + 1], points[3 * v + 2], ...tip);
+      tips.push(...tip);
+    }
+    setPositions(this.edges, lines);
+    setPositions(this.sharp, creases);
+    setPositions(this.dots, points);
+    setPositions(this.stems, stems);
+    setPositions(this.tips, tips);
+    const v = selection.vertex;
+    setPositions(this.mark, v === undefined ? [] : points.slice(3 * v, 3 * v + 3));
+    const tip = selection.wedge === undefined ? undefined : normalTip(handles, selection.wedge, normalLength);
+    setPositions(this.tipMark, tip ?? []);
+  }
+}
+
+export interface Selection {
+  vertex?: number;
+  wedge?: number;
+}
+
+export function normalTip(handles: Handles, wedge: number, length: number): [number, number, number] | undefined {
+  const v = handles.vertices[wedge];
+  const [x, y, z] = handles.normals.subarray(3 * wedge, 3 * wedge + 3);
+  const size = Math.hypot(x, y, z);
+  if (size === 0) return undefined;
+  const s = length / size;
+  return [handles.points[3 * v] + s * x, handles.points[3 * v + 1] + s * y, handles.points[3 * v + 2] + s * z];
+}
+
+/** Round dots. */
+function dotMaterial(): THREE.PointsMaterial {
+  const material = new THREE.PointsMaterial({ sizeAttenuation: false, transparent: true });
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <color_fragment>",
+      `#include <color_fragment>
+      float fromCenter = length(gl_PointCoord - 0.5);
+      if (fromCenter > 0.5) discard;
+      diffuseColor.a *= 1.0 - smoothstep(0.42, 0.5, fromCenter);`,
+    );
+  };
+  return material;
+}
+
+type Drawn = (THREE.LineSegments | THREE.Points) & { material: THREE.LineBasicMaterial | THREE.PointsMaterial };
+
+/** The same, pale, where it is behind the surface. */
+function makeGhost(object: Drawn): Drawn {
+  const ghost = object.clone(false) as Drawn;
+  ghost.material = object.material.clone();
+  ghost.material.onBeforeCompile = object.material.onBeforeCompile;
+  ghost.material.depthFunc = THREE.GreaterDepth;
+  ghost.material.depthWrite = false;
+  ghost.material.transparent = true;
+  ghost.material.opacity = 0.22;
+  return ghost;
+}
+
+function setPositions(object: THREE.LineSegments | THREE.Points, positions: ArrayLike<number>): void {
+  const array = Float32Array.from(positions);
+  const old = object.geometry.getAttribute("position") as THREE.BufferAttribute | undefined;
+  if (old && old.array.length === array.length) {
+    (old.array as Float32Array).set(array);
+    old.needsUpdate = true;
+  } else {
+    object.geometry.dispose();
+    object.geometry = new THREE.BufferGeometry();
+    object.geometry.setAttribute("position", new THREE.BufferAttribute(array, 3));
+    for (const ghost of object.children as Drawn[]) ghost.geometry = object.geometry;
+  }
+}
+
+export type Layout = "pn" | "linear" | "both";
+
+export class Viewer {
+  readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
+  readonly controls: OrbitControls;
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly control = new ControlPicture();
+  private readonly controlCopy = new ControlPicture();
+  private readonly pn: Pane;
+  private readonly linear: Pane;
+  private layout: Layout = "both";
+  private radius = 1;
+  private normalLength = 1;
+  private frame = 0;
+  private theme: Theme | undefined;
+  /** Called after each picture. */
+  onDraw: (() => void) | undefined;
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.autoClear = false;
+    const pnOverlay = new THREE.Group();
+    pnOverlay.add(this.control.group, this.control.normals);
+    this.pn = new Pane(pnOverlay);
+    this.linear = new Pane(this.controlCopy.group);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.rotateSpeed = 0.9;
+    this.controls.addEventListener("change", () => this.requestDraw());
+    new ResizeObserver(() => this.requestDraw()).observe(canvas);
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+    this.control.setTheme(theme);
+    this.controlCopy.setTheme(theme);
+    for (const pane of [this.pn, this.linear]) setTheme(pane.material, theme);
+    this.requestDraw();
+  }
+
+  setLayout(layout: Layout): void {
+    this.layout = layout;
+    this.requestDraw();
+  }
+
+  setShading(shading: Shading, scale: number): void {
+    for (const pane of [this.pn, this.linear]) setShading(pane.material, shading, scale);
+    this.requestDraw();
+  }
+
+  setVisible(controlMesh: boolean, normals: boolean): void {
+    this.control.group.visible = controlMesh;
+    this.controlCopy.group.visible = controlMesh;
+    this.control.normals.visible = normals;
+    this.requestDraw();
+  }
+
+  pane(isLinear: boolean): Pane {
+    return isLinear ? this.linear : this.pn;
+  }
+
+  showControlMesh(handles: Handles, normalLength: number, selection: Selection): void {
+    this.normalLength = normalLength;
+    this.control.show(handles, normalLength, selection);
+    this.controlCopy.show(handles, normalLength, selection);
+    this.requestDraw();
+  }
+
+  /** Looks at everything from the usual direction, or from that of now. */
+  frameAll(pointLists: ArrayLike<number>[], keepDirection = false): void {
+    const box = new THREE.Box3();
+    const p = new THREE.Vector3();
+    for (const points of pointLists)
+      for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
+    const sphere = box.getBoundingSphere(new THREE.Sphere());
+    this.radius = sphere.radius || 1;
+    const direction = keepDirection
+      ? this.camera.position.clone().sub(this.controls.target).normalize()
+      : new THREE.Vector3(0.62, -1, 0.62).normalize();
+    const center = box.getCenter(new THREE.Vector3());
+    const aspect = this.paneSize().x / Math.max(1, this.paneSize().y);
+    const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const right = this.camera.up.clone().cross(direction).normalize();
+    const up = direction.clone().cross(right);
+    let distance = 0;
+    for (const points of pointLists)
+      for (let i = 0; i < points.length; i += 3) {
+        p.fromArray(points, i).sub(center);
+        const sideways = Math.max(Math.abs(p.dot(right)) / (high * aspect), Math.abs(p.dot(up)) / high);
+        distance = Math.max(distance, p.dot(direction) + 1.2 * sideways);
+      }
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(direction, distance || 1);
+    this.updateClipping();
+    this.controls.update();
+    this.requestDraw();
+  }
+
+  setSize(radius: number): void {
+    this.radius = radius;
+  }
+
+  /** Turns the view, by angles in radians. */
+  rotate(horizontal: number, vertical: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const spherical = new THREE.Spherical().setFromVector3(new THREE.Vector3(offset.x, offset.z, -offset.y));
+    spherical.theta += horizontal;
+    spherical.phi = THREE.MathUtils.clamp(spherical.phi + vertical, 0.05, Math.PI - 0.05);
+    const turned = new THREE.Vector3().setFromSpherical(spherical);
+    this.camera.position.copy(this.controls.target).add(new THREE.Vector3(turned.x, -turned.z, turned.y));
+    this.controls.update();
+    this.requestDraw();
+  }
+
+  zoom(factor: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.requestDraw();
+  }
+
+  /** The pane at a place of the canvas, in CSS pixels: where it begins, and its size. */
+  private paneSize(): THREE.Vector2 {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (this.layout !== "both") return new THREE.Vector2(width, height);
+    return this.isStacked() ? new THREE.Vector2(width, height / 2) : new THREE.Vector2(width / 2, height);
+  }
+
+  /** Whether two views are above each other. */
+  isStacked(): boolean {
+    return this.canvas.clientHeight > 1.15 * this.canvas.clientWidth;
+  }
+
+  /** A place of the canvas in CSS pixels as one of its pane, in [-1, 1]. */
+  toPane(x: number, y: number): { ndc: THREE.Vector2; isLinear: boolean } {
+    const size = this.paneSize();
+    const isSecond = this.layout === "both" && (this.isStacked() ? y >= size.y : x >= size.x);
+    const inX = isSecond && !this.isStacked() ? x - size.x : x;
+    const inY = isSecond && this.isStacked() ? y - size.y : y;
+    const ndc = new THREE.Vector2((2 * inX) / size.x - 1, 1 - (2 * inY) / size.y);
+    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) };
+  }
+
+  /** Where a point is in a pane, in CSS pixels from its middle, and how far away. */
+  toPixels(p: THREE.Vector3): { x: number; y: number; depth: number } {
+    const size = this.paneSize();
+    const projected = p.clone().project(this.camera);
+    return { x: (projected.x * size.x) / 2, y: (-projected.y * size.y) / 2, depth: projected.z };
+  }
+
+  ndcToPixels(ndc: THREE.Vector2): { x: number; y: number } {
+    const size = this.paneSize();
+    return { x: (ndc.x * size.x) / 2, y: (-ndc.y * size.y) / 2 };
+  }
+
+  ray(ndc: THREE.Vector2): THREE.Ray {
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(ndc, this.camera);
+    return caster.ray;
+  }
+
+  requestDraw(): void {
+    if (this.frame === 0)
+      this.frame = requestAnimationFrame(() => {
+        this.frame = 0;
+        this.draw();
+      });
+  }
+
+  draw(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    const ratio = this.renderer.getPixelRatio();
+    if (this.canvas.width !== Math.floor(width * ratio) || this.canvas.height !== Math.floor(height * ratio))
+      this.renderer.setSize(width, height, false);
+    const size = this.paneSize();
+    this.camera.aspect = size.x / size.y;
+    this.updateClipping();
+    this.renderer.setScissorTest(false);
+    this.renderer.setClearColor(0, 0);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    // small where vertices are close to each other
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const pixels = (this.normalLength / distance) * (size.y / (2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2))));
+    const dotSize = THREE.MathUtils.clamp(0.28 * pixels, 3.5, 9);
+    this.control.setDotSize(dotSize);
+    this.controlCopy.setDotSize(dotSize);
+    const panes = this.layout === "both" ? [this.linear, this.pn] : [this.pane(this.layout === "linear")];
+    panes.forEach((pane, i) => {
+      // from the lower left
+      const x = this.isStacked() ? 0 : i * size.x;
+      const y = this.isStacked() && this.layout === "both" ? height - (i + 1) * size.y : 0;
+      this.renderer.setViewport(x, y, size.x, size.y);
+      this.renderer.setScissor(x, y, size.x, size.y);
+      this.renderer.render(pane.scene, this.camera);
+    });
+    this.onDraw?.();
+  }
+
+  private updateClipping(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = Math.max(distance - 4 * this.radius, distance / 200);
+    this.camera.far = distance + 6 * this.radius;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+
+  /** The picture on the screen, on the page's background. */
+  async png(): Promise<Blob> {
+    this.draw();
+    const copy = document.createElement("canvas");
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    const context = copy.getContext("2d")!;
+    context.fillStyle = this.theme?.background ?? "#fff";
+    context.fillRect(0, 0, copy.width, copy.height);
+    context.drawImage(this.canvas, 0, 0);
+    return new Promise((resolve, reject) =>
+      copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture cannot be made"))), "image/png"));
+  }
+}

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_WINDOWS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_WINDOWS_H
+
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/curves/Curve_end.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Window_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/curves/exact_limit_row.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The points of a window before and behind its center: that is a vertex if the mask is primal, and the first
+// point of an edge if it is dual. Smaller numbers than the mask asks for mean that the polygon ends there.
+using Window_size = std::pair<std::int64_t, std::int64_t>;
+
+// How the points of a window become those of the next round.
+template <class FT>
+struct Curve_window
+{
+  using Entry = typename Stencil<FT>::Entry;
+  using Rows = std::vector<std::vector<Entry>>;
+
+  Rows rows;
+  Window_size next;
+
+  // the rest is there if `next` is the window itself, so that the next rounds are all alike
+  std::vector<Entry> limit_row;
+  // of the points: functionals in double, empty if there is none
+  std::vector<double> first_derivative, second_derivative;
+  bool has_curvature = false;
+  double largest_other = 0;
+};
+
+// The windows of a mask, each made where it is met first.
+template <class FT>
+class Curve_windows
+{
+public:
+  using Index = std::int64_t;
+  using Window = Curve_window<FT>;
+  using Entry = typename Window::Entry;
+
+  template <class Mask>
+  explicit Curve_windows(const Mask& mask)
+    : rows_(mask)
+    , real_rows_(mask)
+  {
+    const std::vector<double> a = mask.template coefficients<double>();
+    const auto width = static_cast<Index>(a.size());
+    half_ = rows_.is_primal() ? (width - 1) / 2 - 1 : (width - 2) / 2;
+    half_ = (std::max)(half_, rows_.is_primal() ? Index(0) : Index(1));
+    outer_ = (std::max)(std::abs(a.front()), std::abs(a.back()));
+  }
+
+  bool is_primal() const { return rows_.is_primal(); }
+  bool has_same_center(const Curve_windows& other) const
+  {
+    return rows_.has_same_center(other.rows_);
+  }
+  // what a polygon of n points becomes; throws if it is too short
+  void check_size(Index n, Curve_end end) const { rows_.range(n, end); }
+
+  // the size of a window with both sides inside of the polygon
+  Window_size full() const { return {is_primal() ? half_ : half_ - 1, half_}; }
+  void widen(const Window_size& other) { half_ = (std::max)(half_, other.second); }
+
+  const Window& at(const Window_size& size)
+  {
+    const auto [window, is_new] = windows_.try_emplace(size);
+    if (is_new) make(size, window->second);
+    return window->second;
+  }
+
+private:
+  using Real = Window_functionals::Real;
+
+  // a side that ends with the polygon has twice as many points in the next round
+  Window_size next_size(const Window_size& size) const
+  {
+    const Index behind = is_primal() ? 2 * size.second : 2 * size.second - 1;
+    return {(std::min)(2 * size.first, full().first), (std::min)(behind, full().second)};
+  }
+
+  // rows from a polygon that is no longer than the window; no row leaves it where it does not end there
+  template <class Number>
+  std::vector<std::vector<typename Stencil<Number>::Entry>>
+  rows(const Univariate_rows<Number>& source, const Window_size& size,
+       const Window_size& next) const
+  {
+    std::vector<std::vector<typename Stencil<Number>::Entry>> result;
+    const Index center = 2 * size.first + source.first_point();
+    Stencil_block<Number> block;
+    for (Index i = center - next.first; i <= center + next.second; ++i) {
+      block.clear();
+      source.emit(i, size.first + size.second + 1, Curve_end::reflect, block.row());
+      block.close_row();
+      result.emplace_back(block.begin(0), block.end(0));
+    }
+    return result;
+  }
+
+  template <class Number>
+  static Ring_matrix<Number>
+  matrix(const std::vector<std::vector<typename Stencil<Number>::Entry>>& rows)
+  {
+    Ring_matrix<Number> m;
+    for (const auto& row : rows) {
+      m.emplace_back();
+      for (const auto& e : row) m.back().emplace_back(e.vertex, e.weight);
+    }
+    return m;
+  }
+
+  void make(const Window_size& size, Window& window) const
+  {
+    window.next = next_size(size);
+    window.rows = rows(rows_, size, window.next);
+    if (window.next != size) return;
+    const Ring_matrix<Real> real = matrix<Real>(rows(real_rows_, size, size));
+    const Window_functionals f(real, outer_);
+    if (f.limit().empty())
+      throw std::invalid_argument("PN_subdivision_3: the mask has no limit points: the powers of "
+                                  "its matrix do not converge");
+    for (const auto& [place, weight] : limit_row(f.limit(), matrix<FT>(window.rows)))
+      window.limit_row.push_back({place, weight});
+    window.first_derivative.assign(f.first_derivative().begin(), f.first_derivative().end());
+    window.second_derivative.assign(f.second_derivative().begin(), f.second_derivative().end());
+    window.has_curvature = f.has_curvature();
+    window.largest_other = static_cast<double>(f.largest_other());
+  }
+
+  static Ring_row<FT> limit_row(const Window_functionals::Vector& limit,
+                                const Ring_matrix<FT>& matrix)
+  {
+    if constexpr (is_exact_v<FT>) {
+      Ring_row<FT> row = exact_limit_row(matrix);
+      if (!row.empty()) return row;
+    }
+    return limit_weights(limit, matrix);
+  }
+
+  Univariate_rows<FT> rows_;
+  Univariate_rows<Real> real_rows_;
+  Index half_ = 0;
+  Real outer_ = 0;
+  std::map<Window_size, Window> windows_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_WINDOWS_H

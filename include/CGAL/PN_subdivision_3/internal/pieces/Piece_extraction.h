@@ -1,0 +1,228 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
+
+#include <boost/container/vector.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+using Face_marks = std::vector<char>;
+
+// Marks the faces that share a vertex with a marked one, too.
+inline void add_ring(const Level_connectivity& level, Face_marks& is_marked)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<char> is_touched(level.number_of_vertices(), 0);
+  for (Index h = 0; h < level.number_of_halfedges(); ++h)
+    if (!level.is_border(h) && is_marked[level.face(h)] != 0) is_touched[level.target(h)] = 1;
+  for (Index h = 0; h < level.number_of_halfedges(); ++h)
+    if (!level.is_border(h) && is_touched[level.target(h)] != 0) is_marked[level.face(h)] = 1;
+}
+
+// Some faces of a level as a level of their own. Elements keep their order, edges their orientation, faces
+// their first half-edge; so do vertices if all their faces are taken. Where faces are missing there is a
+// border, the rim; a vertex between whose faces some are missing is there several times.
+class Piece_extraction
+{
+public:
+  using Index = Level_connectivity::Index;
+  // tells the vertex of the whole level for each vertex
+  using Old_vertices = boost::container::vector<Index>;
+
+  Piece_extraction(const Level_connectivity& whole, const Face_marks& is_taken,
+                   bool takes_isolated_vertices)
+    : whole_(whole)
+    , is_taken_(is_taken)
+  {
+    number_faces();
+    number_edges();
+    for (Index v = 0; v < whole.number_of_vertices(); ++v)
+      if (!whole.is_isolated(v))
+        add_vertex(v);
+      else if (takes_isolated_vertices) {
+        add_copy(v, Level_connectivity::null);
+        ++size_.isolated_vertices;
+      }
+    connect_faces();
+    finish_vertices();
+  }
+
+  Level_connectivity& piece() { return piece_; }
+  const Old_vertices& old_vertices() const { return old_vertex_; }
+
+  // of a vertex that is there several times the first one may be owned
+  Numbered_elements vertices(const Numbered_elements& whole) const
+  {
+    Numbered_elements part(old_vertex_.size());
+    for (Index v = 0; v < part.size(); ++v) {
+      const Index old = old_vertex_[v];
+      const bool is_first = v == 0 || old_vertex_[v - 1] != old;
+      part.set(v, whole.number(old), is_first && whole.is_owned(old));
+    }
+    return part;
+  }
+  Numbered_elements edges(const Numbered_elements& whole) const
+  {
+    return part_of(whole, new_edge_, size_.edges);
+  }
+  Numbered_elements faces(const Numbered_elements& whole) const
+  {
+    return part_of(whole, new_face_, size_.faces);
+  }
+  Piece_elements elements(const Piece_elements& whole) const
+  {
+    return {vertices(whole.vertices), edges(whole.edges), faces(whole.faces)};
+  }
+
+  // of the vertices
+  template <class Values>
+  Values values(const Values& whole) const
+  {
+    Values part(old_vertex_.size(), boost::container::default_init);
+    for (Index v = 0; v < old_vertex_.size(); ++v) part[v] = whole[old_vertex_[v]];
+    return part;
+  }
+
+private:
+  using Numbers = boost::container::vector<Index>; // null: not taken
+
+  static constexpr Index null = Level_connectivity::null;
+  static Index opposite(Index h) { return Level_connectivity::opposite(h); }
+
+  bool is_inside(Index h) const { return !whole_.is_border(h) && is_taken_[whole_.face(h)] != 0; }
+  Index new_halfedge(Index h) const
+  {
+    return 2 * new_edge_[Level_connectivity::edge(h)] + (h & 1u);
+  }
+
+  void number_faces()
+  {
+    new_face_.resize(whole_.number_of_faces(), boost::container::default_init);
+    Index faces = 0;
+    for (Index f = 0; f < whole_.number_of_faces(); ++f)
+      new_face_[f] = is_taken_[f] != 0 ? faces++ : null;
+    size_.faces = faces;
+  }
+
+  void number_edges()
+  {
+    new_edge_.resize(whole_.number_of_edges(), boost::container::default_init);
+    Index edges = 0;
+    for (Index e = 0; e < whole_.number_of_edges(); ++e) {
+      const int sides = int(is_inside(2 * e)) + int(is_inside(2 * e + 1));
+      new_edge_[e] = sides != 0 ? edges++ : null;
+      size_.corners += sides;
+    }
+    size_.edges = edges;
+    piece_ = Level_connectivity(size_); // vertices come last
+  }
+
+  Index add_copy(Index v, Index halfedge)
+  {
+    old_vertex_.push_back(v);
+    halfedge_.push_back(halfedge);
+    return static_cast<Index>(old_vertex_.size() - 1);
+  }
+
+  void add_vertex(Index v)
+  {
+    const Index first = whole_.halfedge_of_vertex(v);
+    bool any_inside = false;
+    Index outside = null;
+    Index h = first;
+    do {
+      if (is_inside(h))
+        any_inside = true;
+      else
+        outside = h;
+      h = whole_.next_around_target(h);
+    } while (h != first);
+    if (!any_inside) return;
+    if (outside != null) return add_sectors(v, outside);
+    const Index copy = add_copy(v, new_halfedge(first));
+    do {
+      piece_.set_target(new_halfedge(h), copy);
+      h = whole_.next_around_target(h);
+    } while (h != first);
+  }
+
+  // a copy of v for each run of faces between two that are missing
+  void add_sectors(Index v, Index outside)
+  {
+    Index h = outside;
+    do {
+      h = whole_.next_around_target(h);
+      if (!is_inside(h)) continue;
+      const Index copy = add_copy(v, null);
+      const Index leaving = new_halfedge(opposite(h));
+      Index valence = 1;
+      for (; is_inside(h); h = whole_.next_around_target(h), ++valence)
+        piece_.set_target(new_halfedge(h), copy);
+      const Index arriving = new_halfedge(h);
+      piece_.set_target(arriving, copy);
+      piece_.set_next(arriving, leaving);
+      piece_.set_border(arriving);
+      halfedge_.back() = arriving;
+      size_.border_valences += valence;
+    } while (h != outside);
+  }
+
+  void connect_faces()
+  {
+    for (Index h = 0; h < whole_.number_of_halfedges(); ++h)
+      if (is_inside(h)) {
+        const Index n = new_halfedge(h);
+        piece_.set_next(n, new_halfedge(whole_.next(h)));
+        piece_.set_face(n, new_face_[whole_.face(h)]);
+      }
+    for (Index f = 0; f < whole_.number_of_faces(); ++f)
+      if (new_face_[f] != null)
+        piece_.set_halfedge_of_face(new_face_[f], new_halfedge(whole_.halfedge_of_face(f)));
+  }
+
+  void finish_vertices()
+  {
+    size_.vertices = old_vertex_.size();
+    piece_.resize(size_);
+    piece_.set_uniform_degree(whole_.uniform_degree());
+    for (Index v = 0; v < halfedge_.size(); ++v) piece_.set_halfedge_of_vertex(v, halfedge_[v]);
+    Numbers().swap(halfedge_);
+  }
+
+  static Numbered_elements part_of(const Numbered_elements& whole, const Numbers& numbers,
+                                   std::size_t size)
+  {
+    Numbered_elements part(size);
+    for (Index i = 0; i < numbers.size(); ++i)
+      if (numbers[i] != null) part.set(numbers[i], whole.number(i), whole.is_owned(i));
+    return part;
+  }
+
+  const Level_connectivity& whole_;
+  const Face_marks& is_taken_;
+  Level_size size_;
+  Level_connectivity piece_;
+  Numbers new_face_, new_edge_, halfedge_;
+  Old_vertices old_vertex_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H

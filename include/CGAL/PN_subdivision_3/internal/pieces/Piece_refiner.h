@@ -1,0 +1,273 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// How far a level has to be refined as a whole before it is divided.
+template <class Host>
+unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_pieces)
+{
+  constexpr std::uint64_t faces_of_a_piece = 16; // so that pieces can be about equal
+  // the numbers of Doo-Sabin's children are known where interior vertices have four edges
+  const unsigned least = std::is_same_v<Host, DQQ_host> && rounds > 0 ? 1 : 0;
+  unsigned k = 0;
+  while (k < rounds && (k < least || size.faces / number_of_pieces < faces_of_a_piece))
+    size = Host::refined_size(size, ++k);
+  return k;
+}
+
+// Refines a control level piece by piece. A piece owns faces of the level where it is divided; it is refined
+// together with the rings of faces around these. The last of them go wrong in each round, since faces are
+// missing there, and are cut off.
+template <class Scheme, class Average>
+class Piece_refiner
+{
+public:
+  using Host = typename Scheme::Host;
+  using Index = Level_connectivity::Index;
+  using Refiner = Level_refiner<Scheme, Average>;
+  using One_round = typename Refiner::One_round;
+  using Value = typename Refiner::Value;
+  using Values = typename Refiner::Values;
+
+  // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
+  // vertices from different threads
+  struct Output
+  {
+    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Index, const Value&)> put;
+  };
+
+  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
+                unsigned rounds, std::size_t number_of_pieces, unsigned rings,
+                const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , rings_(rings)
+    , rounds_(rounds)
+    , base_round_(dividing_round<Host>(control.size(), rounds, number_of_pieces))
+    , for_chunks_(for_chunks)
+    , base_(scheme_, std::move(control), std::move(values), for_chunks)
+  {
+    while (base_.rounds_done() < base_round_) base_.refine();
+    wholes_.emplace(base_.level(), base_round_, rounds_);
+    divide(number_of_pieces);
+  }
+  Piece_refiner(const Piece_refiner&) = delete;
+  Piece_refiner& operator=(const Piece_refiner&) = delete;
+
+  // after all rounds
+  const Whole_level& result() const { return wholes_->back(); }
+  // the level that is divided
+  const Level_connectivity& base() const { return base_.level(); }
+  unsigned base_round() const { return base_round_; }
+
+  bool is_empty(std::size_t piece) const
+  {
+    return faces_of_piece_[piece] == 0 &&
+           (piece != 0 || base_.level().size().isolated_vertices == 0);
+  }
+
+  void refine(std::size_t piece, const Output& out) const
+  {
+    const bool has_isolated = piece == 0;
+    Part part = first_part(piece, has_isolated);
+    for (unsigned k = base_round_ + 1; k < rounds_; ++k) part = refined(part, k, has_isolated);
+    if (base_round_ == rounds_)
+      put(part.level, part.elements, has_isolated, part.values, out);
+    else
+      put_last_round(part, has_isolated, out);
+  }
+
+private:
+  struct Part
+  {
+    Level_connectivity level;
+    Piece_elements elements;
+    Values values;
+  };
+
+  void divide(std::size_t number_of_pieces)
+  {
+    const Level_connectivity& level = base_.level();
+    const Face_division division(level, number_of_pieces, [&](Index v) {
+      const Value value = base_.values()[v];
+      const auto& p = point_of(value);
+      return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
+                                   CGAL::to_double(p[2])};
+    });
+    faces_of_piece_.assign(number_of_pieces, 0);
+    for (Index f = 0; f < level.number_of_faces(); ++f) {
+      piece_of_face_.push_back(division.piece_of_face(f));
+      ++faces_of_piece_[piece_of_face_.back()];
+    }
+    first_face_.assign(level.number_of_vertices(), Level_connectivity::null);
+    for (Index h = 0; h < level.number_of_halfedges(); ++h)
+      if (!level.is_border(h)) {
+        Index& first = first_face_[level.target(h)];
+        first = (std::min)(first, level.face(h));
+      }
+    // where sqrt(3) refines the border other faces lose the vertex to their neighbors
+    for (Index h = 0; h < level.number_of_halfedges(); ++h)
+      if (level.is_border(h))
+        first_face_[level.target(h)] = level.face(Level_connectivity::opposite(h));
+  }
+
+  Piece_elements elements_of_base(std::size_t piece, const Face_marks& owned) const
+  {
+    const Level_connectivity& level = base_.level();
+    Piece_elements elements = elements_of(level.size(), owned);
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      elements.vertices.set(v, v, level.is_isolated(v) ? piece == 0 : owned[first_face_[v]] != 0);
+    for (Index e = 0; e < level.number_of_edges(); ++e) {
+      const Index f = level.face(2 * e), g = level.face(2 * e + 1); // null is the greatest number
+      elements.edges.set(e, e, owned[(std::min)(f, g)] != 0);
+    }
+    return elements;
+  }
+
+  Part first_part(std::size_t piece, bool has_isolated) const
+  {
+    const Level_connectivity& level = base_.level();
+    Face_marks owned(level.number_of_faces());
+    for (Index f = 0; f < level.number_of_faces(); ++f) owned[f] = piece_of_face_[f] == piece;
+    const Piece_elements elements = elements_of_base(piece, owned);
+    return with_rings(level, elements, base_.values(), has_isolated);
+  }
+
+  // what is owned, and the rings around it
+  Part with_rings(const Level_connectivity& level, const Piece_elements& elements,
+                  const Values& values, bool has_isolated) const
+  {
+    Face_marks kept = owned_faces(elements.faces);
+    for (unsigned i = 0; i < rings_; ++i) add_ring(level, kept);
+    Piece_extraction extraction(level, kept, has_isolated);
+    return {std::move(extraction.piece()), extraction.elements(elements),
+            extraction.values(values)};
+  }
+
+  void close_rim_before(unsigned round, Part& part) const
+  {
+    if (!refines_border<Host>(round) || !part.level.has_border()) return;
+    for (const Index v : close_rim(part.level, part.elements, (*wholes_)[round - 1]))
+      part.values.push_back(part.values[v]);
+  }
+
+  Refiner refiner(Part& part, unsigned round) const
+  {
+    const Level_size size = Host::refined_size(part.level.size(), round);
+    if (size.halfedges() >= Level_connectivity::null || size.vertices >= Level_connectivity::null)
+      throw std::length_error("PN_subdivision_3: a piece would have " +
+                              std::to_string(size.halfedges()) +
+                              " half-edges, more than can be numbered: ask for more pieces");
+    return Refiner(scheme_, std::move(part.level), std::move(part.values), for_chunks_, round - 1);
+  }
+
+  Part refined(Part& part, unsigned round, bool has_isolated) const
+  {
+    close_rim_before(round, part);
+    Refiner level = refiner(part, round);
+    const One_round one = level.next_round();
+    const Piece_elements elements = Child_elements<Host>(level.level(), part.elements, one.host(),
+                                                         (*wholes_)[round - 1], for_chunks_)
+                                      .all(one.refined_size());
+    part.elements = Piece_elements();
+    level.refine(one);
+    return with_rings(level.level(), elements, level.values(), has_isolated);
+  }
+
+  void put_last_round(Part& part, bool has_isolated, const Output& out) const
+  {
+    close_rim_before(rounds_, part);
+    const Refiner level = refiner(part, rounds_);
+    const One_round one = level.next_round();
+    const auto vertices = put_connectivity(level, one, part.elements, has_isolated, out);
+    level.evaluate(one, level.transfers(one), 0, static_cast<Index>(one.refined_size().vertices),
+                   [&](Index first, const Value* values, Index n) {
+                     auto it = std::lower_bound(vertices.begin(), vertices.end(), first);
+                     for (; it != vertices.end() && *it - first < n; ++it)
+                       out.put(static_cast<Index>(it - vertices.begin()), values[*it - first]);
+                   });
+  }
+
+  typename Piece_extraction::Old_vertices
+  put_connectivity(const Refiner& level, const One_round& one, const Piece_elements& elements,
+                   bool has_isolated, const Output& out) const
+  {
+    const Child_elements<Host> children(level.level(), elements, one.host(),
+                                        (*wholes_)[rounds_ - 1], for_chunks_);
+    Level_connectivity child(one.refined_size());
+    child.set_uniform_degree(Host::refined_degree);
+    level.connect(one, child);
+    const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
+                             children.faces(child.size().faces)};
+    return put(child, all, has_isolated, out);
+  }
+
+  // without the rings
+  static typename Piece_extraction::Old_vertices put(const Level_connectivity& level,
+                                                     const Piece_elements& elements,
+                                                     bool has_isolated, const Output& out)
+  {
+    const Face_marks owned = owned_faces(elements.faces);
+    Piece_extraction extraction(level, owned, has_isolated);
+    Numbered_elements vertices = extraction.vertices(elements.vertices);
+    Numbered_elements faces = extraction.faces(elements.faces);
+    out.begin(extraction.piece(), vertices, faces);
+    return extraction.old_vertices();
+  }
+
+  static void put(const Level_connectivity& level, const Piece_elements& elements,
+                  bool has_isolated, const Values& values, const Output& out)
+  {
+    const auto vertices = put(level, elements, has_isolated, out);
+    for (Index v = 0; v < vertices.size(); ++v) {
+      const Value value = values[vertices[v]];
+      out.put(v, value);
+    }
+  }
+
+  const Scheme scheme_; // the levels refer to it
+  unsigned rings_, rounds_, base_round_;
+  For_chunks for_chunks_;
+  Refiner base_;
+  std::optional<Whole_levels<Host>> wholes_;
+  std::vector<std::size_t> piece_of_face_, faces_of_piece_; // of the level that is divided
+  std::vector<Index> first_face_; // the face that decides on the piece of each of its vertices
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H

@@ -1,0 +1,349 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
+#define CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
+
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+template <class Scheme, class GeomTraits, class Concurrency_tag>
+class Surface_pieces;
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+A piece of a refined surface, made by `Surface_pieces`: the faces that it owns, and their vertices.
+
+Vertices and faces are numbered from zero; `vertex_number()` and `face_number()` tell their numbers in the whole
+surface, which increase. A vertex between several pieces is in each of them, with the same bits, and one of
+them owns it. Where the faces of a piece touch in a vertex alone, the vertex is there twice, with one number.
+
+\tparam GeomTraits a model of `Kernel`
+*/
+template <class GeomTraits>
+class Surface_piece
+{
+public:
+  using Point_3 = typename GeomTraits::Point_3;
+  using Vector_3 = typename GeomTraits::Vector_3;
+  /// the number of an element in the piece.
+  using Index = Level_connectivity::Index;
+  /// the number of an element in the whole surface.
+  using Number = std::uint64_t;
+
+  std::size_t number_of_vertices() const { return points_.size(); }
+  std::size_t number_of_faces() const { return faces_.size(); }
+
+  /// the number of a vertex in the whole surface.
+  Number vertex_number(Index v) const { return vertices_.number(v); }
+  /// the number of a face in the whole surface.
+  Number face_number(Index f) const { return faces_.number(f); }
+  /// Every vertex of the surface has one owner among the pieces; so has every face, which is in no other piece.
+  bool owns_vertex(Index v) const { return vertices_.is_owned(v); }
+
+  const std::vector<Point_3>& points() const { return points_; }
+  /// the control normals of the vertices; none with a linear scheme.
+  const std::vector<Vector_3>& normals() const { return normals_; }
+  /// the faces, as flat arrays. The first half-edge of a face is that of the whole surface.
+  const Level_connectivity& connectivity() const { return connectivity_; }
+
+  /*!
+  makes a mesh of the piece, with the same numbers of vertices and faces.
+  \tparam PolygonMesh a model of `MutableFaceGraph`
+  \param mesh an empty mesh
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
+    `vertex_normal_map`, which are written
+  \throws std::invalid_argument if the mesh is not empty
+  */
+  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+  void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
+  {
+    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      internal::with_mesh_access(mesh, [&](auto& access) {
+        internal::build_mesh(access, connectivity_, Parameters::point_map(mesh, np), points_,
+                             Parameters::normal_map(np), normals_);
+      });
+    }
+  }
+
+private:
+  template <class Scheme, class Traits, class Concurrency_tag>
+  friend class Surface_pieces;
+
+  Level_connectivity connectivity_;
+  internal::Numbered_elements vertices_, faces_;
+  std::vector<Point_3> points_;
+  std::vector<Vector_3> normals_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+A refined surface that is made piece by piece, where it is too large to be held.
+
+The pieces together are what `subdivide()` gives, bit for bit: the same points and normals under the same
+numbers, without gaps between the pieces. Each is made from the control mesh alone, so that several threads or
+machines can make different ones, without talking to each other.
+
+\code{.cpp}
+Surface_pieces pieces(mesh, CatmullClark_scheme(), 64,
+                      CGAL::parameters::number_of_iterations(9).vertex_normal_map(normals));
+for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
+  const auto piece = pieces.piece(i); // 1/64 of the surface
+  ...
+}
+\endcode
+
+The control mesh is refined until there are at least 16 faces for each piece. These are divided, by planes,
+into pieces with about equally many corners. A piece is refined together with `Scheme::ghost_rings` rings of
+faces around it: as many as the scheme needs so that a round leaves as many right. The last level's are cut
+off.
+
+<b>Memory.</b> The level that is divided, about 170 bytes a face, as long as the object lives. A call of
+`piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
+are the result. With \f$ \sqrt{3} \f$ and Doo-Sabin subdivision, whose numbers depend on the border, 8 to 24
+bytes for each border edge of all levels.
+
+<b>Exceptions.</b> All members have the strong guarantee.
+
+Sharp edges and vertices, `with_border()` and attributes are not supported. The object keeps no reference to
+the mesh. Its members may be called by several threads at the same time.
+
+\tparam Scheme a model of `PNSubdivisionScheme_3` that has a static constant `ghost_rings`, or its `linear()`
+  twin. All schemes of this package are.
+\tparam GeomTraits a model of `Kernel`; its `FT` is the number type of all computations
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
+  `Parallel_if_available_tag`: how many threads work at a piece. The result is the same, bit for bit.
+*/
+template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
+class Surface_pieces
+{
+  static_assert(internal::Ghost_rings<Scheme>::value != 0,
+                "PN_subdivision_3: the scheme has no ghost_rings: it does not tell how many rings "
+                "of faces a piece needs around it");
+
+  using FT = typename GeomTraits::FT;
+  static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
+  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
+  using Refiner = internal::Piece_refiner<Scheme, Average>;
+  using Value = typename Refiner::Value;
+
+public:
+  using Piece = Surface_piece<GeomTraits>;
+  using Index = typename Piece::Index;
+  using Number = typename Piece::Number;
+
+  /*!
+  reads a mesh, refines it as far as it is refined as a whole, and divides it.
+
+  \tparam PolygonMesh a model of `FaceListGraph`
+  \param mesh an oriented 2-manifold with border; it is not needed afterwards
+  \param scheme the scheme
+  \param number_of_pieces how many pieces there are; if there are fewer faces, some are empty
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
+    `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
+    they are estimated), and `geom_traits`, as in `subdivide()`; the maps are read only
+
+  \throws std::invalid_argument if there are to be no pieces
+  \throws std::invalid_argument, std::length_error, std::domain_error as `subdivide()` does; the limit of the
+    size is \f$ 2^{60} \f$
+  */
+  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+  Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme, std::size_t number_of_pieces,
+                 const NamedParameters& np = parameters::default_values())
+    : number_of_pieces_(number_of_pieces)
+  {
+    if constexpr (internal::check_refiner_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      if (number_of_pieces == 0)
+        throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");
+      const unsigned rounds = Parameters::number_of_iterations(np);
+      internal::with_mesh_access(mesh, [&](const auto& access) {
+        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
+             rounds);
+      });
+    }
+  }
+
+  std::size_t number_of_pieces() const { return number_of_pieces_; }
+  /// whether a piece has neither faces nor vertices, because there are too few.
+  /// \pre `i < number_of_pieces()`
+  bool is_empty(std::size_t i) const { return refiner_->is_empty(i); }
+
+  /// \name The whole surface
+  /// @{
+
+  /// the size of the refined surface; without isolated vertices and valences.
+  const Level_size& size() const { return refiner_->result().size; }
+  /// the number of the first corner of a face, if corners are counted face by face: the sum of the degrees of
+  /// the faces before. For the number of faces, that of all corners.
+  Number first_corner(Number face) const { return refiner_->result().corners.first(face); }
+  /// the degree of the face with the most corners. \cost linear in the level that is divided
+  Index largest_degree() const
+  {
+    if (Scheme::Host::refined_degree != 0 && rounds_ > 0) return Scheme::Host::refined_degree;
+    const Level_connectivity& base = refiner_->base();
+    Index degree = rounds_ > refiner_->base_round() ? 4 : 0;
+    for (Index f = 0; f < base.number_of_faces(); ++f)
+      degree = (std::max)(degree, base.degree(base.halfedge_of_face(f)));
+    return degree;
+  }
+  /// @}
+
+  /*!
+  makes a piece.
+  \throws std::out_of_range if there is no such piece
+  \throws std::length_error if the piece is too large for 32 bit numbers
+  \throws std::overflow_error if a new point is out of the range of a floating point type
+  \throws std::domain_error if an interval number type leaves a comparison undecided
+  */
+  Piece piece(std::size_t i) const
+  {
+    if (i >= number_of_pieces_)
+      throw std::out_of_range("PN_subdivision_3: there is no piece " + std::to_string(i) +
+                              ": there are " + std::to_string(number_of_pieces_));
+    Piece piece;
+    const auto begin = [&](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
+                           internal::Numbered_elements& faces) {
+      piece.connectivity_ = std::move(connectivity);
+      piece.vertices_ = std::move(vertices);
+      piece.faces_ = std::move(faces);
+      piece.points_.resize(piece.vertices_.size());
+      if (is_pn) piece.normals_.resize(piece.vertices_.size());
+    };
+    const auto put = [&](Index v, const Value& value) { this->put(piece, v, value); };
+    refiner_->refine(i, {begin, put});
+    return piece;
+  }
+
+private:
+  template <class Access, class Point_map, class Normal_map>
+  void read(const Access& access, const Scheme& scheme, Point_map points, Normal_map normals,
+            unsigned rounds)
+  {
+    Level_connectivity level = internal::checked_level(access);
+    internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
+    rounds_ = level.size().faces == 0 ? (std::min)(rounds, 1u) : rounds; // all rounds are alike
+    constexpr std::uint64_t limit = std::uint64_t(1) << 60;
+    internal::checked_refined_size<typename Scheme::Host>(level.size(), rounds_, limit);
+    const unsigned base_round =
+      internal::dividing_round<typename Scheme::Host>(level.size(), rounds_, number_of_pieces_);
+    internal::checked_refined_size<typename Scheme::Host>(level.size(), base_round,
+                                                          Level_connectivity::null);
+    const auto values = internal::read_values<Average>(access, level, points, normals,
+                                                       internal::normal_estimate(scheme));
+    is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
+      return internal::is_near_overflow(internal::point_of(v));
+    });
+    refiner_ = std::make_unique<Refiner>(
+      scheme, std::move(level), typename Refiner::Values(values.begin(), values.end()), rounds_,
+      number_of_pieces_, internal::Ghost_rings<Scheme>::value,
+      internal::For_chunks::with(Concurrency_tag()));
+  }
+
+  void put(Piece& piece, Index v, const Value& value) const
+  {
+    const auto& p = internal::point_of(value);
+    if (is_near_overflow_)
+      internal::check_in_range(
+        p, [&] { return "the point of the new vertex " + std::to_string(piece.vertex_number(v)); });
+    piece.points_[v] = typename GeomTraits::Point_3(p[0], p[1], p[2]);
+    if constexpr (is_pn)
+      piece.normals_[v] =
+        typename GeomTraits::Vector_3(value.normal[0], value.normal[1], value.normal[2]);
+  }
+
+  std::size_t number_of_pieces_;
+  unsigned rounds_ = 0;
+  bool is_near_overflow_ = false;
+  std::unique_ptr<Refiner> refiner_;
+};
+
+template <class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+Surface_pieces(const PolygonMesh&, const Scheme&, std::size_t,
+               const NamedParameters& = parameters::default_values())
+  -> Surface_pieces<
+    Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+returns about how many bytes `Surface_pieces` takes, with one of its pieces, so that the number of pieces can be
+chosen. The level that is divided becomes larger with the number of pieces.
+
+\tparam Scheme the scheme
+\tparam GeomTraits the model of `Kernel`
+\param size the size of the control mesh
+*/
+template <class Scheme, class GeomTraits>
+double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t number_of_pieces)
+{
+  using Host = typename Scheme::Host;
+  const auto bytes_of_level = [](const Level_size& s) {
+    constexpr double value = 6 * sizeof(typename GeomTraits::FT);
+    return double(s.halfedges()) * 12 + double(s.vertices) * (value + 12) + double(s.faces) * 20;
+  };
+  const unsigned base_round = internal::dividing_round<Host>(size, rounds, number_of_pieces);
+  Level_size base = size, parent = size, result = size;
+  for (unsigned k = 1; k <= rounds; ++k) {
+    if (k <= base_round) base = Host::refined_size(base, k);
+    parent = result;
+    result = Host::refined_size(result, k);
+  }
+  // the last level twice: with its rings, and without them
+  constexpr double rings = 1.1, unequal = 1.1;
+  const double pieces = double(number_of_pieces);
+  return 2 * bytes_of_level(base) +
+         rings * unequal * (bytes_of_level(parent) + 2 * bytes_of_level(result)) / pieces;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+refines a mesh piece by piece, and calls `f(piece)` with each `Surface_piece`, in their order. The mesh is not
+changed; `f` may keep what it needs.
+
+\param number_of_pieces how many pieces there are
+\param np as that of `Surface_pieces`
+\param f a function of a `const Surface_piece<GeomTraits>&`
+
+\throws as `Surface_pieces` does, and what `f` throws
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters, class Function>
+void for_each_piece(const PolygonMesh& mesh, const Scheme& scheme, std::size_t number_of_pieces,
+                    const NamedParameters& np, const Function& f)
+{
+  using Geom_traits =
+    typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits;
+  const Surface_pieces<Scheme, Geom_traits, Concurrency_tag> pieces(mesh, scheme, number_of_pieces,
+                                                                    np);
+  for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) f(pieces.piece(i));
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H

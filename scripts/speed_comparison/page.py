@@ -1,0 +1,185 @@
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""The tables of the page on speed."""
+
+from pathlib import Path
+
+from .measurements import Median, Medians, Run
+
+TITLES = {
+    "catmull-clark": "Catmull-Clark",
+    "loop": "Loop",
+    "doo-sabin": "Doo-Sabin",
+    "sqrt3": "&radic;3",
+    "butterfly": "Butterfly",
+    "kobbelt": "Kobbelt",
+}
+NAMES = {
+    "pn/surface-mesh": "**this package, PN, `Surface_mesh`**",
+    "pn-linear/surface-mesh": "this package, linear, `Surface_mesh`",
+    "pn/polyhedron": "this package, PN, `Polyhedron_3`",
+    "pn-linear/polyhedron": "this package, linear, `Polyhedron_3`",
+    "cgal/surface-mesh": "CGAL, `Surface_mesh`",
+    "cgal/polyhedron": "CGAL, `Polyhedron_3`",
+    "opensubdiv/last-level": "OpenSubdiv, last level reduced",
+    "opensubdiv/full-topology": "OpenSubdiv, full topology",
+    "openmesh/mesh": "OpenMesh",
+    "vtk/filter": "VTK",
+    "floor/fresh": "*floor: the bytes of the result with normals, to fresh memory*",
+    "floor/again": "*the same, to memory in use*",
+    "pn/refiner": "`Surface_refiner`, PN",
+    "pn-linear/refiner": "`Surface_refiner`, linear",
+    "opensubdiv/stencils": "OpenSubdiv, table of stencils, `float`",
+}
+AGAIN = ("pn/refiner", "pn-linear/refiner", "opensubdiv/stencils")
+# CGAL has no interpolatory scheme for quads: Kobbelt's is beside its Catmull-Clark
+BESIDE = {"kobbelt": "catmull-clark"}
+
+
+def size_name(size: int) -> str:
+    return f"{size // 1_000_000} M" if size >= 1_000_000 else f"{size // 1000} k"
+
+
+def number(x: float) -> str:
+    return f"{x:.0f}" if x >= 100 else f"{x:.1f}" if x >= 10 else f"{x:.2f}"
+
+
+def table(header: list[str], rows: list[list[str]]) -> list[str]:
+    lines = [header, ["---"] + ["---:"] * (len(header) - 1)] + rows
+    return ["| " + " | ".join(line) + " |" for line in lines] + [""]
+
+
+class Page:
+    def __init__(self, medians: Medians):
+        self.medians = medians
+        self.schemes = [s for s in TITLES if any(r.scheme == s for r in medians)]
+        self.sizes = sorted({r.size for r in medians if (r.kind, r.process) == ("regular", "warm")})
+
+    def find(self, scheme: str, job: str, size: int, threads: int = 1, kind: str = "regular",
+             process: str = "warm") -> Median | None:
+        m = self.medians.get(Run(scheme, kind, size, process, job, threads))
+        beside = BESIDE.get(scheme, "")
+        if m is None and beside and job.startswith("cgal/"):
+            return self.find(beside, job, size, threads, kind, process)
+        return m
+
+    def seconds_of_a_fault(self, scheme: str, size: int) -> float:
+        fresh, again = (self.find(scheme, f"floor/{x}", size) for x in ("fresh", "again"))
+        if not fresh or not again or fresh.page_faults <= again.page_faults:
+            return 0
+        return (fresh.seconds - again.seconds) / (fresh.page_faults - again.page_faults)
+
+    def without_faults(self, scheme: str, m: Median, size: int) -> float:
+        """ns a face"""
+        seconds = m.seconds - m.page_faults * self.seconds_of_a_fault(scheme, size)
+        return 1e9 * seconds / m.faces
+
+    def rows_of_sizes(self, scheme: str, jobs: list[str]) -> list[list[str]]:
+        rows = []
+        for job in jobs:
+            for threads in (1, 2):
+                found = [self.find(scheme, job, size, threads) for size in self.sizes]
+                if not any(found):
+                    continue
+                name = NAMES[job] + (", 2 threads" if threads == 2 else "")
+                if scheme in BESIDE and job.startswith("cgal/"):
+                    name += ", Catmull-Clark"
+                row = [name] + [number(m.ns_per_face()) if m else "" for m in found]
+                at = max((s for s in self.sizes if s <= 1_000_000), default=self.sizes[0])
+                m = self.find(scheme, job, at, threads)
+                row.append(number(self.without_faults(scheme, m, at)) if m else "")
+                row.append(number(1000 * m.page_faults / m.faces) if m else "")
+                rows.append(row)
+        return rows
+
+    def tables_of_sizes(self) -> list[str]:
+        at = size_name(max((s for s in self.sizes if s <= 1_000_000), default=self.sizes[0]))
+        header = [""] + [size_name(s) for s in self.sizes] + [f"{at}, faults taken out",
+                                                             f"{at}, faults a 1000 faces"]
+        lines = []
+        for scheme in self.schemes:
+            lines += [f"### {TITLES[scheme]}", ""]
+            lines += table(header, self.rows_of_sizes(scheme, [j for j in NAMES if j not in AGAIN]))
+        return lines
+
+    def tables_of_evaluation(self) -> list[str]:
+        lines = []
+        for scheme in self.schemes:
+            rows = self.rows_of_sizes(scheme, list(AGAIN))
+            if rows:
+                header = [TITLES[scheme]] + [size_name(s) for s in self.sizes] + ["", ""]
+                lines += table(header[:-2], [row[:-2] for row in rows])
+        return lines
+
+    def table_of_meshes(self, size: int) -> list[str]:
+        """the other control meshes, fresh processes and huge pages"""
+        columns = (("regular", "warm"), ("irregular", "warm"), ("real", "warm"),
+                   ("regular", "fresh"), ("regular", "huge"))
+        rows = []
+        for scheme in self.schemes:
+            for job in NAMES:
+                found = [self.find(scheme, job, size, 1, *c) for c in columns]
+                if all(found) and not job.startswith("floor"):
+                    rows.append([f"{TITLES[scheme]}: {NAMES[job]}"] +
+                                [number(m.ns_per_face()) for m in found if m])
+        header = [f"about {size_name(size)} faces", "regular", "irregular", "real",
+                  "regular, fresh process", "regular, huge pages"]
+        return table(header, rows) if rows else []
+
+    def table_of_ratios(self) -> list[str]:
+        """point-normal subdivision to CGAL's linear functions, and to the floor"""
+        rows = []
+        for scheme in self.schemes:
+            for threads in (1, 2):
+                row = [TITLES[scheme] + (", 2 threads" if threads == 2 else "")]
+                for base in ("cgal/surface-mesh", "floor/fresh"):
+                    for size in self.sizes:
+                        pn = self.find(scheme, "pn/surface-mesh", size, threads)
+                        other = self.find(scheme, base, size)
+                        row.append(f"{pn.ns_per_face() / other.ns_per_face():.2f}"
+                                   if pn and other else "")
+                rows.append(row)
+        sizes = [size_name(s) for s in self.sizes]
+        return table([""] + [f"{s}, / CGAL" for s in sizes] + [f"{s}, / floor" for s in sizes], rows)
+
+    def table_of_growth(self) -> list[str]:
+        if not {100_000, 10_000_000} <= set(self.sizes):
+            return []
+        rows = []
+        for scheme in self.schemes:
+            for threads in (1, 2):
+                small, large = (self.find(scheme, "pn/surface-mesh", s, threads)
+                                for s in (100_000, 10_000_000))
+                if small and large:
+                    taken_out = (self.without_faults(scheme, large, 10_000_000) /
+                                 self.without_faults(scheme, small, 100_000))
+                    rows.append([TITLES[scheme] + (", 2 threads" if threads == 2 else ""),
+                                 f"{large.ns_per_face() / small.ns_per_face():.2f}",
+                                 f"{taken_out:.2f}"])
+        return table(["10 M to 100 k, cost a face", "as it is", "faults taken out"], rows)
+
+    def lines(self) -> list[str]:
+        lines = ["", "## Ratios", ""] + self.table_of_ratios() + self.table_of_growth()
+        lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
+        lines += self.tables_of_sizes()
+        lines += ["## Other control meshes, fresh processes, huge pages", ""]
+        for size in sorted({r.size for r in self.medians if r.kind == "irregular"}):
+            lines += self.table_of_meshes(size)
+        lines += ["## Evaluation once more", "", "All control points and normals are set again.", ""]
+        return lines + self.tables_of_evaluation()
+
+
+BEGIN, END = "<!-- begin of the tables -->", "<!-- end of the tables -->"
+
+
+def write(page: Path, medians: Medians, machine: list[str]) -> None:
+    """puts the tables between the marks of the page"""
+    before, rest = page.read_text().split(BEGIN)
+    after = rest.split(END)[1]
+    lines = [BEGIN, ""] + [f"- {line}" for line in machine] + Page(medians).lines() + [END]
+    page.write_text(before + "\n".join(lines) + after)

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Builds the page (scripts/build_page.sh) and tests it in headless Chromium, against the command.
+#
+#   scripts/test_page.sh [--offline] [--measure] [--command PN_SUBDIVIDE]
+#
+# --offline: nothing is installed; --measure: only measures how fast it is; --command: a build of the
+# command pn_subdivide of these sources; without it, it is built.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+offline=()
+measure=no
+command=
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --offline) offline=(--offline) ;;
+    --measure) measure=yes ;;
+    --command) command=$2; shift ;;
+    *) echo "usage: $0 [--offline] [--measure] [--command PN_SUBDIVIDE]" >&2; exit 2 ;;
+  esac
+  shift
+done
+
+page=build/page/pn_subdivision_3.html
+tests=demo/PN_subdivision_3/test
+scripts/build_page.sh "${offline[@]}" $page
+if [[ $measure == yes ]]; then
+  exec node $tests/measure_page.mjs $page
+fi
+if [[ -z $command ]]; then
+  scripts/build.sh pn_subdivide
+  command=build/release/src/pn_subdivide/pn_subdivide
+fi
+PN_PAGE=$page PN_SUBDIVIDE=$command node --test $tests/test_page.mjs

@@ -1,0 +1,30 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_LIMIT_CURVE_H
+#define PN_SUBDIVIDE_LIMIT_CURVE_H
+
+#include "curve/curve_schemes.h"
+#include "io/Limit_choice.h"
+#include "io/curve_data.h"
+
+#include <string>
+
+namespace pn_subdivide {
+
+// Throws Usage_error if normals of the curve are asked for at points that have no limit.
+void require_limits_of_points(const std::string& scheme, const Curve_rule& rule,
+                              const Limit_choice& choice);
+
+// Puts the points of a refined curve on the limit curve, of a dual scheme one for each edge; gives them its
+// normals; or both. Throws Error if there are no such normals, and passes on the library's exceptions.
+Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_choice& choice);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_LIMIT_CURVE_H

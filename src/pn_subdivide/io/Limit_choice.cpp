@@ -1,0 +1,84 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/Limit_choice.h"
+
+#include "io/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pn_subdivide {
+namespace {
+
+constexpr double degrees = 57.29577951308232; // a radian
+
+} // namespace
+
+void require_consistent(const Limit_choice& choice)
+{
+  if (!choice.tolerance) return;
+  if (!choice.points) throw Usage_error("--limit-tolerance is for --limit, which is not given");
+  if (!(*choice.tolerance > 0) || !std::isfinite(*choice.tolerance))
+    throw Usage_error("--limit-tolerance must be greater than 0");
+}
+
+Limit_summary::Limit_summary(const CGAL::PN_subdivision_3::Limit_report& report, double box_size)
+  : error(report.error)
+  , tolerance(report.tolerance)
+  , box(box_size)
+  , normal_error(report.normal_error)
+  , misses(report.number_of_misses)
+  , stand_ins(report.number_of_stand_ins)
+  , depth(report.depth)
+{}
+
+void Limit_summary::add(const Limit_summary& other)
+{
+  error = std::max(error, other.error);
+  tolerance = std::max(tolerance, other.tolerance);
+  box = std::max(box, other.box);
+  normal_error = std::max(normal_error, other.normal_error);
+  misses += other.misses;
+  stand_ins += other.stand_ins;
+  depth = std::max(depth, other.depth);
+}
+
+std::string Limit_summary::description(const Limit_choice& choice) const
+{
+  char text[200];
+  const double of_box = box > 0 ? error / box : 0;
+  std::snprintf(text, sizeof text, "limit points: estimated error %.2g (%.2g of the box), %u %s",
+                error, of_box, depth, depth == 1 ? "round" : "rounds");
+  std::string s = choice.points ? text : "";
+  if (choice.normals) {
+    std::snprintf(text, sizeof text, "%s normals: estimated error %.2g degrees", choice.shape,
+                  normal_error * degrees);
+    s += (s.empty() ? "" : "; ") + std::string(text);
+    if (stand_ins > 0)
+      s += ", control normals at " + std::to_string(stand_ins) +
+           (stand_ins == 1 ? " vertex" : " vertices") + " where the scheme tells of none";
+  }
+  return s;
+}
+
+std::string Limit_summary::warning() const
+{
+  if (misses == 0) return {};
+  char text[200];
+  std::snprintf(
+    text, sizeof text,
+    "the tolerance of the limit is missed at %zu %s; estimated errors: points %.2g (%.2g "
+    "of the box, tolerance %.2g), normals %.2g degrees",
+    misses, misses == 1 ? "vertex" : "vertices", error, box > 0 ? error / box : 0,
+    box > 0 ? tolerance / box : 0, normal_error * degrees);
+  return text;
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,53 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_LIMIT_CHOICE_H
+#define PN_SUBDIVIDE_LIMIT_CHOICE_H
+
+#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace pn_subdivide {
+
+// The options --limit, --limit-tolerance and --surface-normals or --curve-normals.
+struct Limit_choice
+{
+  const char* shape = "surface";
+  bool points = false, normals = false;
+  std::optional<double> tolerance; // of the bounding box
+
+  bool is_used() const { return points || normals; }
+};
+
+// Throws Usage_error if there is nothing that the tolerance is for, or if it is none.
+void require_consistent(const Limit_choice& choice);
+
+struct Limit_summary
+{
+  double error = 0, tolerance = 0, box = 0;
+  double normal_error = 0; // in radians
+  std::size_t misses = 0, stand_ins = 0;
+  unsigned depth = 0;
+
+  Limit_summary() = default;
+  // box_size: the largest side of the bounding box
+  Limit_summary(const CGAL::PN_subdivision_3::Limit_report& report, double box_size);
+  // takes over what is worse in another one
+  void add(const Limit_summary& other);
+
+  std::string description(const Limit_choice& choice) const;
+  // empty if all is well
+  std::string warning() const;
+};
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_LIMIT_CHOICE_H

@@ -1,0 +1,36 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_PLY_SHAPE_H
+#define PN_SUBDIVIDE_PLY_SHAPE_H
+
+#include <cstdint>
+#include <string>
+
+namespace pn_subdivide {
+
+// What the header of a PLY file without attributes says.
+struct Ply_shape
+{
+  std::uint64_t vertices = 0, faces = 0;
+  bool has_normals = false;
+  bool has_short_lists = true; // of at most 255 values
+
+  bool fits_int() const { return vertices <= 0x7fffffffu; }
+  std::string list() const
+  {
+    return has_short_lists ? "property list uchar " : "property list uint ";
+  }
+};
+
+// as of a binary file
+std::string ply_header(const Ply_shape& shape);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_PLY_SHAPE_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_ANY_PIECES_H
+#define PN_SUBDIVIDE_ANY_PIECES_H
+
+#include "surface/Surface.h"
+#include "surface/surface_schemes.h"
+
+#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace pn_subdivide {
+
+// The pieces of a surface refined by any scheme: Surface_pieces without its type.
+class Any_pieces
+{
+public:
+  using Piece = CGAL::PN_subdivision_3::Surface_piece<Kernel>;
+  using Size = CGAL::PN_subdivision_3::Level_size;
+
+  virtual ~Any_pieces() = default;
+  virtual std::size_t number() const = 0;
+  virtual bool is_empty(std::size_t i) const = 0;
+  virtual const Size& size() const = 0;
+  virtual std::uint64_t first_corner(std::uint64_t face) const = 0;
+  virtual std::size_t largest_degree() const = 0;
+  virtual Piece piece(std::size_t i) const = 0;
+};
+
+// The surface is not needed afterwards. Its normals are refined if it has some.
+std::unique_ptr<Any_pieces> make_pieces(const Surface& surface, const Scheme_choice& choice,
+                                        unsigned levels, std::size_t number);
+
+// The bytes that so many pieces take in a process, about.
+double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,
+                        std::size_t number);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_ANY_PIECES_H

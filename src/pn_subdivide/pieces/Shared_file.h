@@ -1,0 +1,40 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_SHARED_FILE_H
+#define PN_SUBDIVIDE_SHARED_FILE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace pn_subdivide {
+
+// A file into which several processes write at places of their own. Throws Error where something fails.
+class Shared_file
+{
+public:
+  virtual ~Shared_file() = default;
+
+  virtual void write(std::uint64_t place, const void* data, std::size_t bytes) = 0;
+  // until everything is on the disk
+  virtual void sync() = 0;
+  // Errors that the system kept back come out here. Otherwise the destructor closes, without a word.
+  virtual void close() = 0;
+};
+
+// Throws Error if there is such a file already.
+void create_file(const std::filesystem::path& file, std::uint64_t bytes);
+
+// An existing file.
+std::unique_ptr<Shared_file> open_file(const std::filesystem::path& file);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_SHARED_FILE_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "pieces/pieces_command.h"
+
+#include "io/Error.h"
+#include "pieces/Piece_count.h"
+#include "pieces/Ranks.h"
+
+#include <boost/crc.hpp>
+
+#include <cstdio>
+#include <sstream>
+
+namespace pn_subdivide {
+namespace {
+
+void refuse(bool is_given, const std::string& option)
+{
+  if (is_given)
+    throw Usage_error(option + " is not known for refinement in pieces (--memory, --pieces, "
+                               ".pvtp, mpirun): leave one of the two out");
+}
+
+// Of the same data and options the same word.
+std::string name_of(const Mesh_data& mesh, const Surface_options& options,
+                    const Scheme_choice& scheme, std::size_t pieces)
+{
+  boost::crc_optimal<64, 0x42f0e1eba9ea3693u, ~0ull, ~0ull, true, true> crc; // that of ECMA-182
+  const auto add = [&crc](const auto& values) {
+    crc.process_bytes(values.data(), values.size() * sizeof(values[0]));
+  };
+  add(mesh.points);
+  add(mesh.normals);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    crc.process_bytes(mesh.face(f).begin(), mesh.face(f).size() * sizeof(Mesh_data::Index));
+  std::ostringstream text;
+  text.precision(17);
+  text << PN_SUBDIVIDE_VERSION << ' ' << scheme.scheme << ' ' << scheme.normal_scheme.value_or("-");
+  for (const auto& [parameter, value] : scheme.parameters) text << ' ' << parameter << ' ' << value;
+  text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
+  text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();
+  add(text.str());
+  char name[60];
+  std::snprintf(name, sizeof name, "%016llx %llu", static_cast<unsigned long long>(crc.checksum()),
+                static_cast<unsigned long long>(pieces));
+  return name;
+}
+
+} // namespace
+
+bool is_in_pieces(const Surface_options& options, const Mesh_file& output)
+{
+  return options.pieces.any() || output.format == "pvtp" || ranks().number() > 1;
+}
+
+void require_options_for_pieces(const Surface_options& options, const Mesh_file& output)
+{
+  if (options.output == "-" || (output.format != "ply" && output.format != "pvtp"))
+    throw Usage_error("refinement in pieces (--memory, --pieces, .pvtp, mpirun) writes files "
+                      "whose names end in .ply or .pvtp");
+  if (options.pieces.pieces == std::size_t(0)) throw Usage_error("--pieces must be at least 1");
+  refuse(options.pieces.pieces && options.pieces.memory, "--memory together with --pieces");
+  if (options.pieces.memory) parse_memory(*options.pieces.memory);
+  refuse(options.curvature.has_value(), "--curvature");
+  refuse(options.verify.shape.has_value(), "--verify");
+  refuse(options.interpolate.has_value(), "--interpolate");
+  refuse(options.limit.points, "--limit");
+  refuse(options.limit.normals, "--surface-normals");
+  refuse(options.creases.border && *options.creases.border != "surface",
+         "--border " + options.creases.border.value_or(""));
+  refuse(options.ascii, "--ascii");
+}
+
+void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases)
+{
+  if (creases.any())
+    throw Error("refinement in pieces has no rules for the sharp edges of this mesh: take --sharp "
+                "none, or refine it as a whole");
+  const Attributes& attributes = mesh.attributes;
+  if (!attributes.empty() || !attributes.texture_files.empty() ||
+      !attributes.material_files.empty())
+    throw Error("refinement in pieces does not carry attributes (colors, texture coordinates, "
+                "materials): take --drop-attributes, or refine the mesh as a whole");
+}
+
+Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
+                           const Scheme_choice& scheme)
+{
+  Surface surface = make_surface(mesh);
+  const std::size_t number =
+    piece_count(surface, scheme, options.levels, options.pieces, ranks().number());
+  Pieces_job job;
+  job.name = name_of(mesh, options, scheme, number);
+  job.has_normals = mesh.has_normals();
+  job.is_resumable = options.pieces.resume;
+  mesh = Mesh_data();
+  job.pieces = make_pieces(surface, scheme, options.levels, number);
+  return job;
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,50 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_PIECES_COMMAND_H
+#define PN_SUBDIVIDE_PIECES_COMMAND_H
+
+#include "io/Report.h"
+#include "io/mesh_io.h"
+#include "pieces/Any_pieces.h"
+#include "surface/creases.h"
+#include "surface/surface_command.h"
+
+#include <memory>
+#include <string>
+
+namespace pn_subdivide {
+
+// Is the surface to be refined piece by piece? It is if an option says so, if the output is .pvtp, and if ranks
+// share the work.
+bool is_in_pieces(const Surface_options& options, const Mesh_file& output);
+
+// Throws Usage_error if other options do not go with it.
+void require_options_for_pieces(const Surface_options& options, const Mesh_file& output);
+
+// Throws Error if the mesh has something that pieces do not carry.
+void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases);
+
+struct Pieces_job
+{
+  std::unique_ptr<Any_pieces> pieces;
+  bool has_normals = false;
+  bool is_resumable = false;
+  std::string name; // of data and options, the same for the same result
+};
+
+Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
+                           const Scheme_choice& scheme);
+
+// Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
+void write_pieces(const Pieces_job& job, const Mesh_file& output, unsigned threads,
+                  const Report& report);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_PIECES_COMMAND_H
