@@ -25,6 +25,13 @@ pn_configure_without(CGAL "PN_subdivision_3 needs CGAL 5.5 or newer, which was n
 pn_configure_without(Eigen3 "tests are left out: [^\n]*test_schemes.*Configuring done")
 pn_configure_without(GTest "GoogleTest not found, the unit tests are left out.*Configuring done")
 
+# --- as CGAL's test suite does: the folder of the tests by itself ---
+add_test(NAME tests_by_themselves
+         COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR} -B ${pn_consumer_dir}/tests_by_themselves
+                 -G ${CMAKE_GENERATOR} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER})
+set_tests_properties(tests_by_themselves PROPERTIES PASS_REGULAR_EXPRESSION
+                                                    "the plain programs.*Configuring done")
+
 # --- installed ---
 # Configures with the default options and installs, without a build in between.
 add_test(

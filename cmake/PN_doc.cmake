@@ -26,11 +26,12 @@ set(pn_manual_pages Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/scripts/manual
 # other versions of Doxygen warn of other things
 if(PN_SUBDIVISION_3_TESTS AND DOXYGEN_VERSION VERSION_GREATER_EQUAL 1.9.2
    AND DOXYGEN_VERSION VERSION_LESS 1.10)
+  add_test(NAME manual_begins_anew COMMAND ${CMAKE_COMMAND} -E rm -rf ${pn_checked}/html)
   add_test(NAME manual_bibliography COMMAND ${pn_manual_pages} prepare ${PROJECT_BINARY_DIR}/doc/made)
   add_test(NAME manual_without_warnings
            COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/manual_checked.dxy)
   add_test(NAME manual_references COMMAND ${pn_manual_pages} finish ${pn_checked}/html)
-  set_tests_properties(manual_bibliography PROPERTIES FIXTURES_SETUP pn_bibliography)
+  set_tests_properties(manual_begins_anew manual_bibliography PROPERTIES FIXTURES_SETUP pn_bibliography)
   set_tests_properties(manual_without_warnings PROPERTIES FIXTURES_REQUIRED pn_bibliography
                        FIXTURES_SETUP pn_manual)
   set_tests_properties(manual_references PROPERTIES FIXTURES_REQUIRED pn_manual)

@@ -49,6 +49,8 @@ def blocks_of_manual() -> list[str]:
 
 
 def commands(block: str) -> list[str]:
+    if "control.obj" in block:  # a file of the reader's, and sizes that no test has
+        return []
     return [line.strip() for line in block.replace("\\\n", " ").splitlines()
             if line.strip() and not line.strip().startswith("#")]
 

@@ -113,16 +113,19 @@ void all_schemes_keep_spheres()
   });
 }
 
+// the largest distance of a vertex of a from the nearest one of b
 double distance(const Mesh& a, const Mesh& b)
 {
   if (a.number_of_vertices() != b.number_of_vertices()) return HUGE_VAL;
   double largest = 0;
-  for (Mesh::Vertex_index v : a.vertices())
-    largest = (std::max)(largest, (a.point(v) - b.point(v)).squared_length());
+  for (const Point& p : a.points()) {
+    double nearest = HUGE_VAL;
+    for (const Point& q : b.points()) nearest = (std::min)(nearest, (p - q).squared_length());
+    largest = (std::max)(largest, nearest);
+  }
   return std::sqrt(largest);
 }
 
-// in the same order of vertices, too
 void linear_twins_are_those_of_CGAL()
 {
   Mesh ours = cube(false), theirs = ours;

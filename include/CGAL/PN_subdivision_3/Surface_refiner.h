@@ -196,7 +196,7 @@ public:
   \returns the refined vertices that were computed, in increasing order, valid until the next call
   \throws std::overflow_error if a new point is out of the range of a floating point type
   \throws std::domain_error if an interval number type leaves a comparison undecided
-  \cost linear in the number of vertices that are reached; the first call that does not reach all of
+  <br><b>Cost:</b> linear in the number of vertices that are reached; the first call that does not reach all of
   them is linear in the number of vertices
   */
   const std::vector<Index>& update()
@@ -221,7 +221,7 @@ public:
   const std::vector<Vector_3>& normals() const { return normals_; }
 
   /// the connectivity of the refined surface, as flat arrays.
-  /// \cost linear in the size of the refined surface, in each call
+  /// <br><b>Cost:</b> linear in the size of the refined surface, in each call
   Level_connectivity connectivity() const { return rounds_->refined_level(); }
 
   /*!

@@ -63,6 +63,7 @@ struct Curve_limit_point
   bool has_tangent = false;
   /// the curvature, if it was asked for and `has_curvature`; signs are those of `discrete_curvature()`.
   double curvature = 0;
+  /// whether the curve has a curvature there.
   bool has_curvature = false;
 };
 
@@ -274,7 +275,7 @@ and errors are computed in `double`.
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
-\cost linear in the size of the polygon
+<br><b>Cost:</b> linear in the size of the polygon
 */
 template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
 auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,

@@ -58,7 +58,7 @@ Angles are computed in `double` from area vectors of the number type.
 \return the number of edges that are sharp
 \throws std::invalid_argument if the angle is out of its range, the mesh is not an oriented
   2-manifold with border, or a point is not finite; nothing has been written then
-\cost linear in the size of the mesh
+<br><b>Cost:</b> linear in the size of the mesh
 */
 template <class PolygonMesh, class EdgeMap,
           class NamedParameters = parameters::Default_named_parameters>

@@ -70,7 +70,7 @@ the type. Everything else (the choice between the two, borders, mixtures, angles
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border or a point is
   not finite; nothing has been written then
-\cost linear in the size of the mesh
+<br><b>Cost:</b> linear in the size of the mesh
 */
 template <class PolygonMesh, class VertexNormalMap,
           class NamedParameters = parameters::Default_named_parameters>

@@ -54,7 +54,7 @@ the cylinder through its points, and of its flat ends.
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not
   finite, or a sharpness is negative or not a number; nothing has been written then
-\cost linear in the size of the mesh
+<br><b>Cost:</b> linear in the size of the mesh
 */
 template <class PolygonMesh, class EdgeMap, class HalfedgeNormalMap,
           class NamedParameters = parameters::Default_named_parameters>

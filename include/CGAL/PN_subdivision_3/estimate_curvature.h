@@ -184,7 +184,7 @@ header is not part of `CGAL/PN_subdivision_3.h`, since it needs \ref thirdpartyE
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, or if a point or
   normal is not finite; nothing has been written then. The message names the element.
-\cost linear in the size of the mesh, while the degrees of the faces and the valences are bounded
+<br><b>Cost:</b> linear in the size of the mesh, while the degrees of the faces and the valences are bounded
 
 \sa `gaussian_curvature_map()`
 \sa `mean_curvature_map()`

@@ -291,7 +291,7 @@ public:
   /*!
   returns the curvatures on the rings 0 to `last_ring` and the predicted limit.
   \throws std::invalid_argument if there are not as many values as `net()` has vertices
-  \cost linear in the valence and in the number of rings
+  <br><b>Cost:</b> linear in the valence and in the number of rings
   */
   Extraordinary_curvature<FT> measure(Values values, unsigned last_ring = 20) const
   {

@@ -122,7 +122,7 @@ returns the eigenvalues of a scheme at a vertex whose 1-ring is surrounded by re
 \tparam Scheme a model of `PNSubdivisionScheme_3` on `PQQ_host` or `PTQ_host`, whose stencils in the
   1-ring do not leave the 1-ring and are symmetric, as those of Catmull-Clark and Loop subdivision
 \throws std::invalid_argument if the valence is less than 3, or if a stencil leaves the 1-ring
-\cost the square of the valence
+<br><b>Cost:</b> the square of the valence
 */
 template <class FT = double, class Scheme>
 Extraordinary_eigenvalues<FT> extraordinary_eigenvalues(const Scheme& scheme,

@@ -183,7 +183,7 @@ For corners split the polygon by `split_at_corners()` and interpolate part by pa
 
 \throws std::invalid_argument for another mask, for `Curve_end::none`, if a point or normal is not finite, or
   if the options are wrong
-\cost linear in the size of the polygon
+<br><b>Cost:</b> linear in the size of the polygon
 */
 template <class Range, class Mask, class VertexMap = internal::All_vertices,
           class NamedParameters = parameters::Default_named_parameters>

@@ -91,7 +91,7 @@ the user's whose `put()` throws also while old values are put back.
 \throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
   an edge, a vertex or the border is sharp (the message names it), or if `Limit_interpolation_free::smooth`
   is asked for in mode `slide`; nothing has been written then
-\cost linear in the size of the mesh but for the factor of a sparse matrix with one row a vertex; about
+<br><b>Cost:</b> linear in the size of the mesh but for the factor of a sparse matrix with one row a vertex; about
   2 kB a vertex of memory
 
 \sa `natural_normals()`, `prescribe_limit_data()`, `interpolate_curve()`

@@ -238,7 +238,7 @@ so that the tolerance may be missed.
   the scheme has no limit masks or `with_border()` makes creases; nothing has been written then
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
-\cost linear in the size of the mesh, for each round about its vertices
+<br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices
 
 \sa `move_to_limit()`
 */

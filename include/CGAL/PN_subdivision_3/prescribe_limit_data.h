@@ -187,7 +187,7 @@ Computed in `double`, whatever the number type.
   curvature where it cannot be, see above, or where control normals of the 1-ring are zero or more than 60
   degrees from their limit, or with a direction that is zero or that of the normal; the mesh has not been
   changed then
-\cost that of a sparse factorization over the control points that may move, in every step
+<br><b>Cost:</b> that of a sparse factorization over the control points that may move, in every step
 */
 template <
   class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class PrescribedPoints,

@@ -46,14 +46,18 @@ template <class GeomTraits>
 class Surface_piece
 {
 public:
+  /// a point.
   using Point_3 = typename GeomTraits::Point_3;
+  /// a normal.
   using Vector_3 = typename GeomTraits::Vector_3;
   /// the number of an element in the piece.
   using Index = Level_connectivity::Index;
   /// the number of an element in the whole surface.
   using Number = std::uint64_t;
 
+  /// the number of vertices of the piece.
   std::size_t number_of_vertices() const { return points_.size(); }
+  /// the number of faces of the piece.
   std::size_t number_of_faces() const { return faces_.size(); }
 
   /// the number of a vertex in the whole surface.
@@ -63,6 +67,7 @@ public:
   /// Every vertex of the surface has one owner among the pieces; so has every face, which is in no other piece.
   bool owns_vertex(Index v) const { return vertices_.is_owned(v); }
 
+  /// the points of the vertices.
   const std::vector<Point_3>& points() const { return points_; }
   /// the control normals of the vertices; none with a linear scheme.
   const std::vector<Vector_3>& normals() const { return normals_; }
@@ -152,8 +157,11 @@ class Surface_pieces
   using Value = typename Refiner::Value;
 
 public:
+  /// the type of a piece.
   using Piece = Surface_piece<GeomTraits>;
+  /// the number of an element in a piece.
   using Index = typename Piece::Index;
+  /// the number of an element in the whole surface.
   using Number = typename Piece::Number;
 
   /*!
@@ -188,6 +196,7 @@ public:
     }
   }
 
+  /// the number of pieces.
   std::size_t number_of_pieces() const { return number_of_pieces_; }
   /// whether a piece has neither faces nor vertices, because there are too few.
   /// \pre `i < number_of_pieces()`
@@ -201,7 +210,7 @@ public:
   /// the number of the first corner of a face, if corners are counted face by face: the sum of the degrees of
   /// the faces before. For the number of faces, that of all corners.
   Number first_corner(Number face) const { return refiner_->result().corners.first(face); }
-  /// the degree of the face with the most corners. \cost linear in the level that is divided
+  /// the degree of the face with the most corners. <br><b>Cost:</b> linear in the level that is divided
   Index largest_degree() const
   {
     if (Scheme::Host::refined_degree != 0 && rounds_ > 0) return Scheme::Host::refined_degree;
@@ -297,6 +306,8 @@ chosen. The level that is divided becomes larger with the number of pieces.
 \tparam Scheme the scheme
 \tparam GeomTraits the model of `Kernel`
 \param size the size of the control mesh
+\param rounds the number of rounds
+\param number_of_pieces how many pieces there are
 */
 template <class Scheme, class GeomTraits>
 double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t number_of_pieces)
@@ -325,6 +336,8 @@ double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t num
 refines a mesh piece by piece, and calls `f(piece)` with each `Surface_piece`, in their order. The mesh is not
 changed; `f` may keep what it needs.
 
+\param mesh as that of `Surface_pieces`
+\param scheme the scheme
 \param number_of_pieces how many pieces there are
 \param np as that of `Surface_pieces`
 \param f a function of a `const Surface_piece<GeomTraits>&`

@@ -306,7 +306,7 @@ are on the shape.
   and `vertex_normal_map`, without which no normals are looked at; as in `subdivide()`
 \returns a `Deviation<Deviation_number<FT>, boost::graph_traits<PolygonMesh>::%vertex_descriptor>`
 \throws std::invalid_argument as `squared_deviation()` does; the message names the vertex
-\cost linear in the number of vertices; some microseconds a vertex
+<br><b>Cost:</b> linear in the number of vertices; some microseconds a vertex
 */
 template <class PolygonMesh, class Shape,
           class NamedParameters = parameters::Default_named_parameters>
@@ -349,7 +349,7 @@ returns how far the points of a curve, and its normals, are from a shape, see `m
   `normal_map`. The normals of pairs are looked at without it, those of other items not.
 \returns a `Deviation<Deviation_number<FT>, std::size_t>` whose elements are positions in the range
 \throws std::invalid_argument as `squared_deviation()` does; the message gives the position
-\cost linear in the number of points; some microseconds a point
+<br><b>Cost:</b> linear in the number of points; some microseconds a point
 */
 template <class Range, class Shape, class NamedParameters = parameters::Default_named_parameters>
 auto curve_deviation(const Range& curve, const Shape& shape,

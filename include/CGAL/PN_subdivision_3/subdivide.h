@@ -215,7 +215,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
 \throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
-\cost linear in the size of the output, in time and memory, while the degrees of the faces and the
+<br><b>Cost:</b> linear in the size of the output, in time and memory, while the degrees of the faces and the
 valences are bounded. Loop, Catmull-Clark and \f$ \sqrt{3} \f$ subdivision are linear whatever the
 valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes, and a face of degree m
 with all that take polygons; `estimated_row_entries()` tells beforehand.

@@ -106,7 +106,7 @@ here"; vectors of other lengths are normalized once.
 \throws std::overflow_error if a new point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
-\cost linear in the size of the curve, in time and memory
+<br><b>Cost:</b> linear in the size of the curve, in time and memory
 */
 template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
 auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,

@@ -115,7 +115,7 @@ Not part of the header `CGAL/PN_subdivision_3.h`, since it needs \ref thirdparty
 
 \throws std::invalid_argument as `subdivide()` does, and if `round` is 0
 \throws std::length_error if there are more rows or entries than `int` can number
-\cost linear in the number of entries
+<br><b>Cost:</b> linear in the number of entries
 */
 template <class FT = double, class PolygonMesh, class Scheme>
 Eigen::SparseMatrix<FT, Eigen::RowMajor>

@@ -66,7 +66,7 @@ single point or if both neighbors are the same point, the result is zero, "no co
 
 \throws std::invalid_argument if a point is not finite (the message gives its position)
 
-\cost linear in the size of the polygon
+<br><b>Cost:</b> linear in the size of the polygon
 */
 template <class Range, class NamedParameters = parameters::Default_named_parameters>
 auto estimate_control_normals(const Range& polygon, Curve_end end,

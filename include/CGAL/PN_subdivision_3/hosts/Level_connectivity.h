@@ -137,7 +137,7 @@ public:
   /// the half-edge after `h` in its face or along its border.
   Index next(Index h) const { return next_[h]; }
   /// the half-edge before `h` in its face or along its border.
-  /// \cost linear in the number of half-edges of the face; on the border, in the valence of the
+  /// <br><b>Cost:</b> linear in the number of half-edges of the face; on the border, in the valence of the
   /// source of `h`.
   Index prev(Index h) const
   {
@@ -207,7 +207,7 @@ public:
     } while (g != h);
     return m;
   }
-  /// whether the face of `h` has `m` half-edges. \cost `m`
+  /// whether the face of `h` has `m` half-edges. <br><b>Cost:</b> `m`
   bool has_degree(Index h, Index m) const
   {
     Index g = next(h);

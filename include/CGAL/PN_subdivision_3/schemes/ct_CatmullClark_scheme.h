@@ -46,7 +46,7 @@ unit of the mesh but for rounding. `linear()` has the weights and no transfer, a
 `with_normal_scheme()` refuses it, since points and normals belong together.
 
 This is no scheme of the paper; neither is it better everywhere, see the manual. Accepts any polygons.
-\cost of a round besides that of `modified_CatmullClark_scheme`: the rows of the 1-rings once more, and
+<br><b>Cost:</b> of a round besides that of `modified_CatmullClark_scheme`: the rows of the 1-rings once more, and
 linear in their size
 \cgalModels{PNSubdivisionScheme_3}
 */

@@ -28,7 +28,7 @@ Such a scheme has a static function `dense_row_entries(level, round)` that retur
 \param scheme a model of `PNSubdivisionScheme_3`
 \param level the control mesh
 \param rounds the number of rounds
-\cost linear in the size of `level`
+<br><b>Cost:</b> linear in the size of `level`
 */
 template <class Scheme>
 double estimated_row_entries([[maybe_unused]] const Scheme& scheme, const Level_connectivity& level,

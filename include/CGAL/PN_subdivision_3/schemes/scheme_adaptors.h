@@ -161,6 +161,7 @@ struct Scheme_adaptor
   static constexpr bool has_normal_mask = internal::Has_normal_mask<Scheme>::value;
   /// whether a round transfers curvature to the normals.
   static constexpr bool transfers_curvature = internal::Has_curvature_transfer<Scheme>::value;
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = internal::Ghost_rings<Scheme>::value;
 
   /// the mask of a round, that of the adapted scheme.
@@ -241,6 +242,7 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
   /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = true;
+  /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings =
     internal::Ghost_rings<Scheme>::value == 0 || internal::Ghost_rings<Normal_scheme>::value == 0
       ? 0
