@@ -25,18 +25,8 @@
 namespace {
 
 using namespace crease_shapes;
-using crease_levels::Crease_run;
-using crease_levels::Index;
-using crease_levels::Level_connectivity;
-using crease_levels::triangulated;
-using crease_levels::Triple;
-using crease_levels::undirected;
 using namespace CGAL::PN_subdivision_3;
 
-Triple triple(const Vector& v)
-{
-  return {double(v[0]), double(v[1]), double(v[2])};
-}
 // \name Scans
 
 // Two sheets that meet in a crease of unit edges.

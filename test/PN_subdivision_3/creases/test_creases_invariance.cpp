@@ -32,12 +32,6 @@
 namespace {
 
 using namespace crease_shapes;
-using crease_levels::Crease_run;
-using crease_levels::Index;
-using crease_levels::Level_connectivity;
-using crease_levels::triangulated;
-using crease_levels::Triple;
-using crease_levels::undirected;
 using namespace CGAL::PN_subdivision_3;
 
 const Real epsilon = std::numeric_limits<double>::epsilon();

@@ -35,9 +35,6 @@ namespace {
 
 using namespace crease_shapes;
 using namespace CGAL::PN_subdivision_3;
-using crease_levels::Crease_run;
-using crease_levels::Index;
-using crease_levels::triangulated;
 using rational_shapes::Rational;
 
 // \name An exact round

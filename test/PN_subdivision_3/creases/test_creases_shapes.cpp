@@ -31,10 +31,6 @@
 namespace {
 
 using namespace crease_shapes;
-using crease_levels::Crease_run;
-using crease_levels::Index;
-using crease_levels::Level_connectivity;
-using crease_levels::triangulated;
 using namespace CGAL::PN_subdivision_3;
 
 // the group of every face after a round, in the documented order of the children

@@ -29,22 +29,7 @@
 namespace {
 
 using namespace crease_shapes;
-using crease_levels::Crease_run;
-using crease_levels::Index;
-using crease_levels::Level_connectivity;
-using crease_levels::triangulated;
-using crease_levels::Triple;
-using crease_levels::undirected;
 using namespace CGAL::PN_subdivision_3;
-
-Triple triple(const Vector& v)
-{
-  return {double(v[0]), double(v[1]), double(v[2])};
-}
-Vector vector(const Triple& x)
-{
-  return {Real(x[0]), Real(x[1]), Real(x[2])};
-}
 
 // \name Perturbed data
 

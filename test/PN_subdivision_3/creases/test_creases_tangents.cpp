@@ -36,7 +36,6 @@ namespace {
 
 using namespace crease_shapes;
 using namespace tagged_meshes;
-using crease_levels::triangulated;
 
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;

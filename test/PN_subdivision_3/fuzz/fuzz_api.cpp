@@ -152,7 +152,8 @@ void subdivide(const Input& in, const Scheme& scheme, unsigned how)
       unsigned i = 0;
       for (auto e : mesh.edges()) creases[e] = (how >> (i++ % 5)) & 4 ? 1.5 : 0;
       PN::subdivide(mesh, scheme, iterations.edge_is_constrained_map(creases));
-    }
+    } else
+      return; // no rules for creases
   } catch (const std::exception& e) {
     if (std::string(e.what()).empty()) fail("an exception without a message");
     require_untouched(mesh, in.mesh);

@@ -34,6 +34,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -111,9 +112,9 @@ std::string command = "pn_subdivide";
 
 Result by_command(const Input& in)
 {
-  char folder[] = "/tmp/pn_peers_XXXXXX";
-  if (mkdtemp(folder) == nullptr) throw std::logic_error("no folder");
-  const std::string file = std::string(folder) + "/in.off", out = std::string(folder) + "/out.off";
+  std::string folder = (std::filesystem::temp_directory_path() / "pn_peers_XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr) throw std::logic_error("no folder");
+  const std::string file = folder + "/in.off", out = folder + "/out.off";
   {
     std::ofstream os(file);
     os.precision(17);
@@ -130,7 +131,7 @@ Result by_command(const Input& in)
                  (in.loop ? "loop" : "catmull-clark") + " 2>" + folder + "/err")
                   .c_str());
   std::string message, word;
-  std::ifstream err(std::string(folder) + "/err");
+  std::ifstream err(folder + "/err");
   std::getline(err, message);
   Result result;
   std::size_t vertices = 0, edges = 0;
@@ -143,7 +144,7 @@ Result by_command(const Input& in)
         x = std::strtod(word.c_str(), nullptr);
       }
   }
-  std::system((std::string("rm -r ") + folder).c_str());
+  std::filesystem::remove_all(folder);
   if (!WIFEXITED(status) || WEXITSTATUS(status) > 3) std::abort();
   if (WEXITSTATUS(status) != 0)
     throw Refusal(message.substr(message.find(": ", message.find("in.off")) + 2));

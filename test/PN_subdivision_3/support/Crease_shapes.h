@@ -28,8 +28,14 @@ namespace crease_shapes {
 
 using crease_levels::Border;
 using crease_levels::Control;
+using crease_levels::Crease_run;
 using crease_levels::Edge;
 using crease_levels::Face;
+using crease_levels::Index;
+using crease_levels::Level_connectivity;
+using crease_levels::triangulated;
+using crease_levels::Triple;
+using crease_levels::undirected;
 
 using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
@@ -37,6 +43,15 @@ using Ring = std::vector<int>;
 
 const Real pi = std::acos(Real(-1));
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+inline Triple triple(const Vector& v)
+{
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
+inline Vector vector(const Triple& x)
+{
+  return {Real(x[0]), Real(x[1]), Real(x[2])};
+}
 
 struct Surface
 {
