@@ -73,9 +73,9 @@ TEST_F(Pn_subdivide_interpolate, LimitsArePoints)
             0);
   const auto before = points(in);
   ASSERT_FALSE(before.empty());
-  for (const char* options : {"--scheme modified-catmull-clark", "--scheme catmull-clark --linear",
-                              "--scheme modified-catmull-clark --first-round 2",
-                              "--scheme catmull-clark --threads 2"}) {
+  for (const char* options :
+       {"--scheme modified-catmull-clark", "--scheme catmull-clark --linear",
+        "--scheme modified-catmull-clark --first-round 2", "--scheme catmull-clark --threads 2"}) {
     const Outcome outcome = run("surface '" + in + "' '" + out +
                                 "' --levels 2 --ascii --limit --interpolate points " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;

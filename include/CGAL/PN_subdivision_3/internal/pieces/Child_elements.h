@@ -98,11 +98,16 @@ private:
   Origin origin(const Element_parent& p, Index border_ordinal) const
   {
     switch (p.kind) {
-    case Kind::vertex: return origin_in(elements_.vertices, p.index, Whole_kind::vertex, p.ordinal);
-    case Kind::edge: return origin_in(elements_.edges, p.index, Whole_kind::edge, p.ordinal);
-    case Kind::face: return origin_in(elements_.faces, p.index, Whole_kind::face, p.ordinal);
-    case Kind::corner: return origin_in_corner(p.index);
-    default: return origin_in_border_edge(p, border_ordinal);
+    case Kind::vertex:
+      return origin_in(elements_.vertices, p.index, Whole_kind::vertex, p.ordinal);
+    case Kind::edge:
+      return origin_in(elements_.edges, p.index, Whole_kind::edge, p.ordinal);
+    case Kind::face:
+      return origin_in(elements_.faces, p.index, Whole_kind::face, p.ordinal);
+    case Kind::corner:
+      return origin_in_corner(p.index);
+    default:
+      return origin_in_border_edge(p, border_ordinal);
     }
   }
 

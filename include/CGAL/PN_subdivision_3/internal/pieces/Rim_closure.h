@@ -121,8 +121,7 @@ private:
     }
     for (const Index b : new_border_) level_.set_halfedge_of_vertex(level_.target(b), b);
     new_border_.clear();
-    if (run.before != Level_connectivity::null)
-      level_.set_halfedge_of_vertex(source, run.before);
+    if (run.before != Level_connectivity::null) level_.set_halfedge_of_vertex(source, run.before);
     level_.set_halfedge_of_vertex(center, first_spoke);
     edges_ += Index(n);
   }

@@ -36,10 +36,7 @@ public:
   }
 
   bool empty() const { return numbers_.empty(); }
-  bool contains(Number i) const
-  {
-    return std::binary_search(numbers_.begin(), numbers_.end(), i);
-  }
+  bool contains(Number i) const { return std::binary_search(numbers_.begin(), numbers_.end(), i); }
   // how many are before i
   Number operator[](Number i) const
   {
