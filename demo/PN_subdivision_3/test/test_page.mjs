@@ -216,8 +216,9 @@ test("parts have the creases of their files", async () => {
     assert.ok((await page.evaluate(() => window.page.editor.mesh.numberOfSharpEdges())) > 20);
     const surface = readPly(await readFile(await download(page, "#save-surface")));
     const native = path.join(folder, "bolt.ply");
-    const data = path.resolve(import.meta.dirname, "../../../data/meshes/parts/bolt.obj");
-    execFileSync(command, ["surface", data, native, "--quiet", "--levels", "4"]);
+    const part = path.resolve(import.meta.dirname, "../../../data/meshes/parts/bolt");
+    execFileSync(command, ["surface", `${part}.obj`, native, "--quiet", "--levels", "4",
+      "--sharp", `${part}.selection.txt`]);
     const theirs = readPly(await readFile(native));
     assert.ok(largestDifference(surface.points, theirs.points) < 1e-12);
   });
