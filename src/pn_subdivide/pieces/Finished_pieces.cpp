@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 namespace pn_subdivide {
@@ -22,8 +23,11 @@ Finished_pieces::Finished_pieces(std::filesystem::path file, std::string job, st
   , marks_(pieces, '0')
 {}
 
-void Finished_pieces::create() const
+void Finished_pieces::create()
 {
+  marks_.assign(marks_.size(), '0');
+  std::error_code ignored;
+  std::filesystem::remove(file_, ignored); // of a run whose other file is gone
   const std::string content = first_line_ + "\n" + marks_ + "\n";
   create_file(file_, content.size());
   const std::unique_ptr<Shared_file> file = open_file(file_);

@@ -27,7 +27,7 @@ public:
 
   bool exists() const { return std::filesystem::exists(file_); }
   // of no piece
-  void create() const;
+  void create();
   // Throws Error if it is that of another job.
   void read();
   bool is_finished(std::size_t i) const { return marks_[i] == '1'; }

@@ -56,6 +56,7 @@ public:
     std::error_code ignored;
     // of several ranks that fail one finds something to remove
     const auto removed = fs::remove_all(part_, ignored);
+    if (!is_open_) return;
     if (removed == 0 || removed == static_cast<std::uintmax_t>(-1))
       ranks().leave_report_to_others();
   }
@@ -65,23 +66,19 @@ public:
   // by one rank
   void create()
   {
-    if (fs::exists(part_))
-      require_continuation();
-    else if (finished_.exists()) {
-      finished_.read();
-      throw Error(part_.string() + ".done is there without " + part_.filename().string() +
-                  ": delete it");
-    }
-    require_space();
     const bool is_new = !fs::exists(part_);
-    if (is_new && job_.is_resumable) finished_.create();
-    if (is_new) own();
+    if (!is_new) require_continuation();
+    require_space();
+    if (!is_new) return;
+    own();
     output_->create();
+    if (job_.is_resumable) finished_.create();
   }
   // by all
   void open()
   {
     if (!is_ours_) own();
+    is_open_ = true;
     if (job_.is_resumable) finished_.read();
     output_->open();
   }
@@ -151,7 +148,7 @@ private:
   Finished_pieces finished_;
   std::unique_ptr<Piece_output> output_;
   bool is_folder_;
-  bool is_ours_ = false;
+  bool is_ours_ = false, is_open_ = false;
   std::optional<Temporary_on_signal> removal_;
 };
 
