@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <map>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,6 @@ public:
   template <class Mask>
   explicit Curve_windows(const Mask& mask)
     : rows_(mask)
-    , real_rows_(mask)
   {
     const std::vector<double> a = mask.template coefficients<double>();
     const auto width = static_cast<Index>(a.size());
@@ -104,28 +104,23 @@ private:
   }
 
   // rows from a polygon that is no longer than the window; no row leaves it where it does not end there
-  template <class Number>
-  std::vector<std::vector<typename Stencil<Number>::Entry>>
-  rows(const Univariate_rows<Number>& source, const Window_size& size,
-       const Window_size& next) const
+  typename Window::Rows rows(const Window_size& size, const Window_size& next) const
   {
-    std::vector<std::vector<typename Stencil<Number>::Entry>> result;
-    const Index center = 2 * size.first + source.first_point();
-    Stencil_block<Number> block;
+    typename Window::Rows result;
+    const Index center = 2 * size.first + rows_.first_point();
+    Stencil_block<FT> block;
     for (Index i = center - next.first; i <= center + next.second; ++i) {
       block.clear();
-      source.emit(i, size.first + size.second + 1, Curve_end::reflect, block.row());
+      rows_.emit(i, size.first + size.second + 1, Curve_end::reflect, block.row());
       block.close_row();
       result.emplace_back(block.begin(0), block.end(0));
     }
     return result;
   }
 
-  template <class Number>
-  static Ring_matrix<Number>
-  matrix(const std::vector<std::vector<typename Stencil<Number>::Entry>>& rows)
+  static Ring_matrix<FT> matrix(const typename Window::Rows& rows)
   {
-    Ring_matrix<Number> m;
+    Ring_matrix<FT> m;
     for (const auto& row : rows) {
       m.emplace_back();
       for (const auto& e : row) m.back().emplace_back(e.vertex, e.weight);
@@ -133,17 +128,41 @@ private:
     return m;
   }
 
+  // Rows that sum to 1 but for the rounding of Real: the largest weight, which is the last, is the rest.
+  static Ring_matrix<Real> real_matrix(const typename Window::Rows& rows)
+  {
+    Ring_matrix<Real> m;
+    for (const auto& row : rows) {
+      m.emplace_back();
+      Real rest = 1;
+      for (const auto& e : row) {
+        const bool is_last = &e == &row.back();
+        const Real weight = is_last ? rest : real(e.weight);
+        m.back().emplace_back(e.vertex, weight);
+        rest -= weight;
+      }
+    }
+    return m;
+  }
+  static Real real(const FT& x)
+  {
+    if constexpr (std::is_floating_point_v<FT>)
+      return x;
+    else
+      return close_double(x);
+  }
+
   void make(const Window_size& size, Window& window) const
   {
     window.next = next_size(size);
-    window.rows = rows(rows_, size, window.next);
+    window.rows = rows(size, window.next);
     if (window.next != size) return;
-    const Ring_matrix<Real> real = matrix<Real>(rows(real_rows_, size, size));
-    const Window_functionals f(real, outer_);
+    const Ring_matrix<Real> reals = real_matrix(window.rows);
+    const Window_functionals f(reals, outer_);
     if (f.limit().empty())
       throw std::invalid_argument("PN_subdivision_3: the mask has no limit points: the powers of "
                                   "its matrix do not converge");
-    for (const auto& [place, weight] : limit_row(f.limit(), matrix<FT>(window.rows)))
+    for (const auto& [place, weight] : limit_row(f.limit(), matrix(window.rows)))
       window.limit_row.push_back({place, weight});
     window.first_derivative.assign(f.first_derivative().begin(), f.first_derivative().end());
     window.second_derivative.assign(f.second_derivative().begin(), f.second_derivative().end());
@@ -162,7 +181,6 @@ private:
   }
 
   Univariate_rows<FT> rows_;
-  Univariate_rows<Real> real_rows_;
   Index half_ = 0;
   Real outer_ = 0;
   std::map<Window_size, Window> windows_;
