@@ -36,7 +36,7 @@ const script = await build({
   format: "esm",
   target: "es2022",
   legalComments: "inline",
-  loader: { ".ply": "text", ".off": "text", ".obj": "text" },
+  loader: { ".ply": "text", ".off": "text", ".obj": "text", ".txt": "text" },
   // the module's loader has branches for Node.js, which a browser never takes
   external: ["module", "fs", "path", "url"],
   plugins: [modeler],

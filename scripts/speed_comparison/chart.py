@@ -29,7 +29,7 @@ SERIES = (
 PANEL_WIDTH, PANEL_HEIGHT = 270, 230
 LEFT, TOP, GAP_X, GAP_Y = 56, 40, 52, 62
 COLUMNS = 3
-LOW, HIGH = 8, 1600  # ns a face
+LOW, HIGH = 15, 3000  # ns a face
 
 
 def text(x: float, y: float, words: str, more: str = "") -> str:
@@ -52,7 +52,7 @@ class Panel:
                  'fill="none" stroke="#888"/>',
                  text(self.x + PANEL_WIDTH / 2, self.y - 8, TITLES[self.scheme],
                       'text-anchor="middle" font-weight="bold"')]
-        for cost in (10, 20, 50, 100, 200, 500, 1000):
+        for cost in (20, 50, 100, 200, 500, 1000, 2000):
             _, y = self.at(self.first, cost)
             lines.append(f'<line x1="{self.x}" x2="{self.x + PANEL_WIDTH}" y1="{y:.1f}" y2="{y:.1f}" '
                          'stroke="#e2e2e2"/>')

@@ -124,7 +124,8 @@ class Page:
         for scheme in self.schemes:
             for job in NAMES:
                 found = [self.find(scheme, job, size, 1, *c) for c in columns]
-                if all(found) and not job.startswith("floor"):
+                is_of_other_scheme = scheme in BESIDE and job.startswith("cgal/")
+                if all(found) and not is_of_other_scheme and not job.startswith("floor"):
                     rows.append([f"{TITLES[scheme]}: {NAMES[job]}"] +
                                 [number(m.ns_per_face()) for m in found if m])
         header = [f"about {size_name(size)} faces", "regular", "irregular", "real",
@@ -167,10 +168,12 @@ class Page:
         lines = ["", "## Ratios", ""] + self.table_of_ratios() + self.table_of_growth()
         lines += ["## Whole jobs on regular control meshes", "", "Nanoseconds a refined face.", ""]
         lines += self.tables_of_sizes()
-        lines += ["## Other control meshes, fresh processes, huge pages", ""]
+        lines += ["## Other control meshes, fresh processes, huge pages", "",
+                  "Nanoseconds a refined face, one thread.", ""]
         for size in sorted({r.size for r in self.medians if r.kind == "irregular"}):
             lines += self.table_of_meshes(size)
-        lines += ["## Evaluation once more", "", "All control points and normals are set again.", ""]
+        lines += ["## Evaluation once more", "", "Nanoseconds a refined face, all control points and "
+                  "normals being set again.", ""]
         return lines + self.tables_of_evaluation()
 
 

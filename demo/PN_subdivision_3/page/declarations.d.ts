@@ -25,6 +25,10 @@ declare module "*.off" {
   const text: string;
   export default text;
 }
+declare module "*.txt" {
+  const text: string;
+  export default text;
+}
 declare module "*.obj" {
   const text: string;
   export default text;

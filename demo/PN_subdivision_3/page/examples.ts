@@ -9,8 +9,11 @@
 // Control meshes that are one click away. Those of files are the project's, see data/README.md.
 
 import bearingHousing from "../../../data/meshes/parts/bearing_housing.obj";
+import bearingHousingSelection from "../../../data/meshes/parts/bearing_housing.selection.txt";
 import bolt from "../../../data/meshes/parts/bolt.obj";
+import boltSelection from "../../../data/meshes/parts/bolt.selection.txt";
 import bracket from "../../../data/meshes/parts/bracket.obj";
+import bracketSelection from "../../../data/meshes/parts/bracket.selection.txt";
 import creature from "../../../data/meshes/creature.obj";
 import cube from "../../../data/meshes/cube.off";
 import head from "../../../data/meshes/head.obj";
@@ -36,6 +39,8 @@ export interface Example {
   rounds: number;
   /** Instead of the normals of the file. */
   normals?: "sphere";
+  /** The creases, in CGAL's format: also those where surfaces are tangent, which normals do not tell of. */
+  selection?: string;
   /** Where normals would hide the surface. */
   hidesNormals?: boolean;
 }
@@ -111,6 +116,7 @@ export const examples: Record<string, Example> = {
     title: "Part: bearing housing",
     about: "Planes, cylinders and a spherical seat, which stay what they are up to their sharp edges.",
     text: bearingHousing,
+    selection: bearingHousingSelection,
     format: "obj",
     hidesNormals: true,
     scheme: "catmull-clark",
@@ -120,6 +126,7 @@ export const examples: Record<string, Example> = {
     title: "Part: bolt",
     about: "Rims stay circles, the shank a cylinder, its end a piece of a sphere.",
     text: bolt,
+    selection: boltSelection,
     format: "obj",
     hidesNormals: true,
     ...quads,
@@ -128,6 +135,7 @@ export const examples: Record<string, Example> = {
     title: "Part: bracket",
     about: "The fillet is a cylinder, tangent to floor and wall.",
     text: bracket,
+    selection: bracketSelection,
     format: "obj",
     hidesNormals: true,
     ...quads,

@@ -67,7 +67,11 @@ export class SurfacePanel {
     const example = examples[name];
     const mesh = this.modeler.readMesh(new TextEncoder().encode(example.text), example.format);
     if (example.normals === "sphere") mesh.takeNormalsOfSphere();
-    return mesh;
+    if (example.selection === undefined) return mesh;
+    const edges = example.selection.split("\n")[2].trim().split(/\s+/).map(Number);
+    const creased = this.modeler.restoreMesh({ ...mesh.state(), sharpEdges: Uint32Array.from(edges) });
+    mesh.delete();
+    return creased;
   }
 
   async open(file: File): Promise<void> {

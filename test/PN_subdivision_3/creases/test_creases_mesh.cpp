@@ -406,6 +406,26 @@ TEST(Creases_of_meshes, Are_refused_by_matrices)
   EXPECT_EQ(PN::subdivision_matrix(cube.mesh, PN::with_border(loop, PN::Border::curve)).rows(), 26);
 }
 
+// whose inverses are no numbers; found by fuzzing
+TEST(Creases_of_meshes, Of_denormal_length)
+{
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  for (const double x : {tiny, 1.}) {
+    Surface_mesh mesh;
+    const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(tiny, tiny, 0)),
+               c = mesh.add_vertex(Point_3(x, tiny, tiny));
+    mesh.add_face(a, b, c);
+    const auto sharp =
+      mesh.add_property_map<Surface_mesh::Edge_index, double>("e:sharp", 1.5).first;
+    PN::subdivide(mesh, PN::Loop_scheme(),
+                  np::number_of_iterations(2).edge_is_constrained_map(sharp));
+    for (auto v : mesh.vertices()) {
+      const Point_3& p = mesh.point(v);
+      EXPECT_TRUE(std::isfinite(p.x() + p.y() + p.z())) << x << ", " << v;
+    }
+  }
+}
+
 TEST(Creases_of_meshes, Angles_out_of_range)
 {
   Tagged<Surface_mesh> t(crease_shapes::cube().control());

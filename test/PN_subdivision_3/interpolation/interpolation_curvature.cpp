@@ -172,6 +172,20 @@ TEST(Prescribed_curvature, WithPointAndNormal)
   expect_met(ellipsoid_quads(8), quads, 0);
 }
 
+// The form that is added is right where the surface is tilted against its limit control normal, too.
+TEST(Prescribed_curvature, ComesCloseWhereTilted)
+{
+  Prescription p(graph());
+  const auto before = limits_and_curvatures(p.mesh, plain_quads).at[40];
+  const Eigen::Vector3d old = to_double(before.surface_normal), across = old.unitOrthogonal();
+  const Eigen::Vector3d n = std::cos(0.5) * old + std::sin(0.5) * across;
+  p.normals[Index(40)] = to_kernel(n);
+  p.curvatures[Index(40)] = Curvature{1, -1, to_kernel(across)};
+  p.options.max_curvature_steps = 3;
+  EXPECT_LE(Curvature_runs<PN::CatmullClark_scheme>::solve(p, plain_quads).curvature_residual,
+            1e-3);
+}
+
 // Several at once, each as if it were alone; equal curvatures need no direction.
 TEST(Prescribed_curvature, AtSeveralVertices)
 {

@@ -64,14 +64,20 @@ TYPED_TEST(Pieces_of_scheme, IsTheWholeSurface)
 TYPED_TEST(Pieces_of_scheme, NeedsAllOfItsRings)
 {
   constexpr unsigned rings = PN::internal::Ghost_rings<TypeParam>::value;
-  std::size_t with_one_less = 0;
-  for (const unsigned one_in : {1, 3, 12}) {
-    const Control_mesh control = torus_with_turned_edges(kind_of<TypeParam>(), one_in);
-    for (const std::size_t pieces : {7, 20}) {
-      EXPECT_EQ(number_of_defects(control, TypeParam(), 2, pieces, rings), 0u);
-      with_one_less += number_of_defects(control, TypeParam(), 2, pieces, rings - 1);
-    }
+  constexpr Kind kind = kind_of<TypeParam>();
+  std::vector<Control_mesh> controls;
+  for (const unsigned one_in : {1, 3, 12})
+    controls.push_back(torus_with_turned_edges(kind, one_in));
+  if (kind == Kind::quads) {
+    controls.push_back(test_meshes::in_quads(torus_with_turned_edges(Kind::triangles, 2)));
+    test_meshes::set_uneven_normals(controls.back(), 3);
   }
+  std::size_t with_one_less = 0;
+  for (const Control_mesh& control : controls)
+    for (const std::size_t pieces : {7, 20}) {
+      EXPECT_EQ(number_of_defects(control, TypeParam(), 3, pieces, rings), 0u);
+      with_one_less += number_of_defects(control, TypeParam(), 3, pieces, rings - 1);
+    }
   EXPECT_GT(with_one_less, 0u);
 }
 

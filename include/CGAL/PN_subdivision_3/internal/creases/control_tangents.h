@@ -16,7 +16,9 @@
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 
 #include <array>
+#include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -145,6 +147,18 @@ private:
     for (const Crease_end& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
   }
 
+  // adds a multiple of the unit vector of x
+  static void add_part(Vector& t, const FT& multiple, Vector x, const FT& x_length)
+  {
+    FT factor = multiple / x_length;
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!std::isfinite(factor)) { // denormal lengths have no inverse
+        for (FT& coordinate : x) coordinate /= x_length;
+        factor = multiple;
+      }
+    add_multiple<FT, 3>(t, factor, x);
+  }
+
   // of the circle from y through 0 to x, there; (x/|x|^2 - y/|y|^2) / (1/|x| + 1/|y|)
   static Vector arc_tangent(Vector y, Vector x)
   {
@@ -153,12 +167,12 @@ private:
     if (x_length == FT(0) && y_length == FT(0)) return t;
     const FT sum = x_length + y_length;
     if (x_length == FT(0)) {
-      add_multiple<FT, 3>(t, FT(FT(-1) / y_length), y);
+      add_part(t, FT(-1), y, y_length);
     } else if (y_length == FT(0)) {
-      add_multiple<FT, 3>(t, FT(FT(1) / x_length), x);
+      add_part(t, FT(1), x, x_length);
     } else {
-      add_multiple<FT, 3>(t, FT(y_length / sum / x_length), x);
-      add_multiple<FT, 3>(t, FT(-(x_length / sum / y_length)), y);
+      add_part(t, FT(y_length / sum), x, x_length);
+      add_part(t, FT(-(x_length / sum)), y, y_length);
     }
     return t;
   }

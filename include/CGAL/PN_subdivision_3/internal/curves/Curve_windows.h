@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Window_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/curves/exact_limit_row.h>
