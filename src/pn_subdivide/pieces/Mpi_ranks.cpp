@@ -34,6 +34,7 @@ class Mpi_file : public Shared_file
 {
 public:
   explicit Mpi_file(const std::filesystem::path& file)
+    : path_(file)
   {
     check_file(MPI_File_open(MPI_COMM_WORLD, file.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file_));
   }
@@ -56,11 +57,12 @@ public:
   }
 
   // MPI_File_sync() would wait for all ranks
-  void sync() override {}
+  void sync() override { sync_file(path_); }
   // waits for all ranks, which is why the destructor does not
   void close() override { check_file(MPI_File_close(&file_)); }
 
 private:
+  std::filesystem::path path_;
   MPI_File file_;
 };
 

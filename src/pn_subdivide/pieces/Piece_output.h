@@ -31,8 +31,8 @@ public:
   virtual void create() = 0;
   virtual void open() = 0;
   virtual void write(std::size_t i, const Any_pieces::Piece& piece) = 0;
-  // what was written is on the disk
-  virtual void sync() = 0;
+  // until a piece that was written is on the disk
+  virtual void sync(std::size_t i) = 0;
   virtual void close() = 0;
   // gives it the name that was asked for
   virtual void finish() = 0;

@@ -101,7 +101,7 @@ public:
     write_faces(piece, rows);
     rows.flush();
   }
-  void sync() override { file_->sync(); }
+  void sync(std::size_t) override { file_->sync(); }
   void close() override { file_->close(); }
   void finish() override
   {

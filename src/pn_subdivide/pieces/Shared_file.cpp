@@ -125,6 +125,20 @@ void create_file(const fs::path& file, std::uint64_t bytes)
   throw Error(file.string() + " cannot be made: " + error.message());
 }
 
+void sync_file(const fs::path& file)
+{
+#if __has_include(<unistd.h>)
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw Error(file.string() + " cannot be opened: " + reason(errno));
+  const int code = ::fsync(descriptor), error = errno;
+  ::close(descriptor);
+  if (code != 0 && error != EINVAL) // that of a file system which cannot
+    throw Error("writing failed: " + reason(error));
+#else
+  (void)file;
+#endif
+}
+
 std::unique_ptr<Shared_file> open_file(const fs::path& file)
 {
   return std::make_unique<Posix_file>(file);

@@ -32,6 +32,9 @@ public:
 // Throws Error if there is such a file already.
 void create_file(const std::filesystem::path& file, std::uint64_t bytes);
 
+// Until what any process of this machine wrote into a file, or the names in a folder, are on the disk.
+void sync_file(const std::filesystem::path& file);
+
 // An existing file.
 std::unique_ptr<Shared_file> open_file(const std::filesystem::path& file);
 

@@ -12,6 +12,7 @@
 #include "io/Output_file.h"
 #include "io/Vtp_writer.h"
 #include "pieces/Piece_output.h"
+#include "pieces/Shared_file.h"
 
 #include <string>
 #include <vector>
@@ -151,7 +152,12 @@ public:
     Vtp_arrays(piece).write(out);
     out.commit();
   }
-  void sync() override {}
+  void sync(std::size_t i) override
+  {
+    if (pieces_.is_empty(i)) return;
+    sync_file(part_ / piece_name(i));
+    sync_file(part_); // its name
+  }
   void close() override {}
   void finish() override
   {

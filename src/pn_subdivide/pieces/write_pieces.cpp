@@ -91,7 +91,7 @@ public:
   {
     output_->write(i, job_.pieces->piece(i));
     if (!job_.is_resumable) return;
-    output_->sync();
+    output_->sync(i);
     finished_.set_finished(i);
   }
   void close() { output_->close(); }
