@@ -99,6 +99,16 @@ Output_file::Output_file(const std::string& file)
   if (fs::is_regular_file(status)) fs::permissions(temporary_, status.permissions(), ignored);
 }
 
+Output_file::Output_file(const std::string& file, In_temporary_folder)
+  : Output_file()
+{
+  buffer_.reserve(buffer_size + 64);
+  target_ = file;
+  file_ = std::fopen(file.c_str(), "wb");
+  if (file_ == nullptr) throw Error("cannot be written: " + reason(errno));
+  temporary_ = target_;
+}
+
 Output_file::~Output_file()
 {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);

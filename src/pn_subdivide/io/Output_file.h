@@ -38,6 +38,11 @@ public:
 
   // Throws Error if the file cannot be written.
   explicit Output_file(const std::string& file);
+  // A new file in a folder that is temporary as a whole: no second temporary file, whose name nobody
+  // would know if the process is killed.
+  struct In_temporary_folder
+  {};
+  Output_file(const std::string& file, In_temporary_folder);
   ~Output_file();
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;

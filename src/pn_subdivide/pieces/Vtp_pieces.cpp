@@ -148,7 +148,7 @@ public:
   void write(std::size_t i, const Any_pieces::Piece& piece) override
   {
     if (pieces_.is_empty(i)) return;
-    Output_file out((part_ / piece_name(i)).string());
+    Output_file out((part_ / piece_name(i)).string(), Output_file::In_temporary_folder());
     Vtp_arrays(piece).write(out);
     out.commit();
   }
