@@ -6,7 +6,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Draws meshes (PLY, OFF, OBJ, VTP) side by side into one PNG, without a screen.
+"""Draws meshes (PLY, OFF, OBJ, VTP, PVTP) side by side into one PNG, without a screen.
 
 Needs the Debian packages python3-vtk9, python3-numpy and xvfb (--no-install-recommends is enough).
 

@@ -16,9 +16,11 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader
 
-READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".vtp": vtkXMLPolyDataReader}
+# the pieces of PVTP files are not joined
+READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".vtp": vtkXMLPolyDataReader,
+           ".pvtp": vtkXMLPPolyDataReader}
 
 
 def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
@@ -36,7 +38,7 @@ def read_mesh(path: Path, with_texture: bool = False) -> vtkPolyData:
         if suffix == ".obj" and normals_of(mesh) is None and not with_texture:
             mesh = _without_seams(mesh)
     else:
-        raise ValueError(f"{path}: only .ply, .off, .obj and .vtp can be drawn")
+        raise ValueError(f"{path}: only .ply, .off, .obj, .vtp and .pvtp can be drawn")
     if mesh.GetNumberOfPoints() == 0:
         raise ValueError(f"{path}: holds no mesh")
     return mesh

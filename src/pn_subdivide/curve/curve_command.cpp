@@ -17,6 +17,7 @@
 #include "io/Report.h"
 #include "io/curve_io.h"
 #include "io/mesh_io.h"
+#include "pieces/Ranks.h"
 #include "surface/verification.h"
 
 #include <algorithm>
@@ -251,6 +252,8 @@ std::string closing_line(const Curve_options& options, const Curve_rule& rule,
 
 void run_curve_command(const Curve_options& options)
 {
+  if (ranks().number() > 1)
+    throw Usage_error("curves are not shared among ranks: leave mpirun out");
   Report report(options.quiet);
   const Curve_rule rule = parse_rule(options);
   const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);

@@ -165,16 +165,29 @@ public:
     write_index(index);
     require_own_folder();
     const fs::path old = folder_.string() + ".old";
-    std::error_code error;
+    std::error_code ignored;
     const bool has_old = fs::exists(folder_);
-    if (has_old) fs::rename(folder_, old, error);
-    if (!error) fs::rename(part_, folder_, error);
-    if (error) throw Error(folder_.string() + " cannot be replaced: " + error.message());
-    index.commit();
-    if (has_old) fs::remove_all(old, error);
+    if (has_old) rename(folder_, old);
+    try {
+      rename(part_, folder_);
+      index.commit();
+    } catch (...) { // what was there comes back
+      fs::rename(folder_, part_, ignored);
+      if (has_old) fs::rename(old, folder_, ignored);
+      throw;
+    }
+    if (has_old) fs::remove_all(old, ignored);
   }
 
 private:
+  static void rename(const fs::path& from, const fs::path& to)
+  {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error)
+      throw Error(from.string() + " cannot be renamed to " + to.string() + ": " + error.message());
+  }
+
   // What lies in the folder is replaced: it must be what this program has put there.
   void require_own_folder() const
   {

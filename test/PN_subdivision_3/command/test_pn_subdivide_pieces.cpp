@@ -368,6 +368,16 @@ TEST_F(Ranks, FailTogether)
     }
 }
 
+TEST_F(Ranks, ShareNoCurves)
+{
+  folder.write("square.txt", "0 0\n1 0\n1 1\n0 1\n");
+  const Outcome outcome =
+    run("curve '" + folder.file("square.txt") + "' - --scheme bspline:3 --closed", with_ranks(2));
+  EXPECT_NE(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("leave mpirun out"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Ranks, AKilledRank)
 {
   const std::size_t files = folder.number_of_files();
