@@ -110,7 +110,8 @@ private:
 A refined surface that is made piece by piece, where it is too large to be held.
 
 The pieces together are what `subdivide()` gives, bit for bit: the same points and normals under the same
-numbers, without gaps between the pieces. Each is made from the control mesh alone, so that several threads or
+numbers, without gaps between the pieces; with options that let the compiler fuse products and sums, such as
+`-march=native`, last bits may differ. Each is made from the control mesh alone, so that several threads or
 machines can make different ones, without talking to each other.
 
 \code{.cpp}
