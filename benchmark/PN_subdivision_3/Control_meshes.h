@@ -12,7 +12,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -58,6 +61,36 @@ inline Mesh quads(int rings, int segments)
 inline Mesh triangles(int rings, int segments)
 {
   return tube(rings, segments, true);
+}
+
+// The same mesh, its vertices and faces in random order, so that neighbors are far apart in memory.
+inline Mesh shuffled(const Mesh& mesh)
+{
+  std::mt19937 random(1);
+  std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  std::shuffle(vertices.begin(), vertices.end(), random);
+  std::shuffle(faces.begin(), faces.end(), random);
+  Mesh result;
+  std::vector<Mesh::Vertex_index> new_vertex(vertices.size());
+  for (Mesh::Vertex_index v : vertices) new_vertex[v] = result.add_vertex(mesh.point(v));
+  for (Mesh::Face_index f : faces) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.push_back(new_vertex[v]);
+    result.add_face(corners);
+  }
+  return result;
+}
+
+inline Mesh shuffled_quads(int rings, int segments)
+{
+  return shuffled(quads(rings, segments));
+}
+
+inline Mesh shuffled_triangles(int rings, int segments)
+{
+  return shuffled(triangles(rings, segments));
 }
 
 // adds unit normals that differ from those of the surface

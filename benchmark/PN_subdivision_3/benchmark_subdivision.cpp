@@ -35,6 +35,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -277,6 +278,22 @@ void add_creases()
 
 namespace SM3 = CGAL::Subdivision_method_3;
 
+// What a Surface_mesh takes to grow to the size of the result of a host of faces split at their
+// corners, which no subdivision of a closed one can do without.
+Result resize_alone(const Mesh& control, unsigned rounds)
+{
+  Mesh mesh = control;
+  Control_meshes::add_normals(mesh);
+  auto vertices = mesh.number_of_vertices(), edges = mesh.number_of_edges(),
+       faces = mesh.number_of_faces();
+  for (unsigned k = 0; k < rounds; ++k) {
+    vertices += edges + faces;
+    faces = 2 * edges;
+    edges *= 4;
+  }
+  return {seconds_of([&] { mesh.resize(vertices, edges, faces); }), mesh.number_of_faces()};
+}
+
 const Job cgal_catmull_clark = linear_job([](Mesh& mesh, unsigned k) {
   SM3::CatmullClark_subdivision(mesh, params::number_of_iterations(k));
 });
@@ -285,7 +302,9 @@ void add_quad_schemes()
 {
   const PN::CatmullClark_scheme catmull_clark;
   add_group("CatmullClark/100k", quads(24, 18), 4, cgal_catmull_clark, catmull_clark);
+  add("CatmullClark/100k/resize-alone", quads(24, 18), 4, resize_alone);
   add_group("CatmullClark/1M", quads(72, 56), 4, cgal_catmull_clark, catmull_clark);
+  add("CatmullClark/1M/resize-alone", quads(72, 56), 4, resize_alone);
   add_group("CatmullClark/1M-one-round", quads(500, 500), 1, cgal_catmull_clark, catmull_clark);
   // CGAL has no interpolatory scheme: beside its Catmull-Clark
   add_group("Kobbelt/100k", quads(24, 18), 4, cgal_catmull_clark, PN::Kobbelt_scheme());
@@ -313,6 +332,40 @@ void add_triangle_schemes()
   add_group("Butterfly/100k", triangles(16, 14), 4, openmesh_butterfly, PN::Butterfly_scheme());
   add_group("Butterfly/1M", triangles(50, 40), 4, openmesh_butterfly, PN::Butterfly_scheme());
 #endif
+}
+
+// A control mesh in good order and in random order.
+template <class Scheme>
+void add_order(const std::string& group, const Control& ordered, const Control& shuffled,
+               unsigned rounds, const Scheme& scheme)
+{
+  const Job job = pn_job<CGAL::Sequential_tag>(scheme);
+  // both are held, lest each run makes its control mesh anew
+  const auto on = [job](const Control& control) -> Job {
+    return [job, control, mesh = std::make_shared<Mesh>()](const Mesh&, unsigned k) {
+      if (mesh->is_empty()) *mesh = control.make(control.rings, control.segments);
+      return job(*mesh, k);
+    };
+  };
+  add(group + "/good-order", ordered, rounds, on(ordered));
+  add(group + "/random-order", ordered, rounds, on(shuffled));
+}
+
+void add_orders()
+{
+  const auto shuffled_quads = [](int rings, int segments) -> Control {
+    return {&Control_meshes::shuffled_quads, rings, segments};
+  };
+  const auto shuffled_triangles = [](int rings, int segments) -> Control {
+    return {&Control_meshes::shuffled_triangles, rings, segments};
+  };
+  const PN::CatmullClark_scheme catmull_clark;
+  add_order("order/CatmullClark-1M", quads(72, 56), shuffled_quads(72, 56), 4, catmull_clark);
+  add_order("order/CatmullClark-1M-one-round", quads(500, 500), shuffled_quads(500, 500), 1,
+            catmull_clark);
+  const PN::Loop_scheme loop;
+  add_order("order/Loop-1M", triangles(50, 40), shuffled_triangles(50, 40), 4, loop);
+  add_order("order/Loop-1M-one-round", triangles(360, 350), shuffled_triangles(360, 350), 1, loop);
 }
 
 // The estimate of control normals beside the angle-weighted one, both on the mesh's reading. A rough
@@ -468,6 +521,7 @@ int main(int argc, char** argv)
     add_normal_estimates();
     add_refiners();
     add_attributes();
+    add_orders();
     return names;
   });
 }
