@@ -103,8 +103,8 @@ private:
       return internal::is_near_overflow(point_of(v));
     });
     Vertex_normal_map vertex_normals = make_vertex_normal_map<Vertex_normal_map>(normals);
-    Mesh_writer<Value, Access, Point_map, Vertex_normal_map> writer(access, points, vertex_normals,
-                                                                    is_near_overflow);
+    using Writer = Mesh_writer<Value, Access, Point_map, Vertex_normal_map>;
+    Writer writer(access, points, vertex_normals, is_near_overflow);
     Corner_writer corners(access, level, normals);
     Carried_through<FT, typename Scheme::Host, Carry> carried(
       carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
@@ -113,7 +113,7 @@ private:
                     for_chunks_);
     std::vector<Value>().swap(values);
 
-    plain_.grow_and_refine(access, size, refiner, rounds, [&] {
+    plain_.template grow_and_refine<Writer>(access, size, refiner, rounds, [&] {
       carried.before_cut(refiner.level());
       auto round = refiner.next_round();
       carried.begin_creased_round(scheme_, round, refiner.creases(), false);
@@ -126,13 +126,13 @@ private:
     const Slot_values on_creases = last.crease_values(for_chunks_);
     if constexpr (has_corner_normals)
       put_corners(access, size, refiner, last, on_creases, writer, corners, carried.rows());
-    else {
-      Plain::put_values(refiner.refiner(), last.round(), writer, carried.rows());
-      for_each_crease_vertex<Average>(
-        on_creases, last.number_of_vertices(),
-        [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
-      Plain::grow_fully(access, size, refiner);
-    }
+    else
+      Plain::template put_and_grow<Writer>(access, size, refiner, [&] {
+        Plain::put_values(refiner.refiner(), last.round(), writer, carried.rows());
+        for_each_crease_vertex<Average>(
+          on_creases, last.number_of_vertices(),
+          [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
+      });
     last.close();
     carried.put(refiner.refiner(), last.round());
     put_constraints(last.refined_creases(), size, edges, vertices, rounds);
@@ -245,14 +245,15 @@ private:
     const Index n = last.number_of_vertices();
     const Creases<FT>& creases = last.refined_creases();
     boost::container::vector<Value> values(creases.number_of_slots, boost::container::default_init);
-    refiner.refiner().evaluate(
-      last.round(), refiner.refiner().transfers(last.round()), 0, n,
-      [&](Index first, const Value* new_values, Index number) {
-        std::copy(new_values, new_values + number, values.begin() + first);
-      },
-      rows);
+    Plain::template put_and_grow<Writer>(access, size, refiner, [&] {
+      refiner.refiner().evaluate(
+        last.round(), refiner.refiner().transfers(last.round()), 0, n,
+        [&](Index first, const Value* new_values, Index number) {
+          std::copy(new_values, new_values + number, values.begin() + first);
+        },
+        rows);
+    });
     for (const auto& slot : on_creases) values[slot.first] = slot.second;
-    Plain::grow_fully(access, size, refiner);
     writer.begin_old_vertices();
     writer.put_values(0, values.data(), n);
     last.close();

@@ -100,30 +100,40 @@ public:
     return level.size().faces == 0 ? 1 : rounds_;
   }
 
-  // With several threads the mesh grows while the levels before the last one are made; with one it
-  // gets its edges and faces by grow_fully(), when the old values are gone.
-  template <class Access, class Any_refiner, class Refine>
+  // Whether a mesh gets edges and faces in one thread while others put the values of the last round: the
+  // maps of a Surface_mesh stand where they are when other elements than theirs come.
+  template <class Writer>
+  static constexpr bool has_late_growth_v = is_parallel_v<Concurrency_tag>&& Writer::has_own_maps;
+
+  // With several threads the mesh grows while the levels before the last one are made.
+  template <class Writer, class Access, class Any_refiner, class Refine>
   void grow_and_refine(Access& access, const Level_size& size, const Any_refiner& refiner,
                        unsigned rounds, const Refine& refine) const
   {
-    const Caller_precision<FT> precision;
-    run_together<Concurrency_tag>(
-      [&] {
+    const auto grow = [&] {
+      if constexpr (is_parallel_v<Concurrency_tag> && !has_late_growth_v<Writer>)
+        access.grow(size);
+      else
         access.grow_vertices(size);
-      },
-      [&] {
-        const typename Caller_precision<FT>::In_this_thread scope(precision);
-        for (unsigned k = 1; k < rounds; ++k) {
-          refine();
-          round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
-        }
-      });
+    };
+    run_with_precision(grow, [&] {
+      for (unsigned k = 1; k < rounds; ++k) {
+        refine();
+        round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+      }
+    });
   }
 
-  // once all values have been computed
-  template <class Access, class Any_refiner>
-  static void grow_fully(Access& access, const Level_size& size, Any_refiner& refiner)
+  // The last values, put by put(), and what the mesh has not yet of edges and faces; with one thread
+  // these come when the old values are gone.
+  template <class Writer, class Access, class Any_refiner, class Put>
+  static void put_and_grow(Access& access, const Level_size& size, Any_refiner& refiner,
+                           const Put& put)
   {
+    if constexpr (has_late_growth_v<Writer>)
+      run_with_precision([&] { access.grow(size); }, put);
+    else
+      put();
     refiner.release_values();
     access.grow(size);
   }
@@ -194,6 +204,19 @@ public:
   }
 
 private:
+  // f() and g(), which computes in the caller's precision
+  template <class Function, class Computation>
+  static void run_with_precision(const Function& f, const Computation& g)
+  {
+    const Caller_precision<FT> precision;
+    run_together<Concurrency_tag>([&] { f(); },
+                                  [&] {
+                                    const typename Caller_precision<FT>::In_this_thread scope(
+                                      precision);
+                                    g();
+                                  });
+  }
+
   template <class Access, class Point_map, class Normal_map, class Carry>
   void subdivide(Access& access, Point_map points, Normal_map normals, const Carry& carry) const
   {
@@ -203,14 +226,14 @@ private:
     const Level_size size =
       checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
     auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
-    Mesh_writer<Value, Access, Point_map, Normal_map> writer(access, points, normals,
-                                                             is_any_near_overflow(values));
+    using Writer = Mesh_writer<Value, Access, Point_map, Normal_map>;
+    Writer writer(access, points, normals, is_any_near_overflow(values));
     Carried_through<FT, typename Scheme::Host, Carry> carried(
       carry, access, level, std::vector<Index>(), Control_sharpness(), for_chunks_);
     Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    grow_and_refine(access, size, refiner, rounds, [&] {
+    grow_and_refine<Writer>(access, size, refiner, rounds, [&] {
       const One_round round = refiner.next_round();
       carried.begin_round(scheme_, round, refiner.level(), false);
       refiner.refine(round, carried.rows(), carried.child());
@@ -218,13 +241,8 @@ private:
     });
     const One_round last = refiner.next_round();
     carried.begin_round(scheme_, last, refiner.level(), true);
-    if constexpr (is_parallel_v<Concurrency_tag>)
-      run_together<Concurrency_tag>(
-        [&] { access.grow(size); },
-        [&] { put_values(refiner, last, writer, carried.rows()); });
-    else
-      put_values(refiner, last, writer, carried.rows());
-    grow_fully(access, size, refiner);
+    put_and_grow<Writer>(access, size, refiner,
+                         [&] { put_values(refiner, last, writer, carried.rows()); });
     carried.put(refiner, last);
     report_last_round(rounds, size);
     put_connectivity(refiner, last, access, [&] {
