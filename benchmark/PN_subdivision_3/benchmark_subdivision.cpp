@@ -215,19 +215,27 @@ void add_modified_schemes()
   add_modified("modified_Loop", "1M-one-round", triangles(360, 350), 1, loop, modified_loop);
 }
 
-// Every tenth ring of edges, which is 5 % of the edges, is a crease, or no edge is: the property that tells
-// belongs to the mesh in both cases.
+using Creases = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+// makes every tenth ring of edges, which is 5 % of the edges, a crease
+Creases add_creases(Mesh& mesh, int segments)
+{
+  Creases sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  for (const Mesh::Edge_index e : mesh.edges()) {
+    const int a = int(mesh.vertex(e, 0)) / segments, b = int(mesh.vertex(e, 1)) / segments;
+    sharp[e] = a == b && a % 10 == 0;
+  }
+  return sharp;
+}
+
+// The property that tells what is a crease belongs to the mesh, tagged or not.
 template <class Concurrency_tag, class Scheme>
 Job creased_job(const Scheme& scheme, int segments, bool is_tagged)
 {
   return [scheme, segments, is_tagged](const Mesh& control, unsigned rounds) -> Result {
     Mesh mesh = control;
     const auto normals = Control_meshes::add_normals(mesh);
-    auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-    for (const Mesh::Edge_index e : mesh.edges()) {
-      const int a = int(mesh.vertex(e, 0)) / segments, b = int(mesh.vertex(e, 1)) / segments;
-      sharp[e] = a == b && a % 10 == 0;
-    }
+    const Creases sharp = add_creases(mesh, segments);
     const auto parameters = params::number_of_iterations(rounds).vertex_normal_map(normals);
     const double seconds = seconds_of([&] {
       if (is_tagged)
@@ -266,7 +274,7 @@ void add_creased(const std::string& name, const std::string& size, const Control
 #endif
 }
 
-void add_creases()
+void add_creased_jobs()
 {
   const PN::CatmullClark_scheme catmull_clark;
   add_creased("CatmullClark", "100k", quads(20, 20), 4, catmull_clark);
@@ -298,6 +306,9 @@ const Job cgal_catmull_clark = linear_job([](Mesh& mesh, unsigned k) {
   SM3::CatmullClark_subdivision(mesh, params::number_of_iterations(k));
 });
 
+const Job cgal_loop = linear_job(
+  [](Mesh& mesh, unsigned k) { SM3::Loop_subdivision(mesh, params::number_of_iterations(k)); });
+
 void add_quad_schemes()
 {
   const PN::CatmullClark_scheme catmull_clark;
@@ -318,8 +329,6 @@ void add_quad_schemes()
 
 void add_triangle_schemes()
 {
-  const Job cgal_loop = linear_job(
-    [](Mesh& mesh, unsigned k) { SM3::Loop_subdivision(mesh, params::number_of_iterations(k)); });
   add_group("Loop/100k", triangles(16, 14), 4, cgal_loop, PN::Loop_scheme());
   add_group("Loop/1M", triangles(50, 40), 4, cgal_loop, PN::Loop_scheme());
   add_group("Loop/1M-one-round", triangles(360, 350), 1, cgal_loop, PN::Loop_scheme());
@@ -332,40 +341,6 @@ void add_triangle_schemes()
   add_group("Butterfly/100k", triangles(16, 14), 4, openmesh_butterfly, PN::Butterfly_scheme());
   add_group("Butterfly/1M", triangles(50, 40), 4, openmesh_butterfly, PN::Butterfly_scheme());
 #endif
-}
-
-// A control mesh in good order and in random order.
-template <class Scheme>
-void add_order(const std::string& group, const Control& ordered, const Control& shuffled,
-               unsigned rounds, const Scheme& scheme)
-{
-  const Job job = pn_job<CGAL::Sequential_tag>(scheme);
-  // both are held, lest each run makes its control mesh anew
-  const auto on = [job](const Control& control) -> Job {
-    return [job, control, mesh = std::make_shared<Mesh>()](const Mesh&, unsigned k) {
-      if (mesh->is_empty()) *mesh = control.make(control.rings, control.segments);
-      return job(*mesh, k);
-    };
-  };
-  add(group + "/good-order", ordered, rounds, on(ordered));
-  add(group + "/random-order", ordered, rounds, on(shuffled));
-}
-
-void add_orders()
-{
-  const auto shuffled_quads = [](int rings, int segments) -> Control {
-    return {&Control_meshes::shuffled_quads, rings, segments};
-  };
-  const auto shuffled_triangles = [](int rings, int segments) -> Control {
-    return {&Control_meshes::shuffled_triangles, rings, segments};
-  };
-  const PN::CatmullClark_scheme catmull_clark;
-  add_order("order/CatmullClark-1M", quads(72, 56), shuffled_quads(72, 56), 4, catmull_clark);
-  add_order("order/CatmullClark-1M-one-round", quads(500, 500), shuffled_quads(500, 500), 1,
-            catmull_clark);
-  const PN::Loop_scheme loop;
-  add_order("order/Loop-1M", triangles(50, 40), shuffled_triangles(50, 40), 4, loop);
-  add_order("order/Loop-1M-one-round", triangles(360, 350), shuffled_triangles(360, 350), 1, loop);
 }
 
 // The estimate of control normals beside the angle-weighted one, both on the mesh's reading. A rough
@@ -390,26 +365,74 @@ void add_normal_estimates()
   }
 }
 
+// A control mesh in good order and in random order, and what the order costs the linear function.
+template <class Scheme>
+void add_order(const std::string& group, const Control& ordered, const Control& shuffled,
+               unsigned rounds, const Job& peer, const Scheme& scheme)
+{
+  // both are held, lest each run makes its control mesh anew
+  const auto on = [](const Control& control, const Job& job) -> Job {
+    return [job, control, mesh = std::make_shared<Mesh>()](const Mesh&, unsigned k) {
+      if (mesh->is_empty()) *mesh = control.make(control.rings, control.segments);
+      return job(*mesh, k);
+    };
+  };
+  const Job pn = pn_job<CGAL::Sequential_tag>(scheme);
+  add(group + "/good-order", ordered, rounds, on(ordered, pn));
+  add(group + "/random-order", ordered, rounds, on(shuffled, pn));
+  add(group + "/peer-linear-good-order", ordered, rounds, on(ordered, peer));
+  add(group + "/peer-linear-random-order", ordered, rounds, on(shuffled, peer));
+}
+
+void add_orders()
+{
+  const auto shuffled_quads = [](int rings, int segments) -> Control {
+    return {&Control_meshes::shuffled_quads, rings, segments};
+  };
+  const auto shuffled_triangles = [](int rings, int segments) -> Control {
+    return {&Control_meshes::shuffled_triangles, rings, segments};
+  };
+  const PN::CatmullClark_scheme catmull_clark;
+  add_order("order/CatmullClark-1M", quads(72, 56), shuffled_quads(72, 56), 4, cgal_catmull_clark,
+            catmull_clark);
+  add_order("order/CatmullClark-1M-one-round", quads(500, 500), shuffled_quads(500, 500), 1,
+            cgal_catmull_clark, catmull_clark);
+  const PN::Loop_scheme loop;
+  add_order("order/Loop-1M", triangles(50, 40), shuffled_triangles(50, 40), 4, cgal_loop, loop);
+  add_order("order/Loop-1M-one-round", triangles(360, 350), shuffled_triangles(360, 350), 1,
+            cgal_loop, loop);
+}
+
 // A whole job, and a refiner that has done it and gets all points and normals once more, or one normal.
+// With creases if their distance is given.
 template <class Concurrency_tag, class Scheme>
-Job update_job(const Scheme& scheme, bool is_one_normal)
+Job update_job(const Scheme& scheme, bool is_one_normal, std::size_t crease_segments = 0)
 {
   return [=](const Mesh& control, unsigned rounds) -> Result {
+    using Refiner = PN::Surface_refiner<Scheme, Kernel, Concurrency_tag>;
     Mesh mesh = control;
-    const auto normals = Control_meshes::add_normals(mesh);
-    PN::Surface_refiner<Scheme, Kernel, Concurrency_tag> refiner(
-      mesh, scheme, params::number_of_iterations(rounds).vertex_normal_map(normals));
+    const auto parameters =
+      params::number_of_iterations(rounds).vertex_normal_map(Control_meshes::add_normals(mesh));
+    Refiner refiner = crease_segments == 0 ? Refiner(mesh, scheme, parameters)
+                                           : Refiner(mesh, scheme,
+                                                     parameters.edge_is_constrained_map(add_creases(
+                                                       mesh, static_cast<int>(crease_segments))));
     const std::size_t n = mesh.number_of_vertices();
     const auto turn = [&](std::size_t v, double x) {
       refiner.set_normal(v, refiner.control_normal(v) + Kernel::Vector_3(x, 0, 0));
     };
-    turn(n / 2, 0.1);
+    // along creases, the normals on their sides are estimated and stay so
+    const auto is_on_crease = [&](std::size_t v) {
+      return crease_segments != 0 && v / crease_segments % 10 == 0;
+    };
+    const std::size_t one = n / 2 + 5 * crease_segments;
+    turn(one, 0.1);
     refiner.update(); // finds out once what reaches what
     if (is_one_normal)
-      turn(n / 2, 0.1);
+      turn(one, 0.1);
     else
       for (std::size_t v = 0; v < n; ++v) {
-        turn(v, 0.1);
+        if (!is_on_crease(v)) turn(v, 0.1);
         refiner.set_point(v, refiner.control_point(v));
       }
     return {seconds_of([&] { refiner.update(); }), refiner.number_of_faces()};
@@ -448,6 +471,15 @@ void add_refiners()
   const PN::Loop_scheme loop;
   add_refiner("refiner/Loop-100k", triangles(15, 10), 4, loop);
   add_refiner("refiner/Loop-1M", triangles(15, 10), 6, loop);
+  const Control creased = quads(20, 15);
+  add("refiner_creases/100k/subdivide", creased, 4,
+      creased_job<CGAL::Sequential_tag>(catmull_clark, creased.segments, true));
+  for (const bool is_one_normal : {false, true})
+    add(is_one_normal ? "refiner_creases/100k/one-normal-changed"
+                      : "refiner_creases/100k/all-changed",
+        creased, 4,
+        update_job<CGAL::Sequential_tag>(catmull_clark, is_one_normal,
+                                         static_cast<std::size_t>(creased.segments)));
   add_refiner("refiner/DooSabin-100k", quads(20, 15), 4, PN::DooSabin_scheme());
   add_refiner("refiner/Sqrt3-100k", triangles(15, 10), 5, PN::Sqrt3_scheme());
   add_refiner("refiner/Butterfly-100k", triangles(15, 10), 4, PN::Butterfly_scheme());
@@ -517,7 +549,7 @@ int main(int argc, char** argv)
     add_quad_schemes();
     add_triangle_schemes();
     add_modified_schemes();
-    add_creases();
+    add_creased_jobs();
     add_normal_estimates();
     add_refiners();
     add_attributes();
