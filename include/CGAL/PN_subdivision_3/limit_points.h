@@ -179,6 +179,21 @@ Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points, N
   return report;
 }
 
+// the same, put into the maps of the mesh
+template <class Concurrency_tag, class FT, class Mesh, class Scheme, class Point_map,
+          class Normal_map>
+Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, Point_map points, Normal_map normals,
+                           const Limit_options& options)
+{
+  return vertex_limits<FT>(
+    mesh, scheme, points, normals, options, For_chunks::with(Concurrency_tag()),
+    [&](const auto& access, const auto& results) {
+      Limit_writer<std::decay_t<decltype(access)>, Scheme, Point_map, Normal_map>(access, points,
+                                                                                  normals)
+        .write(results, options.surface_normals);
+    });
+}
+
 } // namespace internal
 
 /*!
@@ -241,6 +256,7 @@ so that the tolerance may be missed.
 <br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices
 
 \sa `move_to_limit()`
+\sa `subdivide_to_limit()`
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -307,7 +323,7 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
 \ingroup PkgPNSubdivision3Limit
 
 moves the vertices of a mesh to the limit surface. Called after `subdivide()` with the same scheme it
-makes the result lie on the surface that further rounds would tend to.
+makes the result lie on the surface that further rounds would tend to; `subdivide_to_limit()` does both.
 
 Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
 `options.surface_normals` is set, and otherwise the limit control normals. With a linear scheme normals
@@ -333,15 +349,8 @@ Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
   static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
                 "PN_subdivision_3: a named parameter is given that is not used here");
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  const auto points = Parameters::point_map(mesh, np);
-  const auto normals = Parameters::normal_map(np);
-  return internal::vertex_limits<typename Parameters::FT>(
-    mesh, scheme, points, normals, options, internal::For_chunks::with(Concurrency_tag()),
-    [&](const auto& access, const auto& results) {
-      internal::Limit_writer<std::decay_t<decltype(access)>, Scheme, std::decay_t<decltype(points)>,
-                             std::decay_t<decltype(normals)>>(access, points, normals)
-        .write(results, options.surface_normals);
-    });
+  return internal::move_to_limit<Concurrency_tag, typename Parameters::FT>(
+    mesh, scheme, Parameters::point_map(mesh, np), Parameters::normal_map(np), options);
 }
 
 } // namespace PN_subdivision_3

@@ -1,0 +1,77 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
+#define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+subdivides a mesh and puts its vertices on the limit surface: `subdivide()` and `move_to_limit()` by one call, with the
+same result. Limits are computed before the mesh is touched, so that the strong guarantee is that of one
+call.
+
+\param mesh an oriented 2-manifold with border
+\param scheme the scheme
+\param options what is computed, and how well; `Limit_options::rounds_done` is 0, since the call counts its rounds itself
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
+  `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), which become what
+  `move_to_limit()` makes of them, and `geom_traits`, as in `subdivide()`
+
+\returns what was reached
+
+\throws std::invalid_argument as `subdivide()` and `limit_points()` do, and if `Limit_options::rounds_done` is not 0
+\throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do
+<br><b>Cost:</b> that of both functions; the refined level is kept in memory besides the mesh
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
+                                const Limit_options& options = Limit_options(),
+                                const NamedParameters& np = parameters::default_values())
+{
+  static_assert(Scheme::Host::keeps_vertices,
+                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+  static_assert(internal::are_used_v<internal::Limit_subdivision_parameters, NamedParameters>,
+                "PN_subdivision_3: a named parameter is given that is not used here");
+  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  if (options.rounds_done != 0)
+    throw std::invalid_argument("PN_subdivision_3: subdivide_to_limit() counts its rounds itself: "
+                                "leave rounds_done 0");
+  const unsigned rounds = Parameters::number_of_iterations(np);
+  const auto points = Parameters::point_map(mesh, np);
+  const auto normals = Parameters::normal_map(np);
+  Limit_report report;
+  if (rounds == 0)
+    report = internal::move_to_limit<Concurrency_tag, typename Parameters::FT>(mesh, scheme, points,
+                                                                               normals, options);
+  else
+    internal::with_mesh_access(mesh, [&](auto& access) {
+      const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
+        subdivision(scheme, rounds, options);
+      report = subdivision(access, points, normals);
+    });
+  return report;
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
