@@ -40,6 +40,11 @@ file(GENERATE OUTPUT ${generated}/beside_windows_h.cpp
 #define max(a, b) (((a) > (b)) ? (a) : (b))
 ${all_headers}")
 list(APPEND public ${generated}/beside_windows_h.cpp)
+# for scripts/check_style.sh
+if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  file(GENERATE OUTPUT ${generated}/all_headers.cpp CONTENT "${all_headers}")
+  list(APPEND public ${generated}/all_headers.cpp)
+endif()
 
 pn_precompile(pn_headers_of_others ${external})
 pn_own_target(pn_headers_of_others)

@@ -327,7 +327,7 @@ double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t num
   }
   // the last level twice: with its rings, and without them
   constexpr double rings = 1.1, unequal = 1.1;
-  const double pieces = double(number_of_pieces);
+  const auto pieces = double(number_of_pieces);
   return 2 * bytes_of_level(base) +
          rings * unequal * (bytes_of_level(parent) + 2 * bytes_of_level(result)) / pieces;
 }

@@ -49,7 +49,8 @@ inline std::string drawing(const std::string& title, const std::vector<Panel>& p
   double left = margin;
   for (const Panel& panel : panels) {
     const CGAL::Bbox_2 b = box(panel, s);
-    const double place = (std::max)(unit * (b.xmax() - b.xmin()), 7.5 * panel.caption.size());
+    const double place =
+      (std::max)(unit * (b.xmax() - b.xmin()), 7.5 * static_cast<double>(panel.caption.size()));
     const double middle_x = (b.xmin() + b.xmax()) / 2, middle_y = (b.ymin() + b.ymax()) / 2;
     const double upper = middle_y + (margin + inner / 2) / unit;
     Panel_writer(body, panel, s, unit, Point(left + place / 2, middle_x), upper).write();

@@ -76,7 +76,7 @@ struct Limit_functionals
   // where there is none, and `other` where there is not even that.
   Vector surface_normal(const Vectors<dimension>& p, const Vector& other) const
   {
-    const Vector n = control_normal.squaredNorm() > 0.5 ? control_normal : other;
+    Vector n = control_normal.squaredNorm() > 0.5 ? control_normal : other;
     if constexpr (tangents > 0)
       if (has_tangents) {
         const Vector normal = normal_of_tangents(p, n);

@@ -98,6 +98,7 @@ private:
   static std::vector<Index> vertices_of(const std::vector<Prescribed_vertex>& prescribed)
   {
     std::vector<Index> vertices;
+    vertices.reserve(prescribed.size());
     for (const Prescribed_vertex& p : prescribed) vertices.push_back(p.vertex);
     return vertices;
   }

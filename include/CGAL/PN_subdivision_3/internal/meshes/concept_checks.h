@@ -61,7 +61,7 @@ using Subdivision_parameters =
 template <class Used, class NamedParameters>
 constexpr bool are_used_v = true;
 template <class Used, class T, class Tag, class Base>
-constexpr bool are_used_v<Used, Named_function_parameters<T, Tag, Base>> =
+inline constexpr bool are_used_v<Used, Named_function_parameters<T, Tag, Base>> =
   (Used::template contain<Tag> ||
    std::is_same_v<Tag, internal_np::all_default_t>)&&are_used_v<Used, Base>;
 
@@ -292,34 +292,31 @@ constexpr bool check_subdivision_arguments()
                                                  NamedParameters, unsigned>::type;
   constexpr bool is_integer = std::is_integral_v<std::decay_t<Iterations>>;
   static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
-  if constexpr (!are_used || !is_integer || !check_mutable_mesh<Mesh>())
-    return false;
-  else if constexpr (!check_is_point_map<Mesh, NamedParameters>())
-    return false;
-  else {
-    using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
-    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
-    if constexpr (is_scheme && check_point_map<typename Parameters::Point_map,
-                                               boost::writable_property_map_tag>())
-      return check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                              typename Parameters::Geom_traits, boost::writable_property_map_tag,
-                              true>() &&
-             check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
-                                  typename Parameters::Edge_constraint_map>() &&
-             check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                                  typename Parameters::Vertex_constraint_map>() &&
-             check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
-                                   typename Parameters::Geom_traits>();
-    else
-      return false;
+  if constexpr (are_used && is_integer && check_mutable_mesh<Mesh>()) {
+    if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
+      using Parameters = Surface_parameters<Mesh, NamedParameters>;
+      constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
+      static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
+      if constexpr (is_scheme && check_point_map<typename Parameters::Point_map,
+                                                 boost::writable_property_map_tag>())
+        return check_normal_map<Mesh, typename Parameters::Normal_map,
+                                typename Parameters::Point_map, typename Parameters::Geom_traits,
+                                boost::writable_property_map_tag, true>() &&
+               check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                                    typename Parameters::Edge_constraint_map>() &&
+               check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                    typename Parameters::Vertex_constraint_map>() &&
+               check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                                     typename Parameters::Geom_traits>();
+    }
   }
+  return false;
 }
 
 template <class Mesh, class Item>
 constexpr bool is_attribute_of_v = false;
 template <class Mesh, template <class> class Item, class Map>
-constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
+inline constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
   Is_property_map_of<Map, typename Item<Map>::template Key<Mesh>>::value;
 
 template <class Mesh, class Attributes>

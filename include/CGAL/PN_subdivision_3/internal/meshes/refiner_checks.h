@@ -91,16 +91,15 @@ constexpr bool check_build_arguments()
   constexpr bool are_used = are_used_v<Build_parameters, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: vertex_point_map, vertex_normal_map");
-  if constexpr (!are_used || !check_mutable_mesh<Mesh>())
-    return false;
-  else if constexpr (!check_is_point_map<Mesh, NamedParameters>())
-    return false;
-  else {
-    using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag>() &&
-           check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                            typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+  if constexpr (are_used && check_mutable_mesh<Mesh>()) {
+    if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
+      using Parameters = Surface_parameters<Mesh, NamedParameters>;
+      return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag>() &&
+             check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
+                              typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+    }
   }
+  return false;
 }
 
 } // namespace internal

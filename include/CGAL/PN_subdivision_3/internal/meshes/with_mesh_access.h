@@ -21,7 +21,7 @@ namespace internal {
 template <class Mesh>
 constexpr bool is_surface_mesh_v = false;
 template <class Point>
-constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
+inline constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
 
 // calls f(access) with the access that fits the mesh
 template <class Mesh, class Function>

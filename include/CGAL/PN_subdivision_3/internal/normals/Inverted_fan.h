@@ -118,7 +118,7 @@ private:
     for (std::size_t i = 0; i < count; ++i) {
       const Ray &a = rays_[i], &b = rays_[i + 1 < n ? i + 1 : 0];
       const Vector c = cross(b.inverted, a.inverted);
-      const double squared = dot<double, 3>(c, c);
+      const auto squared = dot<double, 3>(c, c);
       const double nearer = (std::max)(a.squared, b.squared);
       const double rounding =
         256 * (point_error_ * point_error_ * nearer + conversion_error * conversion_error);

@@ -36,8 +36,8 @@ struct Border_arcs_sum
   Border_arcs_sum(const std::vector<Border_arc>& arcs, const Vector& n, const Vector& derivative)
   {
     for (const Border_arc& arc : arcs) {
-      const double x = dot<double, 3>(n, arc.direction);
-      const double d = dot<double, 3>(derivative, arc.direction);
+      const auto x = dot<double, 3>(n, arc.direction);
+      const auto d = dot<double, 3>(derivative, arc.direction);
       const double r = x + dot<double, 3>(arc.normal, arc.direction);
       slope += d * d;
       first += r * d;

@@ -38,7 +38,7 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
   for (std::size_t i = 0; i < fan.corners().size(); ++i) {
     const auto& corner = fan.corners()[i];
     if (!corner.has_area) continue;
-    const double d = dot<double, 3>(n, corner.normal);
+    const auto d = dot<double, 3>(n, corner.normal);
     double turn = 1; // its cosine
     if (!(d > 0 && d * d >= cos_40 * cos_40 * corner.squared)) {
       turn = d / std::sqrt(corner.squared);

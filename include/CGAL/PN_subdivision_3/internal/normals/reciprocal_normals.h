@@ -85,7 +85,7 @@ Coordinates<double, 3> reciprocal_normal(const Level_connectivity& level, const 
         sum_length = length(sum);
       }
     }
-    const double epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
+    const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
     if (!(sum_length > 4096 * epsilon * size) || !std::isfinite(sum_length)) return {0, 0, 0};
   }
   return quotient(sum, sum_length);

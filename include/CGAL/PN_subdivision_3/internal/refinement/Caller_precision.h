@@ -24,7 +24,7 @@ public:
   struct In_this_thread
   {
     explicit In_this_thread(const Caller_precision&) {}
-    ~In_this_thread() {} // used, as far as compilers warn
+    ~In_this_thread() {} // NOLINT(modernize-use-equals-default): used, as far as compilers warn
   };
 };
 
