@@ -109,10 +109,7 @@ public:
     const Caller_precision<FT> precision;
     run_together<Concurrency_tag>(
       [&] {
-        if constexpr (is_parallel_v<Concurrency_tag>)
-          access.grow(size);
-        else
-          access.grow_vertices(size);
+        access.grow_vertices(size);
       },
       [&] {
         const typename Caller_precision<FT>::In_this_thread scope(precision);
@@ -221,7 +218,12 @@ private:
     });
     const One_round last = refiner.next_round();
     carried.begin_round(scheme_, last, refiner.level(), true);
-    put_values(refiner, last, writer, carried.rows());
+    if constexpr (is_parallel_v<Concurrency_tag>)
+      run_together<Concurrency_tag>(
+        [&] { access.grow(size); },
+        [&] { put_values(refiner, last, writer, carried.rows()); });
+    else
+      put_values(refiner, last, writer, carried.rows());
     grow_fully(access, size, refiner);
     carried.put(refiner, last);
     report_last_round(rounds, size);
