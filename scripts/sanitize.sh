@@ -76,9 +76,12 @@ containers()
 
 valgrind_on_command()
 {
-  local command=build/release/src/pn_subdivide/pn_subdivide folder
-  cmake --preset release "${launcher[@]}" >/dev/null
-  cmake --build --preset release -j "$jobs" --target pn_subdivide
+  local command=${COMMAND:-} folder
+  if [[ -z $command ]]; then
+    command=build/release/src/pn_subdivide/pn_subdivide
+    cmake --preset release "${launcher[@]}" >/dev/null
+    cmake --build --preset release -j "$jobs" --target pn_subdivide
+  fi
   folder=$(mktemp -d)
   local check=(valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite)
   printf '0 0\n1 0\n1 1\n' >"$folder/polygon.txt"
