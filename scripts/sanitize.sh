@@ -57,15 +57,15 @@ threads()
 
 containers()
 {
-  local programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
+  local compiler=${CXX:-clang++} programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
   [[ ${#programs[@]} -gt 0 ]] || programs=(test_curves test_schemes test_bad_input test_creases_mesh test_scheme_suite)
-  local flags=(-std=c++17 -O1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
+  local flags=(-std=c++17 -O0 -g1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
                -Itest/PN_subdivision_3 -Itest/PN_subdivision_3/support -I"$gtest" -I"$gtest/include"
                -isystem /usr/include/eigen3 -DPN_DATA_DIR="\"$PWD/data/meshes\"" -DPN_TEST_REAL_MESH_DIR='""'
                -DPN_TEST_EXTRA_MESH_DIR='""')
   mkdir -p "$folder"
-  g++ "${flags[@]}" -c "$gtest/src/gtest-all.cc" -o "$folder/gtest-all.o"
-  g++ "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
+  "$compiler" "${flags[@]}" -c "$gtest/src/gtest-all.cc" -o "$folder/gtest-all.o"
+  "$compiler" "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
   for name in "${programs[@]}"; do
     source=$(ls test/PN_subdivision_3/*/"$name".cpp)
     local sources=("$source" "$(dirname "$source")/${name#test_}"_*.cpp test/PN_subdivision_3/reference/*.cpp)
@@ -73,9 +73,9 @@ containers()
     for source in "${sources[@]}"; do
       [[ -e $source ]] || continue
       objects+=("$folder/$(basename "$source" .cpp).o")
-      g++ "${flags[@]}" -c "$source" -o "${objects[-1]}"
+      "$compiler" "${flags[@]}" -c "$source" -o "${objects[-1]}"
     done
-    g++ "${objects[@]}" "$folder"/gtest-all.o "$folder"/gtest_main.o -o "$folder/$name" -lgmp -lmpfr -lpthread
+    "$compiler" "${objects[@]}" "$folder"/gtest-all.o "$folder"/gtest_main.o -o "$folder/$name" -lgmp -lmpfr -lpthread
     "$folder/$name" --gtest_brief=1
   done
 }
