@@ -11,12 +11,15 @@
 #
 #   scripts/sanitize.sh [address|threads|containers|valgrind|all] [TEST...]
 #
-# address      address and undefined-behaviour sanitizers over the suite
-# threads      thread sanitizer over the tests of Parallel_tag
-# containers   tests with the checked containers of libstdc++ (_GLIBCXX_DEBUG), with GoogleTest compiled likewise
-# valgrind     the command of build/release on a few meshes
+# address      address and undefined-behaviour sanitizers over the suite, clang++ at -O0; also counts for
+#              scripts/coverage.py --build build/asan-ubsan. About an hour and a half on two cores.
+# threads      thread sanitizer over the tests of Parallel_tag, with a TBB of plain threads. 10 minutes.
+# containers   tests with the checked containers of libstdc++ (_GLIBCXX_DEBUG), with GoogleTest compiled likewise.
+#              20 minutes.
+# valgrind     the command on a few meshes; COMMAND=PATH is one that is built already (otherwise build/release). With
+#              it 25 seconds.
 #
-# TEST: only these programs, as test_curves; without one all that the tool is for (an hour or two on two cores).
+# TEST: only these programs, as test_curves; without one all that the tool is for. JOBS: how many at a time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -26,18 +29,20 @@ jobs=${JOBS:-$(nproc)}
 launcher=()
 if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
-# configures a preset, builds the tests (or all) and runs them
+# Tests that make no sense here: they measure memory, compile, or need a display or ranks.
+without='pvtp_in_vtk|mpi|Mpi|ranks|rejected_|headers|Documented'
+
+# configures a preset, builds the tests (or all) and runs them; a program that does not compile does not stop the others
 preset()
 {
-  local name=$1 programs=("${@:2}") filter=()
-  cmake --preset "$name" -DPN_SUBDIVISION_3_BENCHMARKS=OFF -DPN_SUBDIVISION_3_EXAMPLES=OFF "${launcher[@]}" >/dev/null
-  if [[ ${#programs[@]} -gt 0 ]]; then
-    filter=(-R "^($(IFS='|'; echo "${programs[*]}"))(\\.|\$)")
-    cmake --build --preset "$name" -j "$jobs" --target "${programs[@]}"
-  else
-    cmake --build --preset "$name" -j "$jobs"
-  fi
-  ctest --preset "$name" --parallel "$jobs" --no-tests=error "${filter[@]}"
+  local name=$1 programs=("${@:2}") filter=() built=0
+  cmake --preset "$name" "${launcher[@]}" >/dev/null
+  if [[ ${#programs[@]} -gt 0 ]]; then filter=(-R "^($(IFS='|'; echo "${programs[*]}"))(\\.|\$)"); fi
+  if [[ $name == tsan ]]; then filter=(); fi # the preset has one
+  cmake --build --preset "$name" -j "$jobs" ${programs[0]:+--target "${programs[@]}"} -- -k0 || built=$?
+  LLVM_PROFILE_FILE=$PWD/build/$name/profiles/%4m.profraw \
+    ctest --preset "$name" --parallel "$jobs" --no-tests=error --timeout 300 -E "$without" "${filter[@]}"
+  return "$built"
 }
 
 address() { preset asan-ubsan "${tests[@]}"; }
@@ -45,21 +50,22 @@ address() { preset asan-ubsan "${tests[@]}"; }
 threads()
 {
   local programs=("${tests[@]}")
-  [[ ${#programs[@]} -gt 0 ]] || programs=(test_kernels test_mesh_types test_scheme_properties test_scheme_suite)
+  [[ ${#programs[@]} -gt 0 ]] || programs=(test_kernels_parallel test_scheme_properties test_surface_refiner
+                                           test_creased_refiner test_limit_points test_strong_guarantee)
   preset tsan "${programs[@]}"
 }
 
 containers()
 {
-  local programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
+  local compiler=${CXX:-clang++} programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
   [[ ${#programs[@]} -gt 0 ]] || programs=(test_curves test_schemes test_bad_input test_creases_mesh test_scheme_suite)
-  local flags=(-std=c++17 -O1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
+  local flags=(-std=c++17 -O0 -g1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
                -Itest/PN_subdivision_3 -Itest/PN_subdivision_3/support -I"$gtest" -I"$gtest/include"
                -isystem /usr/include/eigen3 -DPN_DATA_DIR="\"$PWD/data/meshes\"" -DPN_TEST_REAL_MESH_DIR='""'
                -DPN_TEST_EXTRA_MESH_DIR='""')
   mkdir -p "$folder"
-  g++ "${flags[@]}" -c "$gtest/src/gtest-all.cc" -o "$folder/gtest-all.o"
-  g++ "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
+  "$compiler" "${flags[@]}" -c "$gtest/src/gtest-all.cc" -o "$folder/gtest-all.o"
+  "$compiler" "${flags[@]}" -c "$gtest/src/gtest_main.cc" -o "$folder/gtest_main.o"
   for name in "${programs[@]}"; do
     source=$(ls test/PN_subdivision_3/*/"$name".cpp)
     local sources=("$source" "$(dirname "$source")/${name#test_}"_*.cpp test/PN_subdivision_3/reference/*.cpp)
@@ -67,18 +73,21 @@ containers()
     for source in "${sources[@]}"; do
       [[ -e $source ]] || continue
       objects+=("$folder/$(basename "$source" .cpp).o")
-      g++ "${flags[@]}" -c "$source" -o "${objects[-1]}"
+      "$compiler" "${flags[@]}" -c "$source" -o "${objects[-1]}"
     done
-    g++ "${objects[@]}" "$folder"/gtest-all.o "$folder"/gtest_main.o -o "$folder/$name" -lgmp -lmpfr -lpthread
+    "$compiler" "${objects[@]}" "$folder"/gtest-all.o "$folder"/gtest_main.o -o "$folder/$name" -lgmp -lmpfr -lpthread
     "$folder/$name" --gtest_brief=1
   done
 }
 
 valgrind_on_command()
 {
-  local command=build/release/src/pn_subdivide/pn_subdivide folder
-  cmake --preset release "${launcher[@]}" >/dev/null
-  cmake --build --preset release -j "$jobs" --target pn_subdivide
+  local command=${COMMAND:-} folder
+  if [[ -z $command ]]; then
+    command=build/release/src/pn_subdivide/pn_subdivide
+    cmake --preset release "${launcher[@]}" >/dev/null
+    cmake --build --preset release -j "$jobs" --target pn_subdivide
+  fi
   folder=$(mktemp -d)
   local check=(valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite)
   printf '0 0\n1 0\n1 1\n' >"$folder/polygon.txt"

@@ -328,7 +328,7 @@ class Chart_attributes : public ::testing::Test
 {};
 using Chart_schemes = ::testing::Types<PN::CatmullClark_scheme, PN::Loop_scheme,
                                        PN::Butterfly_scheme, PN::Kobbelt_scheme>;
-TYPED_TEST_SUITE(Chart_attributes, Chart_schemes);
+TYPED_TEST_SUITE(Chart_attributes, Chart_schemes, );
 
 // Charts are refined as if they were surfaces in the plane.
 TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)

@@ -51,7 +51,7 @@ class Exact_attributes : public ::testing::Test
 {};
 using Schemes = ::testing::Types<PN::CatmullClark_scheme, PN::Loop_scheme, PN::DooSabin_scheme,
                                  PN::Sqrt3_scheme, PN::Butterfly_scheme, PN::Kobbelt_scheme>;
-TYPED_TEST_SUITE(Exact_attributes, Schemes);
+TYPED_TEST_SUITE(Exact_attributes, Schemes, );
 
 TYPED_TEST(Exact_attributes, LinearFunctionsStay)
 {
@@ -130,7 +130,7 @@ template <class Scheme>
 class Creased_attributes : public ::testing::Test
 {};
 using Creasing_schemes = ::testing::Types<PN::CatmullClark_scheme, PN::Loop_scheme>;
-TYPED_TEST_SUITE(Creased_attributes, Creasing_schemes);
+TYPED_TEST_SUITE(Creased_attributes, Creasing_schemes, );
 
 // sharp and semi-sharp edges and vertices at random, closed and with a border under every rule for it
 TYPED_TEST(Creased_attributes, LinearFunctionsStayOnCreases)

@@ -433,7 +433,7 @@ class Parents_of : public ::testing::Test
 {};
 using Composing_schemes =
   ::testing::Types<PN::CatmullClark_scheme, PN::Loop_scheme, PN::DooSabin_scheme>;
-TYPED_TEST_SUITE(Parents_of, Composing_schemes);
+TYPED_TEST_SUITE(Parents_of, Composing_schemes, );
 
 TYPED_TEST(Parents_of, SeveralRoundsAreThoseOfSingleRounds)
 {

@@ -137,7 +137,7 @@ TEST(Prescribed_limit_data, ChangesAreTheSmoothestOnes)
     }
   Eigen::MatrixXd umbrella = Eigen::MatrixXd::Zero(n * n, 25);
   for (int k = 0; k < 25; ++k) {
-    const Index v(unsigned(free[std::size_t(k)]));
+    const Index v(static_cast<unsigned>(free[std::size_t(k)]));
     umbrella(int(v), k) += 1;
     for (auto w : before.vertices_around_target(before.halfedge(v)))
       umbrella(int(w), k) -= 1. / double(before.degree(w));

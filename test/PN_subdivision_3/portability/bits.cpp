@@ -100,7 +100,7 @@ int main()
     using Scheme = decltype(scheme);
     const bool triangles = std::is_same_v<typename Scheme::Host, PN::PTQ_host> ||
                            std::is_same_v<typename Scheme::Host, PN::Sqrt3_host>;
-    for (int n : {3, 4, 5, 6, 7, 9, 12})
+    for (int n : {3, 4, 5, 6, 7, 9, 12, 30, 53})
       std::printf("%-24s %2d %016llx\n", Scheme::name(), n,
                   static_cast<unsigned long long>(digest<Scheme>(n, triangles)));
   });

@@ -57,6 +57,19 @@ BOOST_NOINLINE void* operator new[](std::size_t size)
 {
   return failing_allocations::allocate(size);
 }
+// as the standard library's: std::stable_sort() asks for them, and sanitizers have their own
+BOOST_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try {
+    return failing_allocations::allocate(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+BOOST_NOINLINE void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept
+{
+  return operator new(size, tag);
+}
 BOOST_NOINLINE void* operator new(std::size_t size, std::align_val_t alignment)
 {
   return failing_allocations::allocate(size, alignment);

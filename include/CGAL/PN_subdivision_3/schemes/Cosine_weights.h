@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H
 
+#include <CGAL/PN_subdivision_3/internal/schemes/Double_double.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -30,18 +32,20 @@ struct Has_trigonometry<
   : std::true_type
 {};
 
+// \pre 0 <= 2k <= n
 template <class FT>
 FT irrational_cosine(std::int64_t k, std::int64_t n)
 {
-  const long double pi = 3.141592653589793238462643383279502884L;
-  const long double turn = static_cast<long double>(k) / static_cast<long double>(n);
-  if constexpr (std::is_floating_point_v<FT>)
-    return static_cast<FT>(std::cos(2 * pi * turn));
-  else if constexpr (Has_trigonometry<FT>::value)
+  if constexpr (std::is_same_v<FT, Double_double>)
+    return cosine_of_turn(k, n);
+  else if constexpr (std::is_same_v<FT, long double>) {
+    const long double pi = 3.141592653589793238462643383279502884L;
+    return std::cos(2 * pi * (static_cast<long double>(k) / static_cast<long double>(n)));
+  } else if constexpr (!std::is_floating_point_v<FT> && Has_trigonometry<FT>::value)
     return FT(
       cos(FT(2) * FT(acos(FT(-1))) * FT(static_cast<double>(k)) / FT(static_cast<double>(n))));
   else
-    return FT(static_cast<double>(std::cos(2 * pi * turn)));
+    return FT(static_cast<double>(cosine_of_turn(k, n)));
 }
 
 } // namespace internal
@@ -51,10 +55,10 @@ FT irrational_cosine(std::int64_t k, std::int64_t n)
 
 returns cos(2&pi;k/n).
 
-The rational values (those of the multiples of 60 and 90 degrees) are exact. The others are rounded:
-correctly up to an ulp in floating point; by the number type's own `cos()` and `acos()` where
-argument-dependent lookup finds them; and to `double` in all other number types, in particular in
-exact ones. A mask emits rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
+The rational values (those of the multiples of 60 and 90 degrees) are exact. The others are rounded: to the nearest
+`float` or `double`, on every processor the same, since no mathematical library is asked; up to an ulp in
+`long double`; by the number type's own `cos()` and `acos()` where argument-dependent lookup finds them; and to
+`double` in all other number types, in particular in exact ones. A mask emits rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
 
 \pre `n > 0`
 */

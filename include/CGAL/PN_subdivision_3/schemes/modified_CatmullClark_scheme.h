@@ -160,8 +160,8 @@ e<sub>d</sub> and f<sub>d</sub>.
 </ul>
 
 \tparam FT a field. The weights of frequency 0, thus of the vertex, are rational for n = 3; others
-  are computed by the number type's own `cos()`, `acos()` and `sqrt()` if it has them, otherwise in
-  `long double`, and rounded to `double` in exact number types. All rows sum to 1.
+  are computed by the number type's own `cos()`, `acos()` and `sqrt()` if it has them, otherwise with
+  about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
   separated vertex
 \cgalModels{PNSubdivisionMask_3}

@@ -50,7 +50,7 @@ e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))
 </ul>
 
 \tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
-  computed by the number type's own `cos()` and `acos()` if it has them, otherwise in `long double`,
+  computed by the number type's own `cos()` and `acos()` if it has them, otherwise with about 104 bits,
   and rounded to `double` in exact number types. All rows sum to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
   separated vertex

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WEIGHT_NUMBER_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WEIGHT_NUMBER_H
 
+#include <CGAL/PN_subdivision_3/internal/schemes/Double_double.h>
+
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -44,8 +46,9 @@ struct Has_square_root<FT, std::void_t<decltype(square_root(std::declval<const F
 // only carry on the rounding of square roots and cosines, at great cost.
 template <class FT, class... Has_functions>
 using Weight_number =
-  std::conditional_t<!std::is_floating_point_v<FT> && (Has_functions::value && ...), FT,
-                     long double>;
+  std::conditional_t<std::is_same_v<FT, long double> ||
+                       (!std::is_floating_point_v<FT> && (Has_functions::value && ...)),
+                     FT, Double_double>;
 
 template <class FT, class Number>
 FT rounded_weight(const Number& x)
