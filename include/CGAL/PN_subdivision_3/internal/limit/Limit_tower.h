@@ -67,7 +67,7 @@ public:
     , demand_(demand)
     , is_spline_(is_spline)
     , copies_(ring_class.copies())
-    , rings_(ring_class.size() * copies_)
+    , rings_(ring_class.largest_size() * copies_)
     , next_(rings_.size())
     , limits_(copies_)
     , states_(copies_)
@@ -188,13 +188,13 @@ private:
     if (demand_.surface_normals && class_.has_tangents())
       is_last = note_normal(c, depth) && is_last;
     if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
-    if (!is_last && depth < demand_.max_depth) {
+    if (!is_last && depth * class_.rounds() < demand_.max_depth) {
       state.last_limit = point;
       return false;
     }
     if (demand_.curvatures) note_curvature(c);
     result.value = relative(limits_[c], state.center, FT(1));
-    result.depth += depth;
+    result.depth += depth * class_.rounds();
     state.is_done = true;
     return true;
   }
@@ -236,9 +236,9 @@ private:
     const Vector& last = state.last_normal;
     const Vector& n = result.surface_normal;
     if (depth != 0 && had_normal) {
-      const double lambda2 = class_.lambda() * class_.lambda();
+      const double ratio = class_.normal_ratio();
       result.normal_error =
-        1.5 * lambda2 / (1 - lambda2) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
+        1.5 * ratio / (1 - ratio) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
     }
     state.last_normal = n;
     return depth != 0 && result.normal_error <= demand_.normal_tolerance;
@@ -248,7 +248,7 @@ private:
   bool settles() const
   {
     const double lambda2 = class_.lambda() * class_.lambda();
-    return is_pn_v<Scheme> && class_.has_tangents() &&
+    return is_pn_v<Scheme> && class_.has_tangents() && !class_.is_at_border() &&
            (transfer_ || class_.largest_other() < 0.9 * lambda2);
   }
 
