@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -221,7 +222,7 @@ private:
     return Ring_geometry(ring_, to_double_value(limits_[c]), class_.tangents());
   }
 
-  // the surface normal; whether it meets the tolerance
+  // the surface normal; whether it meets the tolerance, or no further round will make it better
   bool note_normal(std::size_t c, unsigned depth)
   {
     State& state = states_[c];
@@ -230,18 +231,22 @@ private:
     const bool had_normal = state.had_normal;
     state.had_normal = g.is_regular();
     if (!g.is_regular()) return true; // nor will it be, but for rounding
-    result.has_surface_normal = true;
-    result.surface_normal = g.normal();
-    if (!is_pn_v<Scheme>) return true;
-    const Vector& last = state.last_normal;
-    const Vector& n = result.surface_normal;
-    if (depth != 0 && had_normal) {
+    const Vector n = g.normal();
+    const Vector last = std::exchange(state.last_normal, n);
+    double error = result.normal_error;
+    if (is_pn_v<Scheme> && depth != 0 && had_normal) {
       const double ratio = class_.normal_ratio();
-      result.normal_error =
+      error =
         1.5 * ratio / (1 - ratio) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
+      // small changes grow only by the rounding in ever smaller rings
+      const bool is_rounding =
+        depth > 1 && result.normal_error < 1e-6 && error > result.normal_error;
+      if (is_rounding) return true;
     }
-    state.last_normal = n;
-    return depth != 0 && result.normal_error <= demand_.normal_tolerance;
+    result.has_surface_normal = true;
+    result.surface_normal = n;
+    result.normal_error = error;
+    return !is_pn_v<Scheme> || (depth != 0 && error <= demand_.normal_tolerance);
   }
 
   // whether the ring matrix has no part of second order that would last

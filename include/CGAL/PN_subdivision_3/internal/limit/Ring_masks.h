@@ -66,8 +66,8 @@ public:
   bool has_tangents() const { return !tangents_[0].empty(); }
   // the root of the product of the two eigenvalues of the tangents
   double lambda() const { return lambda_; }
-  // What errors of a normal by the tangents fall by in a round: those of the third order in the net's
-  // size, against the size; one order less is what is seen on borders.
+  // the square of the larger one of these eigenvalues: what errors of a normal by the tangents fall by in a
+  // round
   double normal_ratio() const { return normal_ratio_; }
   // the modulus of the largest eigenvalue besides 1 and those of the tangents, within some percent
   double largest_other() const { return largest_other_; }
@@ -214,7 +214,7 @@ private:
     // what shrinks by the square of the larger one is no part of a plane
     if (!(smaller > larger * larger * 1.001L)) return;
     lambda_ = static_cast<double>(std::sqrt(product));
-    normal_ratio_ = static_cast<double>(layout.at_border ? larger * larger / smaller : product);
+    normal_ratio_ = static_cast<double>(larger * larger);
     smaller_ = static_cast<double>(smaller);
     const auto part = [&](std::size_t i, const Vector& wave) {
       Real sum = 0;
@@ -283,15 +283,17 @@ private:
       if (layout.has_diagonals && s + 1 < layout.number)
         places.push_back(layout.first + layout.number + s);
     }
-    Real turn = 0;
+    const auto place = [&](std::size_t k) { return Vector{u[0][places[k]], u[1][places[k]]}; };
+    Real largest = 0, turn = 0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      largest = (std::max)(largest, dot(place(k), place(k)));
     bool is_left = false;
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-      const std::size_t p = places[k], q = places[k + 1];
-      const Real sine = u[0][p] * u[1][q] - u[1][p] * u[0][q];
-      const Real cosine = u[0][p] * u[0][q] + u[1][p] * u[1][q];
+      const Vector a = place(k), b = place(k + 1);
+      const Real sine = a[0] * b[1] - a[1] * b[0];
       if (k == 0) is_left = sine > 0;
-      if (!((is_left ? sine : -sine) > 1e-6L * std::abs(cosine))) return;
-      turn += std::atan2(std::abs(sine), cosine);
+      if (!((is_left ? sine : -sine) > 1e-6L * largest)) return;
+      turn += std::atan2(std::abs(sine), dot(a, b));
     }
     if (!(turn < 2 * std::acos(Real(-1)) - 1e-6L)) return;
     tangents_ = t;
