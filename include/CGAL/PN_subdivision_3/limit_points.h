@@ -216,10 +216,11 @@ the surface*, and the angle between the two does not vanish under refinement.
 <b>Surface normals.</b> The left eigenvectors T of the subdominant eigenvalue &lambda; give the slope a of
 the surface over the plane perpendicular to the limit control normal N, by T u a = T w with the
 coordinates u of the neighbors in that plane and their point-normal heights w over it. The error falls as
-&lambda;<sup>2</sup> a round. They exist at interior vertices of valence 3 and more, and on the borders of
-Catmull-Clark subdivision at valences 3 and 4 and of Loop subdivision at valences 3 to 6; not at corners
-and other valences, nor on the borders of other schemes, nor where the neighborhood collapses to a line.
-There the control normal stands in.
+&lambda;<sup>2</sup> a round. They exist at interior vertices of valence 3 and more; on the borders of
+Catmull-Clark subdivision at valences 3 and 4, of Loop and &radic;3 subdivision at 3 to 6, of
+Butterfly subdivision at 3 and 4 and of Kobbelt's at 2 and 3; on those of other schemes where the eigenvectors
+of the border ring tell of a plane. They do not at other valences, where the surface is a cusp or folds along its
+border, nor where the neighborhood collapses to a line. There the control normal stands in.
 
 <b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
 modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not

@@ -324,6 +324,125 @@ TEST(Surface_normals, HaveErrorsThatFallByTheSquareOfLambda)
     expect_normal_rate(PN::Loop_scheme(), 3, n, 3. / 8 + std::cos(2 * std::acos(-1.) / n) / 4);
 }
 
+// A border vertex between some faces, with a few rings around it, on an uneven surface with normals that
+// are not quite its own.
+Control_mesh at_border(int degree, int faces)
+{
+  using Index = PN::Extraordinary_net::Index;
+  const PN::Extraordinary_net net(Index(degree), Index((std::max)(3, 2 * faces)), 5);
+  Control_mesh control{std::to_string(faces) + " faces", {}, {}};
+  std::map<Index, int> number;
+  const auto corner = [&](Index s, Index i, Index j) {
+    const auto [at, is_new] = number.emplace(net.vertex(s, i, j), int(number.size()));
+    if (is_new) {
+      const double angle = std::acos(-1.) / (std::max)(faces, 2), a = angle * s,
+                   b = angle * (s + 1);
+      const double shift = .02 * std::sin(3. * at->second);
+      const double x = .3 * (i * std::cos(a) + j * std::cos(b)) + shift;
+      const double y = .3 * (i * std::sin(a) + j * std::sin(b)) - shift;
+      control.points.push_back({x, y, .3 * x * x - .2 * x * y + .25 * y * y + .2 * x + 3 * shift});
+      control.normals.push_back(
+        test_meshes::unit({-(.6 * x - .2 * y + .2) + 2 * shift, .2 * x - .5 * y - shift, 1}));
+    }
+    return at->second;
+  };
+  corner(0, 0, 0);
+  for (const auto& [s, corners] : net.faces()) {
+    if (int(s) >= faces) continue;
+    control.faces.emplace_back();
+    for (const auto& [i, j] : corners) control.faces.back().push_back(corner(s, i, j));
+  }
+  return control;
+}
+
+// Where the normals of all faces at the vertex tend to one, that is the surface's; elsewhere none is
+// claimed. What is reported is no less than the error.
+template <class Description>
+void expect_border_normals(int degree, const std::vector<int>& faces_with_normals)
+{
+  for (int faces = 1; faces <= 8; ++faces) {
+    const Control_mesh control = at_border(degree, faces);
+    Surface_mesh mesh = to_surface_mesh(control);
+    const std::string what = std::string(Description::scheme().name()) + ", " + control.name;
+    const bool has_normal = std::find(faces_with_normals.begin(), faces_with_normals.end(),
+                                      faces) != faces_with_normals.end();
+    const Limits fine = limits(mesh, Description::scheme(), close(1e-9, 1e-9));
+    EXPECT_EQ(fine.at[0].has_surface_normal, has_normal) << what;
+    for (const bool linear : {false, true}) {
+      const reference::Limit expected = brute_force<Description>(control, 0, linear);
+      const bool tends_to_plane =
+        expected.normal_spread < .3L * expected.earlier_spread + 1e-12L && expected.turn < 6;
+      // between the two halves of a smooth border a corner is a cusp: it has a plane of second order only
+      if (faces != 1 || has_normal)
+        EXPECT_EQ(tends_to_plane, has_normal)
+          << what << ": " << expected.normal_spread << " after " << expected.earlier_spread
+          << ", turn " << expected.turn;
+      if (!has_normal) continue;
+      const Vector normal = to_vector(
+        linear ? limits(mesh, PN::linear(Description::scheme()), close(1e-9)).at[0].surface_normal
+               : fine.at[0].surface_normal);
+      EXPECT_LE(double((normal - expected.surface_normal).norm()),
+                1e-7 + 2 * double(expected.normal_change))
+        << what << ", " << expected.normal_change;
+    }
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+      const Limit rough = limits(mesh, Description::scheme(), close(1, tolerance)).at[0];
+      if (!rough.has_surface_normal) continue;
+      EXPECT_LE(rough.normal_error, tolerance);
+      EXPECT_LE(std::sqrt((rough.surface_normal - fine.at[0].surface_normal).squared_length()),
+                rough.normal_error + 2e-9)
+        << what;
+    }
+  }
+}
+
+TEST(Surface_normals, OfBordersAreThoseThatFacesTendTo)
+{
+  expect_border_normals<CatmullClark_description>(4, {2, 3});
+  expect_border_normals<Loop_description>(3, {2, 3, 4, 5});
+  expect_border_normals<Sqrt3_description>(3, {2, 3, 4, 5});
+  expect_border_normals<Butterfly_description>(3, {2, 3});
+  expect_border_normals<Kobbelt_description>(4, {1, 2});
+}
+
+// A border vertex of sqrt(3) in the middle of a call, where one more triangle is at it.
+TEST(Surface_normals, OfBordersOfSqrt3ContinueTheCall)
+{
+  for (int faces = 1; faces <= 5; ++faces) {
+    Surface_mesh mesh = to_surface_mesh(at_border(3, faces));
+    const Limits base = limits(mesh, PN::Sqrt3_scheme(), close(1e-9, 1e-8));
+    for (unsigned rounds = 1; rounds <= 2; ++rounds) {
+      mesh = to_surface_mesh(at_border(3, faces));
+      PN::subdivide(
+        mesh, PN::Sqrt3_scheme(),
+        CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
+      PN::Limit_options options = close(1e-9, 1e-8);
+      options.rounds_done = rounds;
+      const Limit l = limits(mesh, PN::Sqrt3_scheme(), options).at[0];
+      EXPECT_EQ(l.has_surface_normal, faces > 1);
+      EXPECT_EQ(base.at[0].has_surface_normal, faces > 1);
+      if (faces == 1) continue;
+      EXPECT_LE(std::sqrt((l.surface_normal - base.at[0].surface_normal).squared_length()), 3e-8)
+        << faces << " faces, " << rounds << " rounds";
+    }
+  }
+}
+
+// Normals drown in the rounding of small rings; what is returned is one from before.
+TEST(Surface_normals, AreTheBestOnesIfTheToleranceIsOutOfReach)
+{
+  for (const int faces : {2, 3}) {
+    Surface_mesh mesh = to_surface_mesh(at_border(4, faces));
+    const Limit fine = limits(mesh, PN::CatmullClark_scheme(), close(1e-9, 1e-9)).at[0];
+    PN::Limit_options never = close(0, 0);
+    never.max_depth = 60;
+    const Limits best = limits(mesh, PN::CatmullClark_scheme(), never);
+    EXPECT_FALSE(best.report.is_within_tolerance());
+    EXPECT_LE(best.at[0].normal_error, 1e-10);
+    EXPECT_LE(std::sqrt((best.at[0].surface_normal - fine.surface_normal).squared_length()), 2e-9);
+  }
+}
+
 // --- curvature ---
 
 TEST(Limit_curvature, IsThatOfSpheresAndCylinders)

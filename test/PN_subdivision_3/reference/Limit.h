@@ -14,6 +14,7 @@
 
 #include "PN_rule.h"
 
+#include <algorithm>
 #include <set>
 
 namespace reference {
@@ -98,25 +99,54 @@ Patch refined(const Patch& patch, const Refine& refine, const Finish& finish, un
 struct Limit
 {
   Vector point, control_normal, surface_normal;
-  Real normal_change; // of the surface normal in the last ten rounds
+  Real normal_change;  // of the surface normal in the last ten rounds
+  Real normal_spread;  // the largest distance of it from the normal of a corner, see face_corners()
+  Real earlier_spread; // half of the rounds before
+  Real turn; // of the faces at the vertex, side by side: half a full turn on a smooth border
 };
 
-// The normal of the polygon of the neighbors. As the ring shrinks its shape tends to an affine image
-// of that of the scheme's characteristic map.
-inline Vector polygon_normal(const Patch& patch)
+// The faces at vertex 0, as the corners there of triangles that their edges and diagonals make: the two
+// sides. As the ring shrinks its shape tends to an affine image of that of the scheme's characteristic map.
+inline std::vector<std::pair<Vector, Vector>> face_corners(const Patch& patch)
 {
   const Face_list list = patch.face_list();
   const std::vector<int> ring = list.ring(0);
-  Vector sum = Vector::Zero();
+  std::vector<Vector> sides;
   const auto& p = patch.values.points;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const bool is_gap = i + 1 == ring.size() && list.is_border(0);
-    if (is_gap) break;
-    const Vector a = p[std::size_t(ring[i])] - p[0],
-                 b = p[std::size_t(ring[(i + 1) % ring.size()])] - p[0];
-    sum += a.cross(b);
+  const auto add = [&](int w) { sides.push_back(p[std::size_t(w)] - p[0]); };
+  for (const int w : ring) {
+    add(w);
+    if (w == ring.back() && list.is_border(0)) break;
+    const int diagonal = list.after(0, w); // of a triangle the next neighbor
+    if (std::find(ring.begin(), ring.end(), diagonal) == ring.end()) add(diagonal);
   }
-  return sum.norm() > 0 ? Vector(sum / sum.norm()) : sum;
+  if (!list.is_border(0)) add(ring.front());
+  std::vector<std::pair<Vector, Vector>> corners;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) corners.emplace_back(sides[i], sides[i + 1]);
+  return corners;
+}
+
+inline Vector unit(const Vector& v)
+{
+  return v.norm() > 0 ? Vector(v / v.norm()) : v;
+}
+
+inline Vector polygon_normal(const Patch& patch)
+{
+  Vector sum = Vector::Zero();
+  for (const auto& [a, b] : face_corners(patch)) sum += a.cross(b);
+  return unit(sum);
+}
+
+inline Real normal_spread(const Patch& patch)
+{
+  const Vector normal = polygon_normal(patch);
+  Real spread = 0;
+  for (const auto& [a, b] : face_corners(patch)) {
+    const Real distance = (unit(a.cross(b)) - normal).norm();
+    spread = (std::max)(spread, distance);
+  }
+  return spread;
 }
 
 // The point is moved to the origin after each round, so that small rings keep their digits.
@@ -125,8 +155,10 @@ Limit limit_by_rounds(Patch patch, const Refine& refine, const Finish& finish, i
                       int rings, bool linear)
 {
   Vector origin = Vector::Zero(), earlier = Vector::Zero();
+  Real earlier_spread = 0;
   for (int k = 0;; ++k) {
     if (k == rounds - 10) earlier = polygon_normal(patch);
+    if (k == rounds / 2) earlier_spread = normal_spread(patch);
     const Vector p = patch.values.points[0];
     for (Vector& q : patch.values.points) q -= p;
     origin += p;
@@ -134,7 +166,15 @@ Limit limit_by_rounds(Patch patch, const Refine& refine, const Finish& finish, i
     patch = refined(patch, refine, finish, unsigned(k + 1), rings, linear);
   }
   const Vector normal = polygon_normal(patch);
-  return {origin, patch.values.normals[0], normal, (normal - earlier).norm()};
+  Real turn = 0;
+  for (const auto& [a, b] : face_corners(patch)) turn += std::atan2(a.cross(b).norm(), a.dot(b));
+  return {origin,
+          patch.values.normals[0],
+          normal,
+          (normal - earlier).norm(),
+          normal_spread(patch),
+          earlier_spread,
+          turn};
 }
 
 } // namespace reference

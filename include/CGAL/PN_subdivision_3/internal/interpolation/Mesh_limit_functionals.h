@@ -119,7 +119,7 @@ private:
       if (stage.level.is_isolated(v))
         continue;
       else if (is_settled(v))
-        kinds[i] = &ring_of_kind(stage.level, v);
+        kinds[i] = &ring_of_kind(stage.level, v, next_round);
       else {
         unsettled.push_back(v);
         unsettled_positions.push_back(positions[i]);
@@ -154,9 +154,9 @@ private:
              next_round + 1, depth + 1, result);
   }
 
-  const Ring_of_kind& ring_of_kind(const Level_connectivity& level, Index v)
+  const Ring_of_kind& ring_of_kind(const Level_connectivity& level, Index v, unsigned next_round)
   {
-    const Kind& kind = classes_.at(level, v);
+    const Kind& kind = classes_.at(level, v, next_round);
     Ring_of_kind& ring = rings_[&kind];
     if (ring.kind != nullptr) return ring;
     const auto& c = *kind.ring_class;

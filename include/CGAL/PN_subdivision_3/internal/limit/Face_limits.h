@@ -106,7 +106,7 @@ private:
     layout.first = 0;
     layout.number = degree;
     layout.clockwise = false;
-    return std::make_unique<Class>(scheme_, level, 1, rings, layout);
+    return std::make_unique<Class>(scheme_, std::vector<Ring_round>{{level, 1, rings}}, layout);
   }
 
   const Scheme& scheme_;

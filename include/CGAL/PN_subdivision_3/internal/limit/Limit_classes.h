@@ -9,7 +9,6 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_CLASSES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_CLASSES_H
 
-#include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
@@ -23,8 +22,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +32,7 @@ namespace internal {
 
 // The kinds of rings that the vertices of a level have: one for each valence, in the interior and on
 // the border. A kind is made where it occurs first, from the scheme itself at work around the vertex.
+// On borders of sqrt(3), which are refined in every other round, two rounds make a step.
 template <class Scheme, class FT>
 class Limit_classes
 {
@@ -52,14 +52,14 @@ public:
     , any_round_((std::max)(101u, First_tuned_round<Scheme>::of(scheme) | 1u))
   {}
 
-  // the kind of a vertex with edges
-  const Kind& at(const Level_connectivity& level, Index v)
+  // the kind of a vertex with edges, in the round that is next
+  const Kind& at(const Level_connectivity& level, Index v, unsigned next_round)
   {
     const bool at_border = level.is_border_vertex(v);
-    // those of sqrt(3) on the border are all alike
-    const Index valence = is_sqrt3 && at_border ? 0 : level.valence(v);
-    Kind& kind = kinds_[{at_border, valence}];
-    if (!kind.ring_class) kind = is_sqrt3 && at_border ? make_sqrt3_border() : make(level, v);
+    const bool is_odd = !is_sqrt3 || !at_border || next_round % 2 != 0;
+    Kind& kind = kinds_[{at_border, is_odd, level.valence(v)}];
+    if (!kind.ring_class)
+      kind = is_sqrt3 && at_border ? make_sqrt3_border(level.valence(v), is_odd) : make(level, v);
     return kind;
   }
 
@@ -78,8 +78,12 @@ private:
 
   Level_connectivity refined(const Level_connectivity& level) const
   {
-    const Host host(level, any_round_);
-    Level_connectivity child(Host::refined_size(level.size(), any_round_));
+    return refined(level, any_round_);
+  }
+  static Level_connectivity refined(const Level_connectivity& level, unsigned round)
+  {
+    const Host host(level, round);
+    Level_connectivity child(Host::refined_size(level.size(), round));
     child.set_uniform_degree(Host::refined_degree);
     host.connect(child, For_chunks());
     return child;
@@ -99,10 +103,11 @@ private:
       Vertex_ring::append(cut.level(), c, kind.rings, rings.ring);
       Vertex_ring::append(refined(cut.level()), c, kind.rings, rings.next_ring);
       Ring_layout layout;
-      // of larger rings on the border the two eigenvalues need not be those of a tangent plane
-      if (!at_border || kind.rings == 1) layout.number = cut.level().valence(c);
+      layout.number = cut.level().valence(c);
       layout.at_border = at_border;
-      kind.ring_class = std::make_unique<Class>(scheme_, cut.level(), any_round_, rings, layout);
+      layout.has_diagonals = Host::refined_degree == 4;
+      kind.ring_class = std::make_unique<Class>(
+        scheme_, std::vector<Ring_round>{{cut.level(), any_round_, rings}}, layout);
       if (kind.ring_class->is_valid()) return kind;
     }
     throw std::invalid_argument("PN_subdivision_3: the scheme has no limit mask on " +
@@ -111,32 +116,87 @@ private:
                                 (at_border ? " on the border" : ""));
   }
 
-  // The border is refined in even rounds, as a curve.
-  Kind make_sqrt3_border() const
+  // The vertex and its neighbors, of a fan that starts with an odd round. After it one more triangle is
+  // at the vertex, and after the next as many as before.
+  Kind make_sqrt3_border(Index valence, bool is_odd) const
   {
-    if constexpr (is_sqrt3) {
-      const Extraordinary_net net(3, 6, 3);
-      const Level_connectivity level = net.level();
-      const Index v = net.vertex(0, 2, 1);
-      const Host host(level, any_round_ + 1);
-      Level_connectivity child(Host::refined_size(level.size(), any_round_ + 1));
-      host.connect(child, For_chunks());
-      Kind kind;
-      kind.rings = 0;
-      Ring_pair rings;
-      append_ring(level, v, kind, rings.ring);
-      append_ring(child, v, kind, rings.next_ring);
-      kind.ring_class =
-        std::make_unique<Class>(scheme_, level, any_round_ + 1, rings, Ring_layout());
-      return kind;
-    } else
-      return Kind();
+    const Index triangles = valence - (is_odd ? 1 : 2);
+    // a triangle in a corner, as there is none after an odd round
+    if (triangles == 0) return make_sqrt3_border_curve();
+    std::vector<Level_connectivity> levels = {fan(triangles)};
+    const unsigned first = is_odd ? any_round_ : any_round_ + 1;
+    if (!is_odd) levels.front() = refined(levels.front(), any_round_);
+    for (unsigned r = 0; r < 2; ++r) levels.push_back(refined(levels.back(), first + r));
+    std::vector<Ring_round> rounds;
+    Kind kind;
+    for (unsigned r = 0; r < 2; ++r) {
+      rounds.push_back({levels[r], first + r, {}});
+      append_ring(levels[r], 0, kind, rounds.back().rings.ring);
+      append_ring(levels[r + 1], 0, kind, rounds.back().rings.next_ring);
+    }
+    Ring_layout layout;
+    layout.number = valence;
+    layout.at_border = true;
+    kind.ring_class = std::make_unique<Class>(scheme_, rounds, layout);
+    return kind;
+  }
+
+  // by itself: a curve that is refined in even rounds
+  Kind make_sqrt3_border_curve() const
+  {
+    const Level_connectivity level = refined(fan(2), any_round_);
+    Kind kind;
+    kind.rings = 0;
+    Ring_round round{level, any_round_ + 1, {}};
+    append_ring(level, 0, kind, round.rings.ring);
+    append_ring(refined(level, round.number), 0, kind, round.rings.next_ring);
+    kind.ring_class =
+      std::make_unique<Class>(scheme_, std::vector<Ring_round>{round}, Ring_layout());
+    return kind;
+  }
+
+  // Triangles about vertex 0, which is on the border. Edge i leads to it from neighbor i, which is
+  // vertex 1 + i, and then come those opposite to it.
+  static Level_connectivity fan(Index triangles)
+  {
+    const Index spokes = triangles + 1;
+    Level_size size;
+    size.vertices = 1 + spokes;
+    size.edges = spokes + triangles;
+    size.faces = triangles;
+    size.corners = 3 * triangles;
+    Level_connectivity level(size);
+    level.set_uniform_degree(3);
+    for (Index i = 0; i < spokes; ++i) {
+      level.set_target(2 * i, 0);
+      level.set_target(2 * i + 1, 1 + i);
+    }
+    level.set_halfedge_of_vertex(0, 2 * triangles);
+    level.set_border(2 * triangles);
+    level.set_border(1);
+    level.set_next(2 * triangles, 1);
+    level.set_halfedge_of_vertex(1, 1);
+    for (Index i = 0; i < triangles; ++i) {
+      const Index in = 2 * i, out = 2 * i + 3, across = 2 * (spokes + i), outer = across + 1;
+      level.set_target(across, 1 + i);
+      level.set_target(outer, 2 + i);
+      level.set_next(in, out);
+      level.set_next(out, across);
+      level.set_next(across, in);
+      for (const Index h : {in, out, across}) level.set_face(h, i);
+      level.set_halfedge_of_face(i, in);
+      level.set_border(outer);
+      level.set_halfedge_of_vertex(2 + i, outer);
+      level.set_next(i == 0 ? 1 : outer - 2, outer);
+    }
+    level.set_next(2 * (spokes + triangles) - 1, 2 * triangles);
+    return level;
   }
 
   const Scheme& scheme_;
   // an odd one, in which sqrt(3) keeps the border, not the first, and one with the rules of all later ones
   unsigned any_round_;
-  std::map<std::pair<bool, Index>, Kind> kinds_;
+  std::map<std::tuple<bool, bool, Index>, Kind> kinds_; // on the border, next round is odd, valence
 };
 
 } // namespace internal

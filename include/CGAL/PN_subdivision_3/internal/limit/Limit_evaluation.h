@@ -12,23 +12,20 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <map>
-#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +41,8 @@ struct Valued_level
 };
 
 // The limits at vertices of a level of a scheme that keeps its vertices. Where the neighborhood of a
-// vertex is not settled yet, the faces around all such vertices are cut out and refined until it is.
+// vertex is not settled yet but will be after one round, the round makes its ring and nothing else;
+// the faces around all other such vertices are cut out and refined until it is.
 template <class Scheme, class FT>
 class Limit_evaluation
 {
@@ -76,11 +74,15 @@ public:
 private:
   using Average = typename Tower::Average;
   using One_round = Round<Scheme, Average>;
-  using Kind = typename Limit_classes<Scheme, FT>::Kind;
   using Neighborhood = Limit_neighborhood<Scheme>;
+
+  using Towers = Limit_towers<Scheme, FT>;
+  using Vertices = std::vector<typename Towers::Vertex>;
 
   // after so many rounds only a scheme of other rules than the built-in ones is not settled
   static constexpr unsigned most_rounds = 6;
+  // rings of the next round that are made at once
+  static constexpr Index batch = 128;
 
   // result i is that of vertices[i]
   void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
@@ -89,27 +91,35 @@ private:
     const auto n = static_cast<Index>(vertices.size());
     const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
     const Settled_neighborhood<Scheme> is_settled(level.level, next_round >= first_final_round);
-    std::vector<const Kind*> kind(n, nullptr);
+    const bool keeps_points =
+      Neighborhood::keeps_points && !demand_.surface_normals && !demand_.curvatures;
+    const bool is_final_then = next_round + 1 >= first_final_round;
     std::vector<char> state(n);
     for_chunks_(n, [&](Index begin, Index end) {
-      for (Index i = begin; i < end; ++i)
-        state[i] = level.level.is_isolated(vertices[i]) ? 'i' : is_settled(vertices[i]) ? 's' : 'u';
+      for (Index i = begin; i < end; ++i) {
+        const Index v = vertices[i];
+        state[i] = level.level.is_isolated(v) || keeps_points    ? 'i'
+                   : is_settled(v)                               ? 's'
+                   : is_final_then && is_settled.in_next_ring(v) ? 'n'
+                                                                 : 'u';
+      }
     });
-    std::vector<Index> unsettled; // positions
+    Vertices settled, in_next_ring, unsettled;
     for (Index i = 0; i < n; ++i) {
-      results[i].depth = depth;
-      if (state[i] == 's')
-        kind[i] = &classes_.at(level.level, vertices[i]);
-      else if (state[i] == 'i')
-        results[i].value = level.values[vertices[i]];
+      const Index v = vertices[i];
+      Result& result = results[i];
+      result.depth = depth;
+      if (state[i] == 'i')
+        result.value = level.values[v];
+      else if (state[i] == 's')
+        settled.push_back({v, &result, &classes_.at(level.level, v, next_round)});
+      else if (state[i] == 'n')
+        in_next_ring.push_back({v, &result, &classes_.at(level.level, v, next_round + 1)});
       else
-        unsettled.push_back(i);
+        unsettled.push_back({v, &result, nullptr});
     }
-    const Caller_precision<FT> precision;
-    for_chunks_(n, [&](Index begin, Index end) {
-      const typename Caller_precision<FT>::In_this_thread same(precision);
-      run_towers(level, vertices, kind, begin, end, results);
-    });
+    evaluate_settled(level, settled);
+    if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
     if (unsettled.empty()) return;
     if (depth == most_rounds && next_round < first_final_round)
       throw std::invalid_argument(
@@ -121,51 +131,63 @@ private:
       throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
                                   "within " +
                                   std::to_string(most_rounds) + " rounds: it has no limit masks");
-    refine(level, vertices, unsettled, next_round, depth, results);
+    refine(level, unsettled, next_round, depth);
   }
 
-  void run_towers(const Level& level, const std::vector<Index>& vertices,
-                  const std::vector<const Kind*>& kind, Index begin, Index end,
-                  Result* results) const
+  // calls f(towers, begin, end) for parts of [0, n), each with towers of its own
+  template <class Function>
+  void with_towers(std::size_t n, const Function& f) const
   {
-    std::map<std::pair<const Kind*, bool>, std::unique_ptr<Tower>> towers;
-    std::vector<Index> ring;
-    const Kind* last_kind = nullptr;
-    bool last_is_spline = false;
-    Tower* tower = nullptr;
-    for (Index i = begin; i < end; ++i) {
-      if (kind[i] == nullptr) continue;
-      const Index v = vertices[i];
-      const bool is_spline = is_regular_spline(level.level, v);
-      if (tower == nullptr || kind[i] != last_kind || is_spline != last_is_spline) {
-        auto& slot = towers[{kind[i], is_spline}];
-        if (!slot) slot = std::make_unique<Tower>(*kind[i]->ring_class, demand_, is_spline);
-        tower = slot.get();
-        last_kind = kind[i];
-        last_is_spline = is_spline;
+    const Caller_precision<FT> precision;
+    for_chunks_(static_cast<Index>(n), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      Towers towers(demand_);
+      f(towers, begin, end);
+      towers.finish();
+    });
+  }
+
+  void evaluate_settled(const Level& level, const Vertices& vertices) const
+  {
+    with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+      std::vector<Index> ring;
+      for (Index i = begin; i < end; ++i) {
+        ring.clear();
+        Limit_classes<Scheme, FT>::append_ring(level.level, vertices[i].v, *vertices[i].kind, ring);
+        towers.add(vertices[i], is_regular_spline(level.level, vertices[i].v),
+                   [&](std::size_t p) -> const Value& { return level.values[ring[p]]; });
       }
-      ring.clear();
-      Limit_classes<Scheme, FT>::append_ring(level.level, v, *kind[i], ring);
-      tower->add([&](std::size_t p) -> const Value& { return level.values[ring[p]]; }, results[i]);
-      if (tower->is_full()) evaluate_tower(*tower, v);
+    });
+  }
+
+  void evaluate_in_next_ring(const Level& level, const Vertices& vertices, unsigned number) const
+  {
+    if constexpr (Settled_neighborhood<Scheme>::has_next_ring) {
+      const One_round round(scheme_, level.level, number);
+      const std::vector<Stored_value> old = stored(level.values);
+      with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+        std::vector<Index> rings;
+        std::vector<Value> values;
+        for (Index first = begin; first < end; first += batch) {
+          const Index last = (std::min)(end, first + batch);
+          rings.clear();
+          for (Index i = first; i < last; ++i)
+            Vertex_ring::append_next(level.level, round.host(), vertices[i].v, rings);
+          values.resize(rings.size());
+          round.evaluate(rings.data(), rings.data() + rings.size(), old.data(),
+                         [&](const Index* at, const Value* refined, Index n) {
+                           std::copy(refined, refined + n, values.begin() + (at - rings.data()));
+                         });
+          const Value* ring = values.data();
+          for (Index i = first; i < last; ++i) {
+            ++vertices[i].result->depth;
+            towers.add(vertices[i], is_regular_spline(level.level, vertices[i].v),
+                       [&](std::size_t p) -> const Value& { return ring[p]; });
+            ring += vertices[i].kind->ring_class->size();
+          }
+        }
+      });
     }
-    for (auto& entry : towers) entry.second->evaluate();
-  }
-
-  // number types that may not decide a comparison have one vertex in a tower
-  static void evaluate_tower(Tower& tower, [[maybe_unused]] Index v)
-  {
-    if constexpr (std::is_floating_point_v<FT>)
-      tower.evaluate();
-    else
-      try {
-        tower.evaluate();
-      } catch (const Uncertain_conversion_exception&) {
-        throw std::domain_error(
-          "PN_subdivision_3: the precision of the number type does not decide whether a normal "
-          "next to vertex number " +
-          std::to_string(v) + " vanishes or is opposite to a neighbor's: use a higher precision");
-      }
   }
 
   // curvature is asked of the jet of a spline where all around is regular
@@ -175,16 +197,14 @@ private:
     return level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
   }
 
-  void refine(const Level& level, const std::vector<Index>& vertices,
-              const std::vector<Index>& positions, unsigned next_round, unsigned depth,
-              Result* results)
+  void refine(const Level& level, const Vertices& vertices, unsigned next_round, unsigned depth)
   {
     std::vector<Index> centers;
-    for (const Index i : positions) centers.push_back(vertices[i]);
+    for (const auto& vertex : vertices) centers.push_back(vertex.v);
     const Level refined = refined_about(level, centers, next_round);
     std::vector<Result> fine(centers.size());
     evaluate(refined, centers, next_round + 1, depth + 1, fine.data());
-    for (std::size_t k = 0; k < positions.size(); ++k) results[positions[k]] = fine[k];
+    for (std::size_t k = 0; k < vertices.size(); ++k) *vertices[k].result = fine[k];
   }
 
   // the next level; `vertices` are given, and come back, as their numbers there

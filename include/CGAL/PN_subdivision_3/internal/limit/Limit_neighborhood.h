@@ -10,8 +10,12 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_NEIGHBORHOOD_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
@@ -20,6 +24,7 @@
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -32,79 +37,86 @@ namespace internal {
 //  * regular_rings: in how many rings the other vertices have to be regular
 //  * takes_border: whether they may lie on the border
 //  * cut_rings: how many rings of faces a vertex needs around it for a round to come out right, again
-//    and again, in the rings that the round after it needs
+//    and again, in the rings that the round after it needs: c rings of new faces lie in c/2 of old ones,
+//    and these need ghost_rings around them, so c is twice that
 //  * is_spline: whether the surface is one of piecewise polynomials where all vertices are regular
+//  * keeps_points: whether vertices keep their points and normals
 // This is for any scheme with masks no larger than those of the built-in ones.
+template <unsigned rings, bool is_with_border, unsigned cut, bool spline, bool interpolatory>
+struct Limit_neighborhood_of
+{
+  static constexpr unsigned regular_rings = rings;
+  static constexpr bool takes_border = is_with_border;
+  static constexpr unsigned cut_rings = cut;
+  static constexpr bool is_spline = spline;
+  static constexpr bool keeps_points = interpolatory;
+};
+
+// of a scheme that does not tell its ghost_rings as many as Kobbelt's
 template <class Scheme>
-struct Limit_neighborhood
+constexpr unsigned wide_cut_rings()
 {
-  static constexpr unsigned regular_rings = 2;
-  static constexpr bool takes_border = false;
-  static constexpr unsigned cut_rings = 8;
-  static constexpr bool is_spline = false;
-};
-
-// The rules at a vertex depend on its valence and the degrees of its faces alone.
-template <>
-struct Limit_neighborhood<CatmullClark_scheme>
-{
-  static constexpr unsigned regular_rings = 0;
-  static constexpr bool takes_border = true;
-  static constexpr unsigned cut_rings = 4;
-  static constexpr bool is_spline = true;
-};
-template <>
-struct Limit_neighborhood<Loop_scheme> : Limit_neighborhood<CatmullClark_scheme>
-{};
-
-// Whether a vertex is separated depends on the vertices of its faces.
-template <>
-struct Limit_neighborhood<modified_CatmullClark_scheme>
-{
-  static constexpr unsigned regular_rings = 1;
-  static constexpr bool takes_border = true;
-  static constexpr unsigned cut_rings = 6;
-  static constexpr bool is_spline = true;
-};
-template <>
-struct Limit_neighborhood<modified_Loop_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
-{};
-
+  constexpr unsigned ghost_rings = Ghost_rings<Scheme>::value;
+  return ghost_rings == 0 ? 8 : (std::max)(4u, 2 * ghost_rings);
+}
+template <class Scheme, bool interpolatory = false>
+using Wide_neighborhood =
+  Limit_neighborhood_of<2, false, wide_cut_rings<Scheme>(), false, interpolatory>;
+// the rules at a vertex depend on its valence and the degrees of its faces alone
+using Plain_neighborhood = Limit_neighborhood_of<0, true, 4, true, false>;
+// whether a vertex is separated depends on the vertices of its faces
+using Modified_neighborhood = Limit_neighborhood_of<1, true, 6, true, false>;
 // Faces at the border are cut in another way, and in every other round: see is_settled(). Nothing is
 // cut out, since rounds would refine the border that this makes.
-template <>
-struct Limit_neighborhood<Sqrt3_scheme>
-{
-  static constexpr unsigned regular_rings = 0;
-  static constexpr bool takes_border = true;
-  static constexpr unsigned cut_rings = (std::numeric_limits<unsigned>::max)();
-  static constexpr bool is_spline = false;
-};
+using Sqrt3_neighborhood =
+  Limit_neighborhood_of<0, true, (std::numeric_limits<unsigned>::max)(), false, false>;
 
-template <>
-struct Limit_neighborhood<ct_CatmullClark_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+template <class Scheme>
+struct Limit_neighborhood : Wide_neighborhood<Scheme>
 {};
 template <>
-struct Limit_neighborhood<ct_Loop_scheme> : Limit_neighborhood<modified_CatmullClark_scheme>
+struct Limit_neighborhood<Butterfly_scheme> : Wide_neighborhood<Butterfly_scheme, true>
+{};
+template <>
+struct Limit_neighborhood<Kobbelt_scheme> : Wide_neighborhood<Kobbelt_scheme, true>
+{};
+template <>
+struct Limit_neighborhood<CatmullClark_scheme> : Plain_neighborhood
+{};
+template <>
+struct Limit_neighborhood<Loop_scheme> : Plain_neighborhood
+{};
+template <>
+struct Limit_neighborhood<modified_CatmullClark_scheme> : Modified_neighborhood
+{};
+template <>
+struct Limit_neighborhood<modified_Loop_scheme> : Modified_neighborhood
+{};
+template <>
+struct Limit_neighborhood<ct_CatmullClark_scheme> : Modified_neighborhood
+{};
+template <>
+struct Limit_neighborhood<ct_Loop_scheme> : Modified_neighborhood
+{};
+template <>
+struct Limit_neighborhood<Sqrt3_scheme> : Sqrt3_neighborhood
 {};
 
 template <class Scheme>
 struct Limit_neighborhood<Linear_scheme<Scheme>> : Limit_neighborhood<Scheme>
 {};
 
+template <class Scheme, class Normal_scheme, class Points = Limit_neighborhood<Scheme>,
+          class Normals = Limit_neighborhood<Normal_scheme>>
+using Common_neighborhood =
+  Limit_neighborhood_of<(std::max)(Points::regular_rings, Normals::regular_rings),
+                        Points::takes_border && Normals::takes_border,
+                        (std::max)(Points::cut_rings, Normals::cut_rings), false,
+                        Points::keeps_points && Normals::keeps_points>;
 template <class Scheme, class Normal_scheme>
 struct Limit_neighborhood<Scheme_with_normals<Scheme, Normal_scheme>>
-{
-  using Points = Limit_neighborhood<Scheme>;
-  using Normals = Limit_neighborhood<Normal_scheme>;
-
-  static constexpr unsigned regular_rings =
-    Points::regular_rings > Normals::regular_rings ? Points::regular_rings : Normals::regular_rings;
-  static constexpr bool takes_border = Points::takes_border && Normals::takes_border;
-  static constexpr unsigned cut_rings =
-    Points::cut_rings > Normals::cut_rings ? Points::cut_rings : Normals::cut_rings;
-  static constexpr bool is_spline = false;
-};
+  : Common_neighborhood<Scheme, Normal_scheme>
+{};
 
 // Tells whether the neighborhood of a vertex of a level is settled, or will be once the rules are those
 // of all later rounds, too.
@@ -137,6 +149,28 @@ public:
       h = level_.next_around_target(h);
     } while (h != first);
     return Neighborhood::regular_rings < 2 || are_regular_beyond(first, at_border);
+  }
+
+  // Whether the vertices that a vertex gets around it in the next round, and they alone, decide on it, and
+  // are found from the elements of this level. What transfers do to them is not.
+  static constexpr bool has_next_ring =
+    (std::is_same_v<Host, PQQ_host> ||
+     std::is_same_v<Host, PTQ_host>)&&Neighborhood::regular_rings <= 1 &&
+    Neighborhood::takes_border && !Has_curvature_transfer<Scheme>::value;
+
+  // Whether the neighborhood of v will be settled after one round because the new vertices of edges and
+  // faces around it are all regular, if the rules are final then.
+  // \pre v has edges
+  bool in_next_ring(Index v) const
+  {
+    if (!has_next_ring) return false;
+    const Index first = level_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      if (!level_.is_border(h) && !level_.has_degree(h, degree)) return false;
+      h = level_.next_around_target(h);
+    } while (h != first);
+    return true;
   }
 
 private:

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,7 +68,7 @@ public:
     , demand_(demand)
     , is_spline_(is_spline)
     , copies_(ring_class.copies())
-    , rings_(ring_class.size() * copies_)
+    , rings_(ring_class.largest_size() * copies_)
     , next_(rings_.size())
     , limits_(copies_)
     , states_(copies_)
@@ -188,13 +189,13 @@ private:
     if (demand_.surface_normals && class_.has_tangents())
       is_last = note_normal(c, depth) && is_last;
     if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
-    if (!is_last && depth < demand_.max_depth) {
+    if (!is_last && depth * class_.rounds() < demand_.max_depth) {
       state.last_limit = point;
       return false;
     }
     if (demand_.curvatures) note_curvature(c);
     result.value = relative(limits_[c], state.center, FT(1));
-    result.depth += depth;
+    result.depth += depth * class_.rounds();
     state.is_done = true;
     return true;
   }
@@ -221,7 +222,7 @@ private:
     return Ring_geometry(ring_, to_double_value(limits_[c]), class_.tangents());
   }
 
-  // the surface normal; whether it meets the tolerance
+  // the surface normal; whether it meets the tolerance, or no further round will make it better
   bool note_normal(std::size_t c, unsigned depth)
   {
     State& state = states_[c];
@@ -230,25 +231,29 @@ private:
     const bool had_normal = state.had_normal;
     state.had_normal = g.is_regular();
     if (!g.is_regular()) return true; // nor will it be, but for rounding
-    result.has_surface_normal = true;
-    result.surface_normal = g.normal();
-    if (!is_pn_v<Scheme>) return true;
-    const Vector& last = state.last_normal;
-    const Vector& n = result.surface_normal;
-    if (depth != 0 && had_normal) {
-      const double lambda2 = class_.lambda() * class_.lambda();
-      result.normal_error =
-        1.5 * lambda2 / (1 - lambda2) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
+    const Vector n = g.normal();
+    const Vector last = std::exchange(state.last_normal, n);
+    double error = result.normal_error;
+    if (is_pn_v<Scheme> && depth != 0 && had_normal) {
+      const double ratio = class_.normal_ratio();
+      error =
+        1.5 * ratio / (1 - ratio) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
+      // small changes grow only by the rounding in ever smaller rings
+      const bool is_rounding =
+        depth > 1 && result.normal_error < 1e-6 && error > result.normal_error;
+      if (is_rounding) return true;
     }
-    state.last_normal = n;
-    return depth != 0 && result.normal_error <= demand_.normal_tolerance;
+    result.has_surface_normal = true;
+    result.surface_normal = n;
+    result.normal_error = error;
+    return !is_pn_v<Scheme> || (depth != 0 && error <= demand_.normal_tolerance);
   }
 
   // whether the ring matrix has no part of second order that would last
   bool settles() const
   {
     const double lambda2 = class_.lambda() * class_.lambda();
-    return is_pn_v<Scheme> && class_.has_tangents() &&
+    return is_pn_v<Scheme> && class_.has_tangents() && !class_.is_at_border() &&
            (transfer_ || class_.largest_other() < 0.9 * lambda2);
   }
 

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <type_traits>
 #include <unordered_map>
@@ -34,6 +35,14 @@ namespace internal {
 struct Ring_pair
 {
   std::vector<Level_connectivity::Index> ring, next_ring;
+};
+
+// A round on a level about a ring. Where the rules of rounds take turns, some of them make a ring class.
+struct Ring_round
+{
+  const Level_connectivity& level;
+  unsigned number;
+  Ring_pair rings;
 };
 
 // The rows of the next ring over the places of the ring; none if a row leaves the ring.
@@ -57,6 +66,23 @@ std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
     }
   }
   return matrix;
+}
+
+// the matrix of one round after the other
+template <class FT>
+Ring_matrix<FT> product(const Ring_matrix<FT>& last, const Ring_matrix<FT>& first)
+{
+  Ring_matrix<FT> result;
+  for (const Ring_row<FT>& row : last) {
+    std::map<std::uint32_t, FT> sums;
+    for (const auto& [i, x] : row)
+      for (const auto& [j, weight] : first[i]) {
+        const auto at = sums.emplace(j, FT(0)).first;
+        at->second += x * weight;
+      }
+    result.emplace_back(sums.begin(), sums.end());
+  }
+  return result;
 }
 
 template <class Scheme>
@@ -103,72 +129,71 @@ public:
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
 
-  // Of the scheme on a level in a round; not valid if the rows leave the ring, or if the limit mask
-  // does not exist.
-  Ring_class(const Scheme& scheme, const Level_connectivity& level, unsigned round,
-             const Ring_pair& rings, const Ring_layout& layout)
-    : size_(rings.ring.size())
-    , copies_((std::max)(std::size_t(1), block_size_v<FT> / size_))
+  // Of the scheme in some rounds, each on the level that the one before makes; not valid if the rows leave
+  // the ring, or if the limit mask does not exist.
+  Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
+    : size_(rounds.front().rings.ring.size())
   {
-    using Real = Ring_masks::Real;
-    const typename Scheme::Host host(level, round);
-    const auto rows = ring_matrix<FT>(host, scheme.template mask<FT>(level, round), rings);
-    const auto real_rows = ring_matrix<Real>(host, scheme.template mask<Real>(level, round), rings);
-    if (!rows || !real_rows) return;
-    const Ring_masks masks(*real_rows, layout);
-    if (masks.limit().empty()) return;
-    rows_ = Ring_rows<FT>(*rows, copies_);
-    matrix_ = *rows;
-    limit_row_ = limit_weights(masks.limit(), *rows);
-    limit_ = Ring_rows<FT>({limit_row_}, copies_);
-    is_interpolating_ = limit_.blocks()[0].end(0) - limit_.blocks()[0].begin(0) == 1;
+    for (const Ring_round& r : rounds)
+      largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
+    copies_ = (std::max)(std::size_t(1), block_size_v<FT> / largest_size_);
+    const auto matrix_of = [&](auto number, const Ring_round& r) {
+      using Number = decltype(number);
+      const typename Scheme::Host host(r.level, r.number);
+      return ring_matrix<Number>(host, scheme.template mask<Number>(r.level, r.number), r.rings);
+    };
+    const auto masks = set_rules(rounds, layout, matrix_of, points_);
+    if (!masks) return;
+    is_interpolating_ = points_.limit_row.size() == 1;
     if constexpr (has_normal_rows) {
-      const auto normals =
-        ring_matrix<FT>(host, scheme.template normal_mask<FT>(level, round), rings);
-      const auto real_normals =
-        ring_matrix<Real>(host, scheme.template normal_mask<Real>(level, round), rings);
-      if (!normals || !real_normals) return;
-      const Ring_masks normal_masks(*real_normals, layout);
-      if (normal_masks.limit().empty()) return;
-      normal_rows_ = Ring_rows<FT>(*normals, copies_);
-      normal_matrix_ = *normals;
-      normal_limit_row_ = limit_weights(normal_masks.limit(), *normals);
-      normal_limit_ = Ring_rows<FT>({normal_limit_row_}, copies_);
+      const auto normal_matrix_of = [&](auto number, const Ring_round& r) {
+        using Number = decltype(number);
+        const typename Scheme::Host host(r.level, r.number);
+        return ring_matrix<Number>(host, scheme.template normal_mask<Number>(r.level, r.number),
+                                   r.rings);
+      };
+      if (!set_rules(rounds, layout, normal_matrix_of, normals_)) return;
     }
     if (Has_curvature_transfer<Scheme>::value && !layout.at_border && layout.number > 2 &&
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
       transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
-    lambda_ = masks.lambda();
-    largest_other_ = masks.largest_other();
-    if (masks.has_tangents())
-      for (std::size_t i = 0; i < 2; ++i)
-        tangents_[i].assign(masks.tangents()[i].begin(), masks.tangents()[i].end());
+    is_at_border_ = layout.at_border;
+    lambda_ = masks->lambda;
+    normal_ratio_ = masks->normal_ratio;
+    largest_other_ = masks->largest_other;
+    tangents_ = masks->tangents;
     is_valid_ = true;
   }
 
   bool is_valid() const { return is_valid_; }
   std::size_t size() const { return size_; }
+  // in any of the rounds
+  std::size_t largest_size() const { return largest_size_; }
+  // how many rounds make a step
+  unsigned rounds() const { return static_cast<unsigned>(points_.rows.size()); }
   // how many rings are refined together
   std::size_t copies() const { return copies_; }
   // whether the limit point is the vertex
   bool is_interpolating() const { return is_interpolating_; }
 
   // the rows as they are, for the points and for the normals
-  const Ring_matrix<FT>& matrix() const { return matrix_; }
+  const Ring_matrix<FT>& matrix() const { return points_.matrix; }
   const Ring_matrix<FT>& normal_matrix() const
   {
-    return has_normal_rows ? normal_matrix_ : matrix_;
+    return has_normal_rows ? normals_.matrix : points_.matrix;
   }
-  const Ring_row<FT>& limit_row() const { return limit_row_; }
+  const Ring_row<FT>& limit_row() const { return points_.limit_row; }
   const Ring_row<FT>& normal_limit_row() const
   {
-    return has_normal_rows ? normal_limit_row_ : limit_row_;
+    return has_normal_rows ? normals_.limit_row : points_.limit_row;
   }
 
   bool has_tangents() const { return !tangents_[0].empty(); }
   const std::array<std::vector<double>, 2>& tangents() const { return tangents_; }
   double lambda() const { return lambda_; }
+  double normal_ratio() const { return normal_ratio_; }
   double largest_other() const { return largest_other_; }
+  bool is_at_border() const { return is_at_border_; }
 
   // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
   Level_connectivity::Index transfer_valence() const { return transfer_valence_; }
@@ -185,41 +210,84 @@ public:
   // while it is not one yet; up to 0.8 was measured then.
   double error_factor() const { return (std::max)(1., 1.5 * error_ratio() / (1 - error_ratio())); }
 
-  // the rings of the next round
-  void refine(const Stored_value* rings, Value* next) const
+  // the rings after a step; those before it may be overwritten
+  void refine(Stored_value* rings, Value* next) const
   {
-    average(rows_, normal_rows_, rings, next);
+    for (unsigned r = 0; r < rounds(); ++r) {
+      if (r != 0) std::copy(next, next + largest_size_ * copies_, rings);
+      average(points_.rows[r], has_normal_rows ? &normals_.rows[r] : nullptr, rings, next);
+    }
   }
   // the averages of the limit mask, one a ring
   void limit(const Stored_value* rings, Value* result) const
   {
-    average(limit_, normal_limit_, rings, result);
+    average(points_.limit, has_normal_rows ? &normals_.limit : nullptr, rings, result);
   }
 
 private:
   static constexpr bool has_normal_rows = Has_normal_mask<Scheme>::value;
 
-  static void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>& normal_rows,
+  // of points, or of normals
+  struct Rules
+  {
+    std::vector<Ring_rows<FT>> rows; // of each round
+    Ring_rows<FT> limit;
+    Ring_matrix<FT> matrix; // of all rounds
+    Ring_row<FT> limit_row;
+  };
+
+  struct Tangents
+  {
+    std::array<std::vector<double>, 2> tangents;
+    double lambda, normal_ratio, largest_other;
+  };
+
+  // matrix_of(number, round) gives the rows of a round in a number type
+  template <class Matrix_of>
+  std::optional<Tangents> set_rules(const std::vector<Ring_round>& rounds,
+                                    const Ring_layout& layout, const Matrix_of& matrix_of,
+                                    Rules& rules) const
+  {
+    using Real = Ring_masks::Real;
+    Ring_matrix<Real> real_matrix;
+    for (const Ring_round& r : rounds) {
+      const auto rows = matrix_of(FT(), r);
+      const auto real_rows = matrix_of(Real(), r);
+      if (!rows || !real_rows) return std::nullopt;
+      rules.matrix = rules.rows.empty() ? *rows : product(*rows, rules.matrix);
+      real_matrix = rules.rows.empty() ? *real_rows : product(*real_rows, real_matrix);
+      rules.rows.emplace_back(*rows, copies_);
+    }
+    const Ring_masks masks(real_matrix, layout);
+    if (masks.limit().empty()) return std::nullopt;
+    rules.limit_row = limit_weights(masks.limit(), rules.matrix);
+    rules.limit = Ring_rows<FT>({rules.limit_row}, copies_);
+    Tangents result{{}, masks.lambda(), masks.normal_ratio(), masks.largest_other()};
+    if (masks.has_tangents())
+      for (std::size_t i = 0; i < 2; ++i)
+        result.tangents[i].assign(masks.tangents()[i].begin(), masks.tangents()[i].end());
+    return result;
+  }
+
+  static void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>* normal_rows,
                       const Stored_value* old, Value* result)
   {
     const Block block{};
     for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
       const Stencil_block<FT>& part = rows.blocks()[b];
       if constexpr (has_normal_rows)
-        block(part, normal_rows.blocks()[b], old, result);
+        block(part, normal_rows->blocks()[b], old, result);
       else
         block(part, old, result);
       result += part.number_of_rows();
     }
   }
 
-  std::size_t size_, copies_;
-  bool is_valid_ = false, is_interpolating_ = false;
-  Ring_rows<FT> rows_, normal_rows_, limit_, normal_limit_;
-  Ring_matrix<FT> matrix_, normal_matrix_;
-  Ring_row<FT> limit_row_, normal_limit_row_;
+  std::size_t size_, largest_size_ = 0, copies_ = 1;
+  bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
+  Rules points_, normals_;
   std::array<std::vector<double>, 2> tangents_;
-  double lambda_ = 0, largest_other_ = 0;
+  double lambda_ = 0, normal_ratio_ = 0, largest_other_ = 0;
   Level_connectivity::Index transfer_valence_ = 0;
 };
 

@@ -35,12 +35,14 @@ struct Ring_layout
   std::size_t first = 1, number = 0; // the places of the neighbors
   bool at_border = false;            // then they take a half turn, and otherwise a full one
   bool clockwise = true;
+  bool has_diagonals = false; // on the border: one between any two neighbors, behind all of these
 };
 
 // Left eigenvectors of a ring matrix, by iteration: that of the eigenvalue 1, the limit mask; two that
 // span the space of the next two, the tangent masks, if these are set apart from all others. The
 // iteration starts with the sine and cosine of the angle of the neighbors. About an interior vertex
 // it then stays among the vectors of that frequency, and ends after some fifty steps for any valence.
+// On the border the next two may belong to a net that folds: the right eigenvectors tell.
 class Ring_masks
 {
 public:
@@ -53,6 +55,7 @@ public:
     find_limit();
     find_tangents(layout);
     find_largest_other();
+    if (layout.at_border && has_tangents()) check_border(layout);
   }
 
   // sums to 1 but for rounding; empty if the powers of the matrix do not converge
@@ -63,6 +66,9 @@ public:
   bool has_tangents() const { return !tangents_[0].empty(); }
   // the root of the product of the two eigenvalues of the tangents
   double lambda() const { return lambda_; }
+  // the square of the larger one of these eigenvalues: what errors of a normal by the tangents fall by in a
+  // round
+  double normal_ratio() const { return normal_ratio_; }
   // the modulus of the largest eigenvalue besides 1 and those of the tangents, within some percent
   double largest_other() const { return largest_other_; }
 
@@ -208,6 +214,7 @@ private:
     // what shrinks by the square of the larger one is no part of a plane
     if (!(smaller > larger * larger * 1.001L)) return;
     lambda_ = static_cast<double>(std::sqrt(product));
+    normal_ratio_ = static_cast<double>(larger * larger);
     smaller_ = static_cast<double>(smaller);
     const auto part = [&](std::size_t i, const Vector& wave) {
       Real sum = 0;
@@ -245,10 +252,60 @@ private:
     if (has_tangents() && largest_other_ > smaller_ * (1 - 1e-4)) tangents_ = {};
   }
 
+  // Right vectors that the left ones of the tangents belong to, in some basis: nets tend to an affine
+  // image of the plane net that they are the coordinates of. Empty if they are not found.
+  std::array<Vector, 2> plane_net() const
+  {
+    std::array<Vector, 2> u = {noise(4), noise(5)};
+    const double ratio = largest_other_ / smaller_;
+    const int steps = ratio > 1e-4 ? static_cast<int>(40 / -std::log(ratio)) : 4;
+    for (int k = 0; k < (std::min)(steps, max_steps); ++k) {
+      for (Vector& x : u) {
+        x = matrix_times(x);
+        const Real constant = dot(limit_, x);
+        for (Real& value : x) value -= constant;
+      }
+      if (!orthonormalize(u)) return {};
+    }
+    return u;
+  }
+
+  // There is a tangent plane if the faces at the vertex lie side by side in the plane net, in less than a full
+  // turn. This tells the sides of the plane, too.
+  void check_border(const Ring_layout& layout)
+  {
+    const std::array<Vector, 2> u = plane_net();
+    const std::array<Vector, 2> t = std::exchange(tangents_, {});
+    if (u[0].empty()) return;
+    std::vector<std::size_t> places;
+    for (std::size_t s = 0; s < layout.number; ++s) {
+      places.push_back(layout.first + s);
+      if (layout.has_diagonals && s + 1 < layout.number)
+        places.push_back(layout.first + layout.number + s);
+    }
+    const auto place = [&](std::size_t k) { return Vector{u[0][places[k]], u[1][places[k]]}; };
+    Real largest = 0, turn = 0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      largest = (std::max)(largest, dot(place(k), place(k)));
+    bool is_left = false;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      const Vector a = place(k), b = place(k + 1);
+      const Real sine = a[0] * b[1] - a[1] * b[0];
+      if (k == 0) is_left = sine > 0;
+      if (!((is_left ? sine : -sine) > 1e-6L * largest)) return;
+      turn += std::atan2(std::abs(sine), dot(a, b));
+    }
+    if (!(turn < 2 * std::acos(Real(-1)) - 1e-6L)) return;
+    tangents_ = t;
+    const Real area = dot(t[0], u[0]) * dot(t[1], u[1]) - dot(t[0], u[1]) * dot(t[1], u[0]);
+    if ((area > 0) == (is_left == layout.clockwise))
+      for (Real& w : tangents_[1]) w = -w;
+  }
+
   const Ring_matrix<Real>& matrix_;
   Vector limit_;
   std::array<Vector, 2> tangents_;
-  double lambda_ = 0, smaller_ = 0, largest_other_ = 0;
+  double lambda_ = 0, smaller_ = 0, normal_ratio_ = 0, largest_other_ = 0;
 };
 
 } // namespace internal

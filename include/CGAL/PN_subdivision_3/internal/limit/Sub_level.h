@@ -13,13 +13,41 @@
 
 #include <cstddef>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// Numbers that some elements of a level get: in a table of all if they may be many.
+class Element_numbers
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Element_numbers(std::size_t all, bool are_many)
+    : table_(are_many ? all : 0, Level_connectivity::null)
+  {}
+
+  // whether the element had no number
+  bool insert(Index element, Index number)
+  {
+    if (table_.empty()) return few_.emplace(element, number).second;
+    if (table_[element] != Level_connectivity::null) return false;
+    table_[element] = number;
+    return true;
+  }
+  // of an element that has one
+  Index operator[](Index element) const
+  {
+    return table_.empty() ? few_.find(element)->second : table_[element];
+  }
+
+private:
+  std::vector<Index> table_;
+  std::unordered_map<Index, Index> few_;
+};
 
 // The faces within some rings about the center vertices of a level, as a level of its own. Rounds of
 // a scheme on it are those of the whole level but near the border that cutting it out has made. A
@@ -32,6 +60,8 @@ public:
   // `centers` has no vertex twice, and none without edges
   Sub_level(const Level_connectivity& level, const std::vector<Index>& centers, unsigned rings)
     : whole_(level)
+    , are_many_(16 * centers.size() >= level.number_of_vertices())
+    , edge_(level.number_of_edges(), are_many_)
   {
     collect_faces(centers, rings);
     number_edges();
@@ -58,17 +88,19 @@ private:
   void collect_faces(const std::vector<Index>& centers, unsigned rings)
   {
     std::vector<Index> ring = centers, next_ring;
-    std::unordered_set<Index> vertices(centers.begin(), centers.end()), faces;
+    Element_numbers vertices(whole_.number_of_vertices(), are_many_),
+      faces(whole_.number_of_faces(), are_many_);
+    for (const Index v : centers) vertices.insert(v, 0);
     for (unsigned r = 0; r < rings; ++r) {
       next_ring.clear();
       for (const Index v : ring) {
         const Index first = whole_.halfedge_of_vertex(v);
         Index h = first;
         do {
-          if (!whole_.is_border(h) && faces.insert(whole_.face(h)).second) {
+          if (!whole_.is_border(h) && faces.insert(whole_.face(h), 0)) {
             faces_.push_back(whole_.face(h));
             for (Index g = whole_.next(h); g != h; g = whole_.next(g))
-              if (vertices.insert(whole_.target(g)).second) next_ring.push_back(whole_.target(g));
+              if (vertices.insert(whole_.target(g), 0)) next_ring.push_back(whole_.target(g));
           }
           h = whole_.next_around_target(h);
         } while (h != first);
@@ -83,22 +115,19 @@ private:
       const Index first = whole_.halfedge_of_face(f);
       Index h = first;
       do {
-        if (edge_.emplace(Level_connectivity::edge(h), static_cast<Index>(edges_.size())).second)
+        if (edge_.insert(Level_connectivity::edge(h), static_cast<Index>(edges_.size())))
           edges_.push_back(Level_connectivity::edge(h));
         h = whole_.next(h);
       } while (h != first);
     }
-    face_.assign(2 * edge_.size(), null);
-    next_.assign(2 * edge_.size(), null);
-    prev_.assign(2 * edge_.size(), null);
-    vertex_.assign(2 * edge_.size(), null);
+    face_.assign(2 * edges_.size(), null);
+    next_.assign(2 * edges_.size(), null);
+    prev_.assign(2 * edges_.size(), null);
+    vertex_.assign(2 * edges_.size(), null);
   }
 
   // the number here of a half-edge of the whole level
-  Index halfedge(Index h) const
-  {
-    return 2 * edge_.find(Level_connectivity::edge(h))->second + (h & 1u);
-  }
+  Index halfedge(Index h) const { return 2 * edge_[Level_connectivity::edge(h)] + (h & 1u); }
 
   void link_faces()
   {
@@ -167,10 +196,11 @@ private:
   }
 
   const Level_connectivity& whole_;
+  bool are_many_;
+  Element_numbers edge_;
   Level_connectivity level_;
   std::vector<Index> centers_, origin_;
-  std::vector<Index> faces_, edges_; // of the whole level
-  std::unordered_map<Index, Index> edge_;
+  std::vector<Index> faces_, edges_;               // of the whole level
   std::vector<Index> face_, next_, prev_, vertex_; // of half-edges
   std::vector<Index> halfedge_of_vertex_;
   std::size_t corners_ = 0;

@@ -46,6 +46,26 @@ public:
     if (rings > 1) append_outer_rings(level, h, rings, ring);
   }
 
+  // The first ring that the vertex will have in the next round of a host that splits edges, in the
+  // same order.
+  template <class Host>
+  static void append_next(const Level_connectivity& level, const Host& host, Index v,
+                          std::vector<Index>& ring)
+  {
+    const Index first = level.halfedge_of_vertex(v);
+    ring.push_back(v);
+    Index h = first;
+    do {
+      h = level.next(h);
+      ring.push_back(host.vertex_of_edge(Level_connectivity::edge(h)));
+      h = Level_connectivity::opposite(h);
+    } while (h != first);
+    if constexpr (Host::refined_degree == 4) do {
+        if (!level.is_border(h)) ring.push_back(host.vertex_of_face(level.face(h)));
+        h = level.next_around_target(h);
+      } while (h != first);
+  }
+
 private:
   static void append_outer_rings(const Level_connectivity& level, Index h, unsigned rings,
                                  std::vector<Index>& ring)
