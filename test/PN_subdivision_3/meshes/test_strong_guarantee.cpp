@@ -8,6 +8,7 @@
 
 // Whatever fails, wherever it fails: the mesh and its maps are as they were, and serve again.
 
+#include "Failing_allocations.h"
 #include "Mesh_cases.h"
 
 #include <CGAL/PN_subdivision_3.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -25,79 +25,8 @@
 #include <type_traits>
 #include <vector>
 
-// \name Allocations of this program that can be told to fail
-
-namespace {
-
-std::atomic<long> allocations_left{std::numeric_limits<long>::max()};
-
-void* allocate(std::size_t size)
-{
-  if (allocations_left.fetch_sub(1) <= 0) throw std::bad_alloc();
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-
-void* allocate(std::size_t size, std::align_val_t alignment)
-{
-  if (allocations_left.fetch_sub(1) <= 0) throw std::bad_alloc();
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-
-} // namespace
-
-void* operator new(std::size_t size)
-{
-  return allocate(size);
-}
-void* operator new[](std::size_t size)
-{
-  return allocate(size);
-}
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-  return allocate(size, alignment);
-}
-void* operator new[](std::size_t size, std::align_val_t alignment)
-{
-  return allocate(size, alignment);
-}
-void operator delete(void* p) noexcept
-{
-  std::free(p);
-}
-void operator delete[](void* p) noexcept
-{
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept
-{
-  std::free(p);
-}
-void operator delete[](void* p, std::size_t) noexcept
-{
-  std::free(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept
-{
-  std::free(p);
-}
-void operator delete[](void* p, std::align_val_t) noexcept
-{
-  std::free(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept
-{
-  std::free(p);
-}
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept
-{
-  std::free(p);
-}
-
 using namespace mesh_cases;
+using failing_allocations::Allocation_limit;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -385,13 +314,6 @@ long fail_in_maps(const Soup& soup, bool loop)
     return failure_of([&] { subdivide_as_asked<Tag>(loop, mesh, np); });
   });
 }
-
-// lets the k-th allocation of its lifetime fail, and all that follow
-struct Allocation_limit
-{
-  explicit Allocation_limit(long k) { allocations_left = k - 1; }
-  ~Allocation_limit() { allocations_left = std::numeric_limits<long>::max(); }
-};
 
 template <class Maker, class Tag>
 long fail_in_allocations(const Soup& soup, bool loop, unsigned rounds)
