@@ -25,6 +25,7 @@ import pathlib
 import queue
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -37,7 +38,8 @@ HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
 RESULTS = ROOT / "scripts" / "mutation_results.tsv"
 WORK = ROOT / "build" / "mutate"
 TIME_LIMIT = 900  # seconds of one change
-MEMORY_LIMIT = 4 << 30  # bytes, for wrong changes that do not end
+PROCESSOR_LIMIT = 240  # seconds of one test; far beyond what any takes
+MEMORY_LIMIT = 4 << 30  # bytes of one test
 # clang++ takes half the time; "ccache clang++" spares sources that do not see the change
 COMPILER = (os.environ.get("CXX") or shutil.which("clang++") or "g++").split()
 IS_CLANG = "clang" in COMPILER[-1]
@@ -135,12 +137,15 @@ def compile_test(test, folder, deadline):
 def run_test(program, deadline):
     """None if it passes, otherwise what failed."""
     try:
-        run = subprocess.run(["prlimit", f"--as={MEMORY_LIMIT}", program, "--gtest_fail_fast", "--gtest_brief=1"],
-                             capture_output=True, text=True, errors="replace", timeout=deadline - time.monotonic())
+        run = subprocess.run(["prlimit", f"--as={MEMORY_LIMIT}", f"--cpu={PROCESSOR_LIMIT}", program,
+                              "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, text=True,
+                             errors="replace", timeout=deadline - time.monotonic())
     except subprocess.TimeoutExpired:
         return "does not end"
     if run.returncode == 0:
         return None
+    if run.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return "does not end"
     failed = [line.split("]")[1].split(",")[0].split("(")[0].strip()
               for line in run.stdout.splitlines() if line.startswith("[  FAILED  ]") and "." in line]
     return failed[0] if failed else f"ends with {run.returncode}"
