@@ -8,34 +8,47 @@
 # Author(s): PN_subdivision_3 developers
 """Puts small wrong changes into the headers, one at a time, and runs the tests that must notice.
 
-    scripts/mutate.py [--list] [--check] [--unchanged] [--first N] [NAME...]
+    scripts/mutate.py [--list] [--check] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
 
-NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes hours of one core: only
-the named tests are compiled for each, at -O0, by $CXX or clang++. --check tells whether every pattern is still found, --unchanged
-runs the tests of the selection on headers as they are (all have to pass), --first tries the first N.
+NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes an hour or two: only the
+named tests are compiled for each, at -O0, by $CXX or clang++, up to the first that fails. Verdicts are added to
+scripts/mutation_results.tsv; changes that have one there are only tried with --again. --check tells whether every
+pattern is still found, --unchanged runs the tests of the selection on headers as they are (all have to pass),
+--table writes the page of the manual from the verdicts.
 Exit code 1 if a change survives that is not expected to, or cannot be made.
 """
 
 import argparse
+import concurrent.futures
 import os
 import pathlib
+import queue
 import re
-import resource
 import shutil
+import signal
 import subprocess
 import sys
+import threading
+import time
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TESTS = ROOT / "test" / "PN_subdivision_3"
 HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
+RESULTS = ROOT / "scripts" / "mutation_results.tsv"
 WORK = ROOT / "build" / "mutate"
-TIME_LIMIT = 600  # seconds of one test
-MEMORY_LIMIT = 4 << 30  # bytes, for wrong changes that do not end
+TIME_LIMIT = 900  # seconds of one change
+PROCESSOR_LIMIT = 240  # seconds of one test; far beyond what any takes
+MEMORY_LIMIT = 4 << 30  # bytes of one test
 # clang++ takes half the time; "ccache clang++" spares sources that do not see the change
 COMPILER = (os.environ.get("CXX") or shutil.which("clang++") or "g++").split()
-OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", f"-I{TESTS}", f"-I{TESTS}/support",
-           "-isystem", "/usr/include/eigen3"]
+IS_CLANG = "clang" in COMPILER[-1]
+OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", "-isystem", "/usr/include/eigen3"]
+# precompiled once: no change alters them
+THIRD_PARTY = ["gtest/gtest.h", "CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Polyhedron_3.h",
+               "CGAL/Simple_cartesian.h", "CGAL/Surface_mesh.h", "CGAL/subdivision_method_3.h", "Eigen/Dense"]
+COLUMNS = ["name", "verdict", "test", "what failed", "seconds"]
+printing = threading.Lock()
 
 
 def mutations():
@@ -52,10 +65,46 @@ def changed_text(mutation):
     return None if changed == text else changed
 
 
-def compile_references():
-    """The reference implementations, which include nothing of the package."""
+# --- verdicts ---
+
+
+def read_results():
+    if not RESULTS.exists():
+        return {}
+    rows = [line.split("\t") for line in RESULTS.read_text().splitlines()[1:]]
+    return {row[0]: dict(zip(COLUMNS, row)) for row in rows}
+
+
+def add_result(result):
+    with printing:
+        results = {**read_results(), result["name"]: result}
+        order = {m["name"]: i for i, m in enumerate(mutations())}
+        rows = sorted((r for r in results.values() if r["name"] in order), key=lambda r: order[r["name"]])
+        RESULTS.write_text("\n".join("\t".join(map(str, row)) for row in [COLUMNS, *(r.values() for r in rows)]) + "\n")
+        print(f"{result['verdict']:<9} {result['name']}: {result['test']} {result['what failed']}", flush=True)
+
+
+# --- compilation ---
+
+
+def prepare(jobs):
+    """Folders with a copy of the headers for each job, the third-party headers and the references compiled."""
+    os.environ.setdefault("CCACHE_SLOPPINESS", "pch_defines,time_macros")
+    WORK.mkdir(parents=True, exist_ok=True)
+    folders = queue.Queue()
+    for job in range(jobs):
+        folder = WORK / str(job)
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(ROOT / "include", folder / "include")
+        folders.put(folder)
+    header = WORK / "third_party.h"
+    if IS_CLANG and not header.with_suffix(".pch").exists():
+        header.write_text("".join(f"#include <{name}>\n" for name in THIRD_PARTY))
+        subprocess.run([*COMPILER, *OPTIONS, "-x", "c++-header", str(header), "-o", str(header.with_suffix(".pch"))],
+                       check=True)
     for source in (TESTS / "reference").glob("*.cpp"):
         subprocess.run([*COMPILER, *OPTIONS, "-c", str(source), "-o", str(WORK / (source.stem + ".o"))], check=True)
+    return folders
 
 
 def sources(test):
@@ -65,62 +114,144 @@ def sources(test):
     return [first, *sorted(further)]
 
 
-def compile_and_run(test, include):
-    """What a test says of the headers in a folder: None if it passes, otherwise what failed."""
-    program = WORK / test.replace("/", "_")
+def compile_test(test, folder, deadline):
+    """The program, or None and the error."""
+    program = folder / test.replace("/", "_")
     program.unlink(missing_ok=True)
-    objects = []
-    (WORK / "tests").mkdir(exist_ok=True)
-    for source in sources(test):
-        objects.append(str(WORK / "tests" / (source.stem + ".o")))
-        compilation = subprocess.run([*COMPILER, *OPTIONS, f"-I{include}", f'-DPN_DATA_DIR="{ROOT}/data/meshes"',
-                                      f'-DPN_TEST_REAL_MESH_DIR="{WORK}"', '-DPN_TEST_EXTRA_MESH_DIR=""', "-c",
-                                      str(source), "-o", objects[-1]], capture_output=True, text=True)
-        if compilation.returncode != 0:
-            break
-    else:
-        compilation = subprocess.run([*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest",
-                                      "-lgtest_main", "-lmpfr", "-lgmp", "-lpthread"], capture_output=True, text=True)
-    if compilation.returncode != 0:
-        errors = [line for line in compilation.stderr.splitlines() if "error" in line]
-        return "does not compile: " + (errors[0] if errors else compilation.stderr[:200])
+    options = [*OPTIONS, f"-I{TESTS}", f"-I{TESTS}/support", f"-I{folder}/include",
+               f'-DPN_DATA_DIR="{ROOT}/data/meshes"', f'-DPN_TEST_REAL_MESH_DIR="{WORK}"',
+               '-DPN_TEST_EXTRA_MESH_DIR=""']
+    if IS_CLANG:
+        options += ["-include-pch", str(WORK / "third_party.pch")]
+    objects = [str(folder / (source.stem + ".o")) for source in sources(test)]
+    link = [*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest", "-lgtest_main", "-lmpfr",
+            "-lgmp", "-lpthread"]
+    for command in [[*COMPILER, *options, "-c", str(s), "-o", o] for s, o in zip(sources(test), objects)] + [link]:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=deadline - time.monotonic())
+        if done.returncode != 0:
+            errors = [line for line in done.stderr.splitlines() if "error" in line]
+            return None, "does not compile: " + (errors[0] if errors else done.stderr[:200])
+    return program, ""
+
+
+def run_test(program, deadline):
+    """None if it passes, otherwise what failed."""
     try:
-        run = subprocess.run([program, "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, text=True,
-                             errors="replace", timeout=TIME_LIMIT,
-                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT)))
+        run = subprocess.run(["prlimit", f"--as={MEMORY_LIMIT}", f"--cpu={PROCESSOR_LIMIT}", program,
+                              "--gtest_fail_fast", "--gtest_brief=1"], capture_output=True, text=True,
+                             errors="replace", timeout=deadline - time.monotonic())
     except subprocess.TimeoutExpired:
         return "does not end"
     if run.returncode == 0:
         return None
+    if run.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return "does not end"
     failed = [line.split("]")[1].split(",")[0].split("(")[0].strip()
               for line in run.stdout.splitlines() if line.startswith("[  FAILED  ]") and "." in line]
     return failed[0] if failed else f"ends with {run.returncode}"
 
 
-def try_mutation(mutation):
-    """Whether all is as it should be; says what happened."""
+def first_failure(tests, folder):
+    """The verdict on the headers of a folder: invalid, caught or survived, the test and what failed."""
+    deadline = time.monotonic() + TIME_LIMIT
+    for test in tests:
+        try:
+            program, error = compile_test(test, folder, deadline)
+        except subprocess.TimeoutExpired:
+            return "INVALID", test, "compiles for too long"
+        if program is None:
+            return "INVALID", test, error
+        failure = run_test(program, deadline)
+        if failure is not None:
+            return "caught", test, failure
+    return "SURVIVED", " ".join(tests), ""
+
+
+def try_mutation(mutation, folders):
+    """The verdict on a change; it is added to the file of verdicts."""
     changed = changed_text(mutation)
-    if changed is None:
-        print(f"NOT FOUND  {mutation['name']}: {mutation['file']} lacks the pattern", flush=True)
-        return False
-    include = WORK / "include"
-    file = include / HEADERS / mutation["file"]
-    original = file.read_text()
-    file.write_text(changed)
-    try:
-        for test in mutation["tests"]:
-            failure = compile_and_run(test, include)
-            if failure is not None and failure.startswith("does not compile"):
-                print(f"INVALID    {mutation['name']}: {test} {failure}", flush=True)
-                return False
-            if failure is not None:
-                print(f"caught     {mutation['name']}: {test}, {failure}", flush=True)
-                return True
-    finally:
-        file.write_text(original)
-    reason = mutation.get("survives")
-    print(f"{'survives   ' if reason else 'SURVIVED   '}{mutation['name']}: {reason or mutation['tests']}", flush=True)
-    return reason is not None
+    began = time.monotonic()
+    verdict = "INVALID", "", "the pattern is not found"
+    if changed is not None:
+        folder = folders.get()
+        file = folder / "include" / HEADERS / mutation["file"]
+        original = file.read_text()
+        file.write_text(changed)
+        try:
+            verdict = first_failure(mutation["tests"], folder)
+        finally:
+            file.write_text(original)
+            folders.put(folder)
+    if verdict[0] == "SURVIVED" and "survives" in mutation:
+        verdict = "survives", verdict[1], ""
+    add_result(dict(zip(COLUMNS, [mutation["name"], *verdict, round(time.monotonic() - began)])))
+    return verdict[0] in ("caught", "survives")
+
+
+def try_unchanged(test, folders):
+    folder = folders.get()
+    verdict = first_failure([test], folder)
+    folders.put(folder)
+    print(f"{'passes' if verdict[0] == 'SURVIVED' else 'FAILS '} {test} {verdict[2]}", flush=True)
+    return verdict[0] == "SURVIVED"
+
+
+# --- the page of the manual ---
+
+PAGE = """// written by scripts/mutate.py --table
+namespace CGAL {{
+/*!
+\\page PN_subdivision_3_mutations Wrong Changes on Purpose
+
+\\cgalAutoToc
+
+A suite is worth what it finds. `scripts/mutate.py` puts small wrong changes into the headers, one at a time: a weight,
+a sign, a rule of a border, an index that is one off, a check that is left out. Of the tests that are named for the
+change (the file `scripts/mutations.toml` has both) one has to fail; each of these tests passes on headers as they
+are. The verdicts, with the test that failed first, are in `scripts/mutation_results.tsv`; verdicts that were not
+obtained yet are obtained by running the script again.
+
+\\section PN_subdivision_3_mutations_numbers Numbers
+
+By the folder of the changed header below `include/CGAL/PN_subdivision_3/`, or below `internal/` there:
+
+| Headers | Changes | Caught | Survive | Not run |
+|---|---:|---:|---:|---:|
+{rows}
+
+\\section PN_subdivision_3_mutations_survivors Changes that No Test Notices
+
+{survivors}
+
+\\section PN_subdivision_3_mutations_not_run Changes that Were Not Run
+
+{not_run}
+*/
+}} // namespace CGAL
+"""
+
+
+def write_table(name):
+    results = read_results()
+    subjects = {}
+    for m in mutations():
+        subject = pathlib.PurePath(m["file"].removeprefix("internal/")).parent.name
+        verdict = results.get(m["name"], {"verdict": ""})["verdict"]
+        subjects.setdefault(subject, []).append(verdict if verdict in ("caught", "survives", "SURVIVED") else "")
+    subjects["**all**"] = sum(subjects.values(), [])
+
+    def row(subject, verdicts):
+        counts = [len(verdicts), verdicts.count("caught"), sum("surv" in v.lower() for v in verdicts), verdicts.count("")]
+        return " | ".join(["| " + subject, *map(str, counts)]) + " |"
+
+    def items(lines):
+        return "\n".join(f"- {line}" for line in lines) or "None."
+
+    pathlib.Path(name).write_text(PAGE.format(
+        rows="\n".join(row(*item) for item in subjects.items()),
+        survivors=items(f"*{m['name']}* (`{m['file']}`): {m.get('survives', 'a test is missing')}." for m in mutations()
+                        if "surv" in results.get(m["name"], {"verdict": ""})["verdict"].lower()),
+        not_run=items(f"*{m['name']}*" for m in mutations() if m["name"] not in results)))
 
 
 def main():
@@ -129,11 +260,14 @@ def main():
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--unchanged", action="store_true")
-    parser.add_argument("--first", type=int)
+    parser.add_argument("--table", metavar="FILE")
+    parser.add_argument("--again", action="store_true")
+    parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
 
-    selected = [m for m in mutations()
-                if not options.names or any(name in m["name"] for name in options.names)][:options.first]
+    if options.table:
+        return write_table(options.table)
+    selected = [m for m in mutations() if not options.names or any(name in m["name"] for name in options.names)]
     if options.list:
         for m in selected:
             print(m["name"])
@@ -145,19 +279,16 @@ def main():
         print(f"{len(selected) - len(lost)} of {len(selected)} patterns are found")
         return 1 if lost else 0
 
-    shutil.rmtree(WORK, ignore_errors=True)
-    shutil.copytree(ROOT / "include", WORK / "include")
-    compile_references()
+    folders = prepare(options.jobs)
     if options.unchanged:
-        tests = sorted({test for m in selected for test in m["tests"]})
-        results = {test: compile_and_run(test, WORK / "include") for test in tests}
+        work = [(try_unchanged, test) for test in sorted({test for m in selected for test in m["tests"]})]
     else:
-        results = {m["name"]: None if try_mutation(m) else "see above" for m in selected}
-    bad = {name: result for name, result in results.items() if result is not None}
-    for name, result in bad.items():
-        print(f"not as expected: {name}: {result}")
-    print(f"{len(results) - len(bad)} of {len(results)} as expected")
-    return 1 if bad else 0
+        done = {} if options.again else read_results()
+        work = [(try_mutation, m) for m in selected if m["name"] not in done]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        as_expected = list(pool.map(lambda task: task[0](task[1], folders), work))
+    print(f"{sum(as_expected)} of {len(work)} as expected")
+    return 0 if all(as_expected) else 1
 
 
 if __name__ == "__main__":

@@ -70,6 +70,7 @@ Curve_data joined_curve(const std::vector<Curve_data>& parts, PN::Curve_end end,
     [&](const auto& first_part) {
       using Curve = std::decay_t<decltype(first_part)>;
       std::vector<Curve> curves;
+      curves.reserve(parts.size());
       for (const Curve_data& part : parts) curves.push_back(std::get<Curve>(part.points));
       Curve curve = PN::joined_at_corners(curves, end);
       if (end == PN::Curve_end::closed && first < curve.size())

@@ -160,6 +160,7 @@ std::string curve_picture(const std::string& caption, const Curve_data& polygon,
         e = (std::max)(e, exponent(std::get<Curve>(part.points)));
       const Curve control = shifted(std::get<Curve>(polygon.points), -e);
       std::vector<Curve> drawn;
+      drawn.reserve(parts.size());
       for (const Curve_data& part : parts)
         drawn.push_back(shifted(std::get<Curve>(part.points), -e));
       curve_svg::Panel p =

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -209,7 +210,7 @@ struct Charts
   std::vector<std::vector<Uv>> uv;
 };
 
-// a grid with several charts: three that meet in a point, one of a single face, and a slit that ends inside;
+// a grid with several charts: three that meet in a point, one of a single face, and slits that end inside;
 // of quads with two triangles, of quads or of triangles
 Charts charts_of_grid(bool triangles, bool some_triangles = true)
 {
@@ -228,6 +229,7 @@ Charts charts_of_grid(bool triangles, bool some_triangles = true)
       Uv uv{x + 0.2 * y * y + 20 * chart, y + 0.1 * x * y};
       // the slit along x = 5 from y = 6 down to y = 4, where it ends
       if (i == 5 && x == 5 && y > 4) uv[0] += 3 * (y - 4);
+      if (i == 5 && x == 5 && y < 1) uv[0] -= 3; // and from y = 0 up to y = 1
       c.uv.back().push_back(uv);
     }
   };
@@ -393,6 +395,13 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
     for (const Uv& p : c.uv[f]) EXPECT_EQ(corners[f].count(p), 1u);
     const std::size_t m = c.uv[f].size();
     EXPECT_EQ(corners[f].size(), TypeParam::Host::refined_degree == 3 ? 15u : 6 * m + 1);
+    if (TypeParam::Host::refined_degree == 3) continue;
+    Uv mean{0, 0};
+    for (const Uv& p : c.uv[f]) mean[0] += p[0] / double(m), mean[1] += p[1] / double(m);
+    EXPECT_TRUE(
+      std::any_of(corners[f].begin(), corners[f].end(),
+                  [&](const Uv& p) { return std::hypot(p[0] - mean[0], p[1] - mean[1]) < 1e-9; }))
+      << "the middle of face " << f;
   }
 }
 

@@ -85,7 +85,7 @@ private:
     Level_size size;
     size.vertices = size.edges = size.corners = degree;
     size.faces = 1;
-    size.border_valences = 2 * degree;
+    size.border_valences = 2 * std::uint64_t(degree);
     Level_connectivity level(size);
     for (Index i = 0; i < degree; ++i) {
       const Index h = 2 * i, next = 2 * ((i + 1) % degree);
