@@ -11,10 +11,11 @@
     scripts/coverage.py [--least PERCENT] [--jobs N] [TEST...]
     scripts/coverage.py --build build/asan-ubsan
 
-The preset asan-ubsan compiles for this, too (clang++ -fprofile-instr-generate -fcoverage-mapping): the script builds
-it (or the programs named, as test_curves), runs the tests and counts; about an hour on two cores. With --build it only
-counts what has been run in a folder, as by scripts/sanitize.sh address. Programs that failed to build are left out,
-and are named. Needs llvm-profdata and llvm-cov of the same version as clang++.
+The preset asan-ubsan compiles for this, too (clang++ -fprofile-instr-generate -fcoverage-mapping, and nothing
+precompiled: clang++ 14 maps no lines of headers that are): the script builds it (or the programs named, as
+test_curves), runs the tests and counts; more than an hour on two cores. With --build it only counts what has been run in
+a folder, as by scripts/sanitize.sh address: all *.profraw and all programs there. Needs llvm-profdata and llvm-cov of
+the version of clang++.
 
 A line counts once, as run if any instance of its template ran. Prints every file below 100 % with its lines that no
 test runs, then the sum. Exit code 1 below --least (default 95, for all tests).
@@ -51,22 +52,21 @@ def build_and_run(tests, jobs):
 
 
 def programs(build):
-    folder = build / "test" / "PN_subdivision_3"
-    names = sorted(p for p in folder.glob("*test_*") if p.is_file() and os.access(p, os.X_OK))
-    return names + [p for p in [build / "src" / "pn_subdivide" / "pn_subdivide"] if p.exists()]
+    names = [p for pattern in ("test_*", "smoke_*", "pn_subdivide") for p in build.rglob(pattern)]
+    return sorted(p for p in names if p.is_file() and not p.suffix and os.access(p, os.X_OK))
 
 
 def counts(build):
     """For each header of include/ how often its lines ran, all programs together."""
-    profiles = [str(p) for p in (build / PROFILES).glob("*.profraw")]
+    profiles = [str(p) for p in build.rglob("*.profraw") if p.stat().st_size > 0]
     if not profiles:
         sys.exit(f"{build}: no profiles; run the tests first, with LLVM_PROFILE_FILE={profile_pattern(build)}")
-    merged = build / PROFILES / "all.profdata"
+    merged = build / "all.profdata"
     subprocess.run(["llvm-profdata", "merge", "-sparse", "-o", merged, *profiles], check=True)
     result = collections.defaultdict(collections.Counter)
     for program in programs(build):
-        run = subprocess.run(["llvm-cov", "export", "-format=lcov", f"-instr-profile={merged}", program,
-                              ROOT / "include"], capture_output=True, text=True)
+        run = subprocess.run(["llvm-cov", "export", "-format=lcov", "-ignore-filename-regex=^/usr/",
+                              f"-instr-profile={merged}", program], capture_output=True, text=True)
         if run.returncode != 0:
             print(f"{program.name}: not counted ({run.stderr.strip().splitlines()[-1]})")
         count = None
