@@ -57,7 +57,7 @@ threads()
   fi
   local folder=build/tsan
   mkdir -p "$folder"
-  "${CXX:-clang++}" -std=c++17 -O1 -g1 -DNDEBUG -DNOMINMAX -DCGAL_LINKED_WITH_TBB -frounding-math -fsanitize=thread \
+  "${CXX:-clang++}" -std=c++17 -O0 -g1 -DNDEBUG -DNOMINMAX -DCGAL_LINKED_WITH_TBB -frounding-math -fsanitize=thread \
     -Itest/PN_subdivision_3/threads -Iinclude -isystem /usr/include/eigen3 \
     test/PN_subdivision_3/threads/races.cpp -o "$folder/races" -lgmp -lmpfr -lpthread
   "$folder/races"
