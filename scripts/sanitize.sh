@@ -7,13 +7,15 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# The tests under tools that find what tests alone do not.
+# The tests under tools that find what tests alone do not. Debian packages: clang, lld, llvm, valgrind,
+# googletest (its sources, for the containers).
 #
 #   scripts/sanitize.sh [address|threads|containers|valgrind|all] [TEST...]
 #
 # address      address and undefined-behaviour sanitizers over the suite, clang++ at -O0; also counts for
 #              scripts/coverage.py --build build/asan-ubsan. About an hour and a half on two cores.
-# threads      thread sanitizer over the tests of Parallel_tag, with a TBB of plain threads. 10 minutes.
+# threads      thread sanitizer over test/PN_subdivision_3/threads/races.cpp, with a TBB of plain threads: one minute.
+#              With TEST those tests of Parallel_tag, as test_kernels_parallel.
 # containers   tests with the checked containers of libstdc++ (_GLIBCXX_DEBUG), with GoogleTest compiled likewise.
 #              20 minutes.
 # valgrind     the command on a few meshes; COMMAND=PATH is one that is built already (otherwise build/release). With
@@ -49,16 +51,22 @@ address() { preset asan-ubsan "${tests[@]}"; }
 
 threads()
 {
-  local programs=("${tests[@]}")
-  [[ ${#programs[@]} -gt 0 ]] || programs=(test_kernels_parallel test_scheme_properties test_surface_refiner
-                                           test_creased_refiner test_limit_points test_strong_guarantee)
-  preset tsan "${programs[@]}"
+  if [[ ${#tests[@]} -gt 0 ]]; then
+    preset tsan "${tests[@]}"
+    return
+  fi
+  local folder=build/tsan
+  mkdir -p "$folder"
+  "${CXX:-clang++}" -std=c++17 -O0 -g1 -DNDEBUG -DNOMINMAX -DCGAL_LINKED_WITH_TBB -frounding-math -fsanitize=thread \
+    -Itest/PN_subdivision_3/threads -Iinclude -isystem /usr/include/eigen3 \
+    test/PN_subdivision_3/threads/races.cpp -o "$folder/races" -lgmp -lmpfr -lpthread
+  "$folder/races"
 }
 
 containers()
 {
   local compiler=${CXX:-clang++} programs=("${tests[@]}") gtest=/usr/src/googletest/googletest folder=build/containers name source
-  [[ ${#programs[@]} -gt 0 ]] || programs=(test_curves test_schemes test_bad_input test_creases_mesh test_scheme_suite)
+  [[ ${#programs[@]} -gt 0 ]] || programs=(test_bad_input test_surface_refiner test_curves test_creases_mesh test_pieces)
   local flags=(-std=c++17 -O0 -g1 -w -D_GLIBCXX_DEBUG -D_GLIBCXX_DEBUG_PEDANTIC -DNOMINMAX -frounding-math -Iinclude
                -Itest/PN_subdivision_3 -Itest/PN_subdivision_3/support -I"$gtest" -I"$gtest/include"
                -isystem /usr/include/eigen3 -DPN_DATA_DIR="\"$PWD/data/meshes\"" -DPN_TEST_REAL_MESH_DIR='""'

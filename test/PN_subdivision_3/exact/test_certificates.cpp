@@ -168,10 +168,23 @@ std::vector<Control_mesh> small_meshes_for()
   return result;
 }
 
+// Where CGAL's preconditions are on, such a row is not even averaged.
+#if defined(CGAL_NDEBUG) || defined(CGAL_NO_PRECONDITIONS)
+constexpr bool rows_are_checked = false;
+#else
+constexpr bool rows_are_checked = true;
+#endif
+
 TYPED_TEST(Certificate, FailsAtEveryVertexIfAWeightIsChanged)
 {
   for (const Shape& shape : shapes())
     for (const Control_mesh& control : small_meshes_for<TypeParam>()) {
+      if (rows_are_checked) {
+        EXPECT_THROW((Changed_round<TypeParam>(shape, control, tiny, 0)),
+                     CGAL::Precondition_exception)
+          << control.name;
+        continue;
+      }
       const Changed_round<TypeParam> round(shape, control, tiny, 0);
       EXPECT_GT(round.new_vertices, 0u) << control.name;
       EXPECT_EQ(round.off, round.new_vertices) << control.name;

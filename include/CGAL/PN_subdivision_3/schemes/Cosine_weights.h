@@ -32,6 +32,19 @@ struct Has_trigonometry<
   : std::true_type
 {};
 
+// cos(2 pi k / n) to nearest. \pre 0 <= 2k <= n
+inline double nearest_cosine(std::int64_t k, std::int64_t n)
+{
+  static const auto first = [] { // masks are made in every round: k = 1 is what they ask for then
+    std::array<double, 32> cosines{};
+    for (std::size_t i = 2; i < cosines.size(); ++i)
+      cosines[i] = static_cast<double>(cosine_of_turn(1, static_cast<std::int64_t>(i)));
+    return cosines;
+  }();
+  return k == 1 && n < 32 ? first[static_cast<std::size_t>(n)]
+                          : static_cast<double>(cosine_of_turn(k, n));
+}
+
 // \pre 0 <= 2k <= n
 template <class FT>
 FT irrational_cosine(std::int64_t k, std::int64_t n)
@@ -45,7 +58,7 @@ FT irrational_cosine(std::int64_t k, std::int64_t n)
     return FT(
       cos(FT(2) * FT(acos(FT(-1))) * FT(static_cast<double>(k)) / FT(static_cast<double>(n))));
   else
-    return FT(static_cast<double>(cosine_of_turn(k, n)));
+    return FT(nearest_cosine(k, n));
 }
 
 } // namespace internal

@@ -20,41 +20,11 @@
 #  include <tbb/task_group.h>
 #endif
 
-#if defined(CGAL_LINKED_WITH_TBB) && defined(__SANITIZE_THREAD__)
-#  include <sanitizer/tsan_interface.h>
-#endif
-
 #include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-#ifdef CGAL_LINKED_WITH_TBB
-// Tells the thread sanitizer, which does not see it in a TBB that is compiled without, that tasks run
-// after what was before them in the calling thread, and before what comes after. Tasks stay unordered.
-struct Fork_join
-{
-#  ifdef __SANITIZE_THREAD__
-  Fork_join() { __tsan_release(&fork); }
-  ~Fork_join() { __tsan_acquire(&join); }
-  template <class Task>
-  void operator()(const Task& task)
-  {
-    __tsan_acquire(&fork);
-    task();
-    __tsan_release(&join);
-  }
-  char fork, join;
-#  else
-  template <class Task>
-  void operator()(const Task& task)
-  {
-    task();
-  }
-#  endif
-};
-#endif
 
 template <class Concurrency_tag>
 constexpr bool is_parallel_v = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
@@ -115,10 +85,8 @@ private:
     constexpr Index grain = 2048; // a multiple of the block of the averages
     const Index chunks = n / grain + (n % grain != 0);
     tbb::task_group_context context(task_kind, task_traits);
-    Fork_join fork_join;
     const auto do_chunks = [&](const auto& range) {
-      const Index end = range.end() == chunks ? n : range.end() * grain;
-      fork_join([&] { f(range.begin() * grain, end); });
+      f(range.begin() * grain, range.end() == chunks ? n : range.end() * grain);
     };
     tbb::parallel_for(tbb::blocked_range<Index>(0, chunks), do_chunks, context);
   }
@@ -135,9 +103,7 @@ void run_together(Function_ref<void()> f, Function_ref<void()> g)
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel_v<Concurrency_tag>) {
     tbb::task_group_context context(task_kind, task_traits);
-    Fork_join fork_join;
-    tbb::parallel_invoke([&] { fork_join(g); }, [&] { fork_join(f); },
-                         context); // the last one is not spawned
+    tbb::parallel_invoke(g, f, context); // the last one is not spawned
     return;
   }
 #endif
