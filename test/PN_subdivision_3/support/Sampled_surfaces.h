@@ -158,9 +158,9 @@ inline Control_mesh scattered(int rounds, double shift, unsigned seed,
   std::uniform_real_distribution<double> noise(-shift * edge, shift * edge);
   Control_mesh mesh{"scattered", {}, {}, {}};
   for (const Vector& x : d) {
-    const Vector moved =
-      x.normalized() + Vector(noise(generator), noise(generator), noise(generator));
-    add(mesh, surface(moved));
+    // one by one: compilers evaluate arguments in orders of their own
+    const double dz = noise(generator), dy = noise(generator), dx = noise(generator);
+    add(mesh, surface(x.normalized() + Vector(dx, dy, dz)));
   }
   mesh.faces = faces;
   return mesh;
