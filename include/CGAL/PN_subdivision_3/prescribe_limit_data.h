@@ -187,7 +187,8 @@ Computed in `double`, whatever the number type.
   curvature where it cannot be, see above, or where control normals of the 1-ring are zero or more than 60
   degrees from their limit, or with a direction that is zero or that of the normal; the mesh has not been
   changed then
-<br><b>Cost:</b> that of a sparse factorization over the control points that may move, in every step
+<br><b>Cost:</b> that of a sparse factorization over the control points that may move, in every step; a vertex of
+  valence n alone fills n<sup>2</sup> of its entries
 */
 template <
   class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class PrescribedPoints,
