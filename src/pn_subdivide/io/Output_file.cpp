@@ -71,7 +71,7 @@ void Output_file::check(const std::string& file)
 
 fs::path Output_file::regular_target(const std::string& file)
 {
-  const fs::path target = real_target(file);
+  fs::path target = real_target(file);
   const fs::file_status status = checked_status(target);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw Error("this is no file into which pieces can be written at their places");

@@ -26,14 +26,13 @@ struct Ply_content
   const Mesh_data& mesh;
   Column_group of_vertices, of_faces;
   bool has_texture;
-  bool has_short_lists; // of at most 255 values
+  bool has_short_lists = true; // of at most 255 values
 
   explicit Ply_content(const Mesh_data& m)
     : mesh(m)
     , of_vertices(all_of(m.attributes.of_vertices))
     , of_faces(all_of(m.attributes.of_faces))
     , has_texture(!m.attributes.texture.empty())
-    , has_short_lists(true)
   {
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
       if (m.face(f).size() > (has_texture ? 127u : 255u)) has_short_lists = false;
@@ -65,7 +64,7 @@ struct Ply_content
     if (has_depth(texture)) lost.emplace_back("third texture coordinates");
     for (std::size_t f = 0; f < mesh.number_of_faces() && has_texture; ++f) {
       const auto begin = texture.begin() + std::ptrdiff_t(mesh.first_corner(f));
-      const auto end = begin + mesh.face(f).size();
+      const auto end = begin + std::ptrdiff_t(mesh.face(f).size());
       if (std::any_of(begin, end, is_none) && !std::all_of(begin, end, is_none)) {
         lost.emplace_back("texture coordinates of faces that lack some");
         break;

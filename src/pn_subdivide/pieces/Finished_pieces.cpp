@@ -17,7 +17,8 @@
 
 namespace pn_subdivide {
 
-Finished_pieces::Finished_pieces(std::filesystem::path file, std::string job, std::size_t pieces)
+Finished_pieces::Finished_pieces(std::filesystem::path file, const std::string& job,
+                                 std::size_t pieces)
   : file_(std::move(file))
   , first_line_("pn_subdivide " + job)
   , marks_(pieces, '0')

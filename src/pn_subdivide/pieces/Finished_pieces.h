@@ -23,7 +23,7 @@ namespace pn_subdivide {
 class Finished_pieces
 {
 public:
-  Finished_pieces(std::filesystem::path file, std::string job, std::size_t pieces);
+  Finished_pieces(std::filesystem::path file, const std::string& job, std::size_t pieces);
 
   bool exists() const { return std::filesystem::exists(file_); }
   // of no piece

@@ -49,7 +49,7 @@ public:
     }
     if (has_normal_)
       for (const Value& v : window) {
-        const double height = dot<double, dimension>(v.normal, normal_);
+        const auto height = dot<double, dimension>(v.normal, normal_);
         Vector g = normal_;
         for (std::size_t c = 0; c < dimension; ++c) g[c] -= v.normal[c] / height;
         g_.push_back(g);
@@ -81,7 +81,7 @@ public:
       height += dot<double, dimension>(slope, u);
     }
     add_multiple<double, dimension>(dd, height, normal_);
-    const double square = dot<double, dimension>(d, d);
+    const auto square = dot<double, dimension>(d, d);
     add_multiple<double, dimension>(dd, -dot<double, dimension>(d, dd) / square, d);
     for (double& x : dd) x /= square;
     return dd;
