@@ -373,10 +373,11 @@ void expect_border_normals(int degree, const std::vector<int>& faces_with_normal
       const bool tends_to_plane =
         expected.normal_spread < .3L * expected.earlier_spread + 1e-12L && expected.turn < 6;
       // between the two halves of a smooth border a corner is a cusp: it has a plane of second order only
-      if (faces != 1 || has_normal)
+      if (faces != 1 || has_normal) {
         EXPECT_EQ(tends_to_plane, has_normal)
           << what << ": " << expected.normal_spread << " after " << expected.earlier_spread
           << ", turn " << expected.turn;
+      }
       if (!has_normal) continue;
       const Vector normal = to_vector(
         linear ? limits(mesh, PN::linear(Description::scheme()), close(1e-9)).at[0].surface_normal
