@@ -36,8 +36,9 @@ struct With_normals
     normals;
 };
 
+// normals of the first vertices
 template <class A, class B>
-void expect_same(With_normals<A>& a, With_normals<B>& b)
+void expect_same(With_normals<A>& a, With_normals<B>& b, std::size_t number_of_normals)
 {
   ASSERT_EQ(num_vertices(a.mesh), num_vertices(b.mesh));
   ASSERT_EQ(num_faces(a.mesh), num_faces(b.mesh));
@@ -45,7 +46,10 @@ void expect_same(With_normals<A>& a, With_normals<B>& b)
   auto w = vertices(b.mesh).begin();
   for (auto v : vertices(a.mesh)) {
     EXPECT_EQ(get(CGAL::vertex_point, a.mesh, v), get(CGAL::vertex_point, b.mesh, *w));
-    EXPECT_EQ(get(a.normals, v), get(b.normals, *w));
+    if (number_of_normals > 0) {
+      EXPECT_EQ(get(a.normals, v), get(b.normals, *w));
+      --number_of_normals;
+    }
     ++w;
   }
 }
@@ -56,6 +60,7 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
   for (const unsigned rounds : {0u, 1u, 3u})
     for (const bool surface_normals : {false, true}) {
       With_normals<Mesh> one(soup), two(soup);
+      const std::size_t old_vertices = num_vertices(one.mesh);
       const auto np = [](auto& m, unsigned k) {
         return params::vertex_normal_map(m.normals).number_of_iterations(k);
       };
@@ -67,7 +72,9 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
       options.rounds_done = rounds;
       const PN::Limit_report expected =
         PN::move_to_limit(two.mesh, scheme, options, params::vertex_normal_map(two.normals));
-      expect_same(one, two);
+      // what is not asked for is not set at new vertices
+      const bool has_all_normals = surface_normals || !PN::internal::Is_linear<Scheme>::value;
+      expect_same(one, two, has_all_normals ? num_vertices(one.mesh) : old_vertices);
       EXPECT_EQ(report.error, expected.error);
       EXPECT_EQ(report.number_of_stand_ins, expected.number_of_stand_ins);
     }
