@@ -217,7 +217,7 @@ By the folder of the changed header below `include/CGAL/PN_subdivision_3/`, or b
 |---|---:|---:|---:|---:|
 {rows}
 
-\\section PN_subdivision_3_mutations_survivors Changes that No Test Notices
+\\section PN_subdivision_3_mutations_survivors Changes that the Named Tests Do Not Notice
 
 {survivors}
 
@@ -248,7 +248,7 @@ def write_table(name):
 
     pathlib.Path(name).write_text(PAGE.format(
         rows="\n".join(row(*item) for item in subjects.items()),
-        survivors=items(f"*{m['name']}* (`{m['file']}`): {m.get('survives', 'a test is missing')}." for m in mutations()
+        survivors=items(f"*{m['name']}* (`{m['file']}`): {m.get('survives', 'not known whether another test notices it, or one is missing')}." for m in mutations()
                         if "surv" in results.get(m["name"], {"verdict": ""})["verdict"].lower()),
         not_run=items(f"*{m['name']}*" for m in mutations()
                       if results.get(m["name"], {"verdict": "INVALID"})["verdict"] == "INVALID")))
