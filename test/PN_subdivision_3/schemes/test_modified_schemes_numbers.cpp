@@ -11,6 +11,7 @@
 #include "Modified_rings.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/FPU.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Polyhedron_3.h>
@@ -156,6 +157,22 @@ TYPED_TEST(Modified_scheme_numbers, NeedsNoRootsOfTheNumberType)
   expect_weights_of_reference<Number_without_root, TypeParam>(4e-16);
   expect_commutation<Number_without_root, TypeParam>(std::is_same_v<TypeParam, Triangles> ? 1e-18
                                                                                           : 1e-15);
+}
+
+// Intervals are computed with rounding upward: what that leaves behind must not be seen in double.
+TEST(Irrational_weights, DoNotDependOnTheRoundingOfTheCaller)
+{
+  std::vector<double> upward, nearest;
+  const auto append_cosines = [](std::vector<double>& cosines) {
+    for (int n = 5; n <= 200; ++n)
+      for (int k = 1; k < n; ++k) cosines.push_back(PN::cosine_weight<double>(k, n));
+  };
+  {
+    const CGAL::Protect_FPU_rounding<true> rounding(CGAL_FE_UPWARD);
+    append_cosines(upward);
+  }
+  append_cosines(nearest);
+  EXPECT_EQ(upward, nearest);
 }
 
 // Neither the cosine of the mathematical library nor the size of long double is seen: with 80 bits the weights of

@@ -95,7 +95,8 @@ private:
     access.grow(last.refined_size());
     const auto put_range = [&](Index begin, Index end) {
       for (Index v = begin; v < end; ++v) {
-        const Value value{point_of(limits[v].value), normal(limits[v])};
+        const Value value{point_of(limits[v].value),
+                          limit_normal<Scheme>(limits[v], options_.surface_normals)};
         writer.put_values(v, &value, 1);
       }
     };
@@ -105,19 +106,6 @@ private:
     writer.begin_old_vertices();
     put_range(0, old_vertices);
     plain_.put_connectivity(refiner, last, access, [&] { writer.keep(); });
-  }
-
-  template <class Limit>
-  Coordinates<FT, 3> normal(const Limit& limit) const
-  {
-    if (options_.surface_normals && limit.has_surface_normal) {
-      const Coordinates<double, 3>& n = limit.surface_normal;
-      return {FT(n[0]), FT(n[1]), FT(n[2])};
-    }
-    if constexpr (is_pn_v<Scheme>)
-      return limit.value.normal;
-    else
-      return zero_vector<FT, 3>();
   }
 
   const Scheme& scheme_;

@@ -10,6 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WRITER_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
@@ -23,6 +25,23 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// what becomes the normal of a vertex: that of the surface, if it is asked for and exists, otherwise the
+// control normal; zero with a linear scheme
+template <class Scheme, class Average>
+Coordinates<typename Average::FT, 3> limit_normal(const Limit_result<Average>& result,
+                                                  bool surface_normals)
+{
+  using FT = typename Average::FT;
+  if (surface_normals && result.has_surface_normal) {
+    const Coordinates<double, 3>& n = result.surface_normal;
+    return {FT(n[0]), FT(n[1]), FT(n[2])};
+  }
+  if constexpr (is_pn_v<Scheme>)
+    return result.value.normal;
+  else
+    return zero_vector<FT, 3>();
+}
 
 // Writes limits into the maps of a mesh, and puts the old values back if that fails.
 template <class Access, class Scheme, class Point_map, class Normal_map>
@@ -76,14 +95,8 @@ private:
                   [[maybe_unused]] bool surface_normals)
   {
     if constexpr (has_normal_map) {
-      if (surface_normals && result.has_surface_normal) {
-        const Coordinates<double, 3>& n = result.surface_normal;
-        put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
-      } else if constexpr (is_pn_v<Scheme>) {
-        const auto& n = result.value.normal;
-        put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
-      } else
-        put(normals_, vertex(v), Normal(0, 0, 0));
+      const auto n = limit_normal<Scheme>(result, surface_normals);
+      put(normals_, vertex(v), Normal(n[0], n[1], n[2]));
     }
   }
 

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_DOUBLE_DOUBLE_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_DOUBLE_DOUBLE_H
 
+#include <CGAL/FPU.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -139,9 +141,10 @@ inline Double_double Taylor_sum(const Double_double& square, std::size_t s)
   return sum;
 }
 
-// cos(2 pi k / n). \pre 0 <= 2k <= n
+// cos(2 pi k / n), whatever the rounding of the caller is: what is found is kept for others. \pre 0 <= 2k <= n
 inline Double_double cosine_of_turn(std::int64_t k, std::int64_t n)
 {
+  const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   std::int64_t m = 2 * k; // of half turns
   const bool is_negative = 2 * m > n;
   if (is_negative) m = n - m;
