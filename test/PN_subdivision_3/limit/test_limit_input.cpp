@@ -270,7 +270,6 @@ TEST(Limit_input, AnInteriorVertexOfValence2HasALimitPoint)
     EXPECT_TRUE(all.report.is_within_tolerance());
     EXPECT_FALSE(all.at[0].has_surface_normal);
     EXPECT_EQ(all.at[0].surface_normal, all.at[0].control_normal);
-    PN::Limit_options options;
     for (const Limit& l : all.at) EXPECT_TRUE(is_finite(l));
   }
 }
