@@ -72,7 +72,8 @@ public:
   {
     return value_ /= x.value_, *this;
   }
-  friend bool operator==(const Number_without_root& a, const Number_without_root& b)
+  [[maybe_unused]] friend bool operator==(const Number_without_root& a,
+                                          const Number_without_root& b)
   {
     return a.value_ == b.value_;
   }
