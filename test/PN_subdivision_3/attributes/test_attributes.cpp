@@ -505,6 +505,26 @@ TEST(Attributes, AreTheSameInTablesAndByThreads)
 #endif
 }
 
+// Every vertex of the cube is a corner: its slots share one value.
+TEST(Attributes, InTablesAlongCreases)
+{
+  for (const double sharpness : {1.5, std::numeric_limits<double>::infinity()}) {
+    Mesh mesh = make(cube());
+    auto sharp = add<Mesh::Edge_index, double>(mesh, "sharp", sharpness);
+    PN::Attribute_table table;
+    table.vertices.resize(1);
+    table.vertices[0].dimension = 3;
+    for (auto v : mesh.vertices())
+      for (int k = 0; k < 3; ++k) table.vertices[0].values.push_back(mesh.point(v)[k]);
+    PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
+                  params::number_of_iterations(3).edge_is_constrained_map(sharp), table);
+    ASSERT_EQ(table.vertices[0].values.size(), 3 * mesh.number_of_vertices());
+    for (auto v : mesh.vertices())
+      for (unsigned k = 0; k < 3; ++k)
+        EXPECT_NEAR(table.vertices[0].values[3 * v.idx() + k], mesh.point(v)[int(k)], 1e-15);
+  }
+}
+
 // Values that are carried change no bit of the points and normals.
 TEST(Attributes, LeaveThePointsAlone)
 {
@@ -540,6 +560,13 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
   Mesh mesh = make(c.soup);
   const auto before = points(mesh);
   EXPECT_NE(message_of([&] { by_table<CGAL::Sequential_tag>(c, mesh, 1); }).find("50 values"),
+            std::string::npos);
+  PN::Attribute_table table;
+  table.edges.resize(1);
+  table.edges[0].dimension = 0;
+  EXPECT_NE(message_of([&] {
+              PN::subdivide(mesh, PN::CatmullClark_scheme(), params::default_values(), table);
+            }).find("edges has dimension 0"),
             std::string::npos);
 
   auto uv = add<H, Uv>(mesh, "uv");

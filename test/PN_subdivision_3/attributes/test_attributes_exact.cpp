@@ -38,6 +38,14 @@ FT linear_function(const Kernel::Point_3& p)
   return FT(3) * p.x() - FT(2) * p.y() + p.z() / FT(3) + FT(1);
 }
 
+// a type of the user's that takes weights in double, on its right
+struct Load
+{
+  double force = 0;
+  friend Load operator+(const Load& a, const Load& b) { return {a.force + b.force}; }
+  friend Load operator*(const Load& a, double w) { return {a.force * w}; }
+};
+
 Soup with_isolated_vertex(Soup soup)
 {
   soup.points.push_back({7, 7, 7});
@@ -68,17 +76,20 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
     auto t = mesh.add_property_map<Mesh::Vertex_index, FT>("t").first;
     auto v = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v").first;
     auto c = mesh.add_property_map<Mesh::Vertex_index, FT>("c").first;
+    auto load = mesh.add_property_map<Mesh::Vertex_index, Load>("load").first;
     for (auto x : mesh.vertices()) {
       t[x] = linear_function(mesh.point(x));
+      load[x].force = CGAL::to_double(t[x]);
       v[x] = mesh.point(x) - CGAL::ORIGIN;
       c[x] = FT(5) / FT(7);
     }
-    PN::subdivide(
-      mesh, PN::linear(Scheme()), params::number_of_iterations(2),
-      PN::attributes(PN::vertex_attribute(t), PN::vertex_attribute(v), PN::vertex_attribute(c)));
+    PN::subdivide(mesh, PN::linear(Scheme()), params::number_of_iterations(2),
+                  PN::attributes(PN::vertex_attribute(t), PN::vertex_attribute(v),
+                                 PN::vertex_attribute(c), PN::vertex_attribute(load)));
     ASSERT_GT(mesh.number_of_vertices(), soup.points.size());
     for (auto x : mesh.vertices()) {
       EXPECT_EQ(t[x], linear_function(mesh.point(x)));
+      EXPECT_NEAR(load[x].force, CGAL::to_double(t[x]), 1e-13);
       EXPECT_EQ(v[x], mesh.point(x) - CGAL::ORIGIN);
       EXPECT_EQ(c[x], FT(5) / FT(7));
     }

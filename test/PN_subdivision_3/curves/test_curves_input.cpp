@@ -14,6 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -292,6 +293,15 @@ TEST(CurveInput, NoNormalsAreTheLinearScheme)
   for (auto& item : polygon) item.second = Vector(0, 0);
   EXPECT_EQ(refined(polygon, {true, 2}, Curve_end::closed, 3),
             linearly_refined(polygon, {true, 2}, Curve_end::closed, 3));
+}
+
+TEST(Curve_svg, TextIsEscapedAndFailuresAreTold)
+{
+  namespace svg = CGAL::PN_subdivision_3::curve_svg;
+  const std::string title = "x < y & y > z";
+  EXPECT_NE(svg::drawing(title, {}).find("<title>x &lt; y &amp; y &gt; z</title>"),
+            std::string::npos);
+  EXPECT_FALSE(svg::write("no such folder/drawing.svg", title, {}));
 }
 
 // --- intervals ---

@@ -417,6 +417,21 @@ TEST(Curve_limits, AreFiniteForAnyNormals)
   }
 }
 
+TEST(Curve_limits, IntervalsThatDecideNothingAreNamed)
+{
+  using I = CGAL::Simple_cartesian<CGAL::Interval_nt<true>>;
+  const CGAL::Interval_nt<true> near_zero(-1e-3, 1e-3);
+  const Curve_3<I> polygon = {{I::Point_3(1, 0, 0), I::Vector_3(1, 0, 0)},
+                              {I::Point_3(0, 1, 0), I::Vector_3(0, 1, 0)},
+                              {I::Point_3(-1, 0, 0), I::Vector_3(near_zero, near_zero, near_zero)}};
+  try {
+    PN::curve_limit_points(polygon, PN::B_spline_mask(3), Curve_end::closed);
+    FAIL();
+  } catch (const std::domain_error& e) {
+    EXPECT_NE(std::string(e.what()).find("point"), std::string::npos) << e.what();
+  }
+}
+
 TEST(Curve_limits, BadInputIsRefused)
 {
   Curve_3<Double> polygon = wave(7);

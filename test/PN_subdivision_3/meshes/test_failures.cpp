@@ -15,6 +15,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <functional>
 #include <limits>
@@ -39,8 +40,14 @@ struct User_failure : std::runtime_error
   {}
 };
 
-// How often maps may still be read or written; the call after that fails, and no other one.
+// How often maps may still be read or written; the call after that fails, and no other one, or all after it.
 long calls_left = std::numeric_limits<long>::max();
+bool fails_for_good = false;
+
+void count_call()
+{
+  if (--calls_left == 0 || (fails_for_good && calls_left < 0)) throw User_failure();
+}
 
 template <class Map>
 struct Failing_map
@@ -52,12 +59,12 @@ struct Failing_map
 
   friend value_type get(const Failing_map& m, const key_type& k)
   {
-    if (--calls_left == 0) throw User_failure();
+    count_call();
     return get(m.map, k);
   }
   friend void put(const Failing_map& m, const key_type& k, const value_type& x)
   {
-    if (--calls_left == 0) throw User_failure();
+    count_call();
     put(m.map, k, x);
   }
   Map map;
@@ -156,6 +163,31 @@ long fail_everywhere(const Soup& soup, const Job& job, bool in_maps)
   }
 }
 
+// The same for a map that fails at the n-th call and ever after: old values cannot be put back then, but the
+// mesh is as large as before, and what comes out is the failure.
+template <class Mesh, class Job>
+long fail_for_good(const Soup& soup, const Job& job)
+{
+  for (long k = 1;; ++k) {
+    Tagged<Mesh> tagged(soup);
+    const auto before = faces_of(tagged.mesh);
+    fails_for_good = true;
+    calls_left = k;
+    bool has_failed = false;
+    try {
+      job(tagged);
+    } catch (const User_failure&) {
+      has_failed = true;
+    }
+    fails_for_good = false;
+    calls_left = std::numeric_limits<long>::max();
+    if (!has_failed) return k - 1;
+    EXPECT_EQ(faces_of(tagged.mesh), before) << "after " << k;
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(tagged.mesh)) << "after " << k;
+    if (testing::Test::HasFailure()) return k;
+  }
+}
+
 template <class Mesh>
 class Strong_guarantee_of_features : public testing::Test
 {};
@@ -191,6 +223,19 @@ TYPED_TEST(Strong_guarantee_of_features, Limits)
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4);
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 4);
+}
+
+TYPED_TEST(Strong_guarantee_of_features, MapsThatFailForGood)
+{
+  const auto creases = [](auto& t) {
+    PN::CatmullClark_subdivision(
+      t.mesh, t.creased(failing(t.sharp), failing(t.corners), failing(t.corner_normals)));
+  };
+  EXPECT_GE(fail_for_good<TypeParam>(cube(), creases), 12 + 8 + 24);
+  const auto limits = [](auto& t) {
+    PN::move_to_limit(t.mesh, PN::Loop_scheme(), {}, params::vertex_normal_map(failing(t.normals)));
+  };
+  EXPECT_GE(fail_for_good<TypeParam>(tetrahedron(), limits), 4);
 }
 
 TYPED_TEST(Strong_guarantee_of_features, EveryHost)

@@ -158,6 +158,39 @@ TEST(Estimate_control_normals, ObtuseAnglesCountAsTheyAre)
 }
 
 // the area vector of a quad is half the cross product of its diagonals
+// A frustum of radii 1 and 2 and height 1: at the upper rim a corner of the cap and two equal ones of the sides.
+TEST(Estimate_control_normals, FacesWithManyCorners)
+{
+  for (const std::size_t n : {5, 16, 17, 40}) {
+    const double half = pi / double(n), c = std::cos(half);
+    Soup soup;
+    soup.faces.resize(2);
+    for (std::size_t ring : {1, 2})
+      for (std::size_t i = 0; i < n; ++i)
+        soup.points.push_back({double(ring) * std::cos(2 * half * double(i)),
+                               double(ring) * std::sin(2 * half * double(i)), double(2 - ring)});
+    for (std::size_t i = 0, j = 1; i < n; ++i, j = (i + 1) % n) {
+      soup.faces[0].push_back(i);
+      soup.faces[1].push_back(2 * n - 1 - i);
+      soup.faces.push_back({i, n + i, n + j, j});
+    }
+    const double in_cap = pi - 2 * half, in_side = std::acos(-std::sin(half) / std::sqrt(2.));
+    const double side = in_side / std::sqrt(1 + c * c);
+    const Triple expected = unit(2 * side * c, 0, in_cap + 2 * side * c);
+    expect_near(estimate<Double>(soup)[0], expected, 1e-14, std::to_string(n));
+    expect_near(estimate<Epeck>(soup)[0], expected, 1e-13, std::to_string(n));
+    for (const Control_normal_estimate how : both) {
+      const auto normals = estimate<Double>(soup, how);
+      const Triple first = normals[0];
+      EXPECT_GT(first[0], 0.1);
+      for (std::size_t i = 0; i < n; ++i) {
+        const double t = 2 * half * double(i);
+        expect_near(normals[i], {first[0] * std::cos(t), first[0] * std::sin(t), first[2]}, 1e-14);
+      }
+    }
+  }
+}
+
 TEST(Estimate_control_normals, QuadThatIsNotPlanar)
 {
   const Soup soup{{{0, 0, 0}, {2, 0, 1}, {2.5, 3, -0.5}, {-0.5, 2, 1}}, {{0, 1, 2, 3}}};

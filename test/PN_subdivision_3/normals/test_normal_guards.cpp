@@ -130,6 +130,35 @@ TEST(Normal_guards, ReflexCornersKeepTheirAngleWeights)
   for (std::size_t v = 1; v < 10; v += 2) EXPECT_EQ(n[v], a[v]) << v;
 }
 
+// The corners of a cap whose rim is uneven are turned far from its normal, the cap is not; sides slant, so
+// that they are within 60 degrees, too.
+TEST(Normal_guards, CornersOfLargeFacesAreTurnedNoMoreThanTheFaces)
+{
+  for (int n : {9, 16, 17, 40}) {
+    Control_mesh drum{"drum", {}, {{}, {}}, {}};
+    for (int ring : {1, 2})
+      for (int i = 0; i < n; ++i) {
+        const double t = 2 * std::acos(-1.) * i / n;
+        drum.points.push_back({ring * std::cos(t), ring * std::sin(t),
+                               -0.7 * ring + 0.3 / n * std::sin(2.4 * i) * (3 - ring)});
+      }
+    for (int i = 0, j = 1; i < n; ++i, j = (i + 1) % n) {
+      drum.faces[0].push_back(i);
+      drum.faces[1].push_back(2 * n - 1 - i);
+      drum.faces.push_back({i, n + i, n + j, j});
+    }
+    const reference::Face_list list = test_meshes::face_list(drum);
+    const auto points = reference_points(drum);
+    const reference::Control_normals reference(list, points);
+    const auto estimates = estimated(drum), angles = by_angles(drum);
+    EXPECT_LE(largest_distance(estimates, triples(reference.reciprocal())), 64 * ulp) << n;
+    int blended = 0;
+    for (int i = 0; i < n; ++i)
+      if (distance(estimates[std::size_t(i)], angles[std::size_t(i)]) > 1e-3) ++blended;
+    EXPECT_GT(2 * blended, n);
+  }
+}
+
 // the same inside: three edges within 120 degrees, and a polygon around the rest
 TEST(Normal_guards, AReflexCornerOfAnInteriorVertex)
 {

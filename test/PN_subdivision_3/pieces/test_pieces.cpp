@@ -110,3 +110,14 @@ TEST(Pieces, WithNormalsOfAnotherScheme)
     expect_as_subdivide<double>(
       control, PN::with_normal_scheme(PN::Loop_scheme(), PN::modified_Loop_scheme()), 4, {2, 7});
 }
+
+TEST(Pieces, ThatDoNotExistAreRefused)
+{
+  const Control<double> control(random_controls(Kind::polygons, 1).front());
+  const auto np = CGAL::parameters::number_of_iterations(2);
+  EXPECT_THROW((PN::Surface_pieces(control.mesh, PN::CatmullClark_scheme(), 0, np)),
+               std::invalid_argument);
+  const PN::Surface_pieces pieces(control.mesh, PN::CatmullClark_scheme(), 3, np);
+  EXPECT_GT(pieces.piece(2).number_of_faces(), 0u);
+  EXPECT_THROW(pieces.piece(3), std::out_of_range);
+}

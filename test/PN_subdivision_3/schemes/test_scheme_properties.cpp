@@ -412,6 +412,17 @@ TYPED_TEST(Scheme_property, KeepsOldVerticesIfInterpolatory)
   }
 }
 
+TEST(Subdivision_matrix, RoundsThatCannotBeAreRefused)
+{
+  Control_mesh control = test_meshes::single_polygon(3);
+  test_meshes::set_uneven_normals(control, 1);
+  const Surface_mesh triangle = to_surface_mesh(control);
+  EXPECT_THROW(PN::subdivision_matrix(triangle, PN::Loop_scheme(), 0), std::invalid_argument);
+  // an even round cuts the border edge of a face, of which there may be only one
+  EXPECT_THROW(PN::subdivision_matrix(triangle, PN::Sqrt3_scheme(), 2), std::invalid_argument);
+  EXPECT_EQ(PN::subdivision_matrix(triangle, PN::Sqrt3_scheme(), 1).rows(), 4);
+}
+
 // --- threads ---
 
 #ifdef CGAL_LINKED_WITH_TBB
