@@ -42,8 +42,8 @@ def profile_pattern(build):
 
 def build_and_run(tests, jobs):
     subprocess.run(["cmake", "--preset", "asan-ubsan"], check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", BUILD, "-j", str(jobs), *(["--target", *tests] if tests else []),
-                    "--", "-k0"], check=False)
+    subprocess.run(["cmake", "--build", "--preset", "asan-ubsan", "-j", str(jobs),
+                    *(["--target", *tests] if tests else []), "--", "-k0"], check=False, cwd=ROOT)
     for old in (BUILD / PROFILES).glob("*.profraw"):
         old.unlink()
     select = ["-R", "^(" + "|".join(tests) + r")(\.|$)"] if tests else []
