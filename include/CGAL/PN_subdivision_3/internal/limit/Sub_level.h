@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,7 +73,6 @@ public:
   }
 
   const Level_connectivity& level() const { return level_; }
-  Level_connectivity&& take_level() { return std::move(level_); }
   // the centers' numbers in this level, in their order
   const std::vector<Index>& centers() const { return centers_; }
   // of each vertex its number in the whole level

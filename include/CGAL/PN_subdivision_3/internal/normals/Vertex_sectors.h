@@ -29,7 +29,6 @@ public:
 
   Index number_of_sectors() const { return level_.number_of_vertices(); }
   bool is_empty(Index s) const { return level_.is_isolated(s); }
-  Index vertex(Index s) const { return s; }
   Fan fan(Index s) const { return fan_of_vertex(level_, s); }
   Index at_target(Index h) const { return level_.target(h); }
   Index at_source(Index h) const { return level_.source(h); }

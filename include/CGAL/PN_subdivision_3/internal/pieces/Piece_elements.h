@@ -49,11 +49,6 @@ public:
     number_.push_back(number);
     is_owned_.push_back(is_owned ? 1 : 0);
   }
-  void reserve(std::size_t size)
-  {
-    number_.reserve(size);
-    is_owned_.reserve(size);
-  }
 
 private:
   boost::container::vector<Number> number_;
