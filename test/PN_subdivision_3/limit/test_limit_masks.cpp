@@ -127,6 +127,21 @@ TEST(Limit_masks, OfTheBorderAreThoseOfTheCubicBSpline)
   expect_border(triangles, PN::Sqrt3_scheme());
 }
 
+// after an odd round no face has two border edges, and an even round refuses them
+TEST(Limit_masks, OfCornersBeforeAnEvenRoundAreRefused)
+{
+  PN::Limit_options after_one;
+  after_one.rounds_done = 1;
+  for (Control_mesh control :
+       {test_meshes::single_polygon(3), test_meshes::grid(3, 2, false, false, Cells::triangles)}) {
+    test_meshes::set_uneven_normals(control, 2);
+    Surface_mesh mesh = to_surface_mesh(control);
+    EXPECT_NO_THROW(limits(mesh, PN::Sqrt3_scheme(), PN::Limit_options())) << control.name;
+    EXPECT_THROW(limits(mesh, PN::Sqrt3_scheme(), after_one), std::invalid_argument)
+      << control.name;
+  }
+}
+
 // --- the point-normal average of the limit mask ---
 
 using extraordinary_data::Values;

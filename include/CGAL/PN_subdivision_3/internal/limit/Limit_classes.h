@@ -44,7 +44,7 @@ public:
   struct Kind
   {
     std::unique_ptr<Class> ring_class;
-    unsigned rings = 1; // how many the class takes; 0: the vertex and its neighbors on the border
+    unsigned rings = 1; // how many the class takes
   };
 
   explicit Limit_classes(const Scheme& scheme)
@@ -67,9 +67,7 @@ public:
   static void append_ring(const Level_connectivity& level, Index v, const Kind& kind,
                           std::vector<Index>& ring)
   {
-    if (kind.rings != 0) return Vertex_ring::append(level, v, kind.rings, ring);
-    const Index h = level.halfedge_of_vertex(v);
-    ring.insert(ring.end(), {v, level.target(level.next(h)), level.source(h)});
+    Vertex_ring::append(level, v, kind.rings, ring);
   }
 
 private:
@@ -121,8 +119,10 @@ private:
   Kind make_sqrt3_border(Index valence, bool is_odd) const
   {
     const Index triangles = valence - (is_odd ? 1 : 2);
-    // a triangle in a corner, as there is none after an odd round
-    if (triangles == 0) return make_sqrt3_border_curve();
+    if (triangles == 0)
+      throw std::invalid_argument(
+        "PN_subdivision_3: a face has two border edges, as none has after "
+        "an odd round of sqrt(3): `rounds_done` cannot be right");
     std::vector<Level_connectivity> levels = {fan(triangles)};
     const unsigned first = is_odd ? any_round_ : any_round_ + 1;
     if (!is_odd) levels.front() = refined(levels.front(), any_round_);
@@ -138,20 +138,6 @@ private:
     layout.number = valence;
     layout.at_border = true;
     kind.ring_class = std::make_unique<Class>(scheme_, rounds, layout);
-    return kind;
-  }
-
-  // by itself: a curve that is refined in even rounds
-  Kind make_sqrt3_border_curve() const
-  {
-    const Level_connectivity level = refined(fan(2), any_round_);
-    Kind kind;
-    kind.rings = 0;
-    Ring_round round{level, any_round_ + 1, {}};
-    append_ring(level, 0, kind, round.rings.ring);
-    append_ring(refined(level, round.number), 0, kind, round.rings.next_ring);
-    kind.ring_class =
-      std::make_unique<Class>(scheme_, std::vector<Ring_round>{round}, Ring_layout());
     return kind;
   }
 
