@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Creased_limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -17,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -56,18 +58,29 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
     throw std::invalid_argument("PN_subdivision_3: subdivide_to_limit() counts its rounds itself: "
                                 "leave rounds_done 0");
   const unsigned rounds = Parameters::number_of_iterations(np);
+  if (rounds == 0)
+    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
   const auto points = Parameters::point_map(mesh, np);
   const auto normals = Parameters::normal_map(np);
   Limit_report report;
-  if (rounds == 0)
-    report = internal::move_to_limit<Concurrency_tag, typename Parameters::FT>(mesh, scheme, points,
-                                                                               normals, options);
-  else
-    internal::with_mesh_access(mesh, [&](auto& access) {
-      const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
-        subdivision(scheme, rounds, options);
+  internal::with_mesh_access(mesh, [&](auto& access) {
+    using Access = std::decay_t<decltype(access)>;
+    using FT = typename Parameters::FT;
+    const auto edge_map = Parameters::edge_constraint_map(np);
+    const auto vertex_map = Parameters::vertex_constraint_map(np);
+    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
+                                                 std::decay_t<decltype(edge_map)>,
+                                                 std::decay_t<decltype(vertex_map)>>) {
+      const internal::Creased_limit_subdivision<Concurrency_tag, Scheme, FT> subdivision(
+        scheme, rounds, options);
+      report = subdivision(access, points, normals, edge_map, vertex_map);
+    } else {
+      const internal::Limit_subdivision<Concurrency_tag, Scheme, FT> subdivision(scheme, rounds,
+                                                                                 options);
       report = subdivision(access, points, normals);
-    });
+    }
+  });
   return report;
 }
 
