@@ -86,9 +86,9 @@ private:
     tangents.read(creases);
     const Level_size size = checked_refined_size<Host>(level.size(), rounds, Access::index_limit());
     auto values = control_values(access, level, points, normals, creases);
-    typename Control::template Corner_writer<Access, Normal_map> corners(access, level, normals);
     Mesh_writer<Limit_value, Access, Point_map, Vertex_normal_map> writer(
       access, points, Control::template make_vertex_normal_map<Access>(normals), false);
+    typename Control::template Corner_writer<Access, Normal_map> corners(access, level, normals);
     Refiner refiner(scheme_, std::move(level), std::move(creases), {values.begin(), values.end()},
                     for_chunks_);
     std::vector<Value>().swap(values);
