@@ -256,32 +256,35 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const Limit_options
 {
   static_assert(Scheme::Host::keeps_vertices,
                 "the limit points of a dual scheme belong to the faces: see face_limit_points()");
-  using FT = typename Parameters::FT;
-  const auto points = Parameters::point_map(mesh, np);
-  const auto normals = Parameters::normal_map(np);
-  using Normal_map = std::decay_t<decltype(normals)>;
-  const auto for_chunks = For_chunks::with(Concurrency_tag());
   Limit_report report;
-  with_mesh_access(mesh, [&](const auto& access) {
-    using Access = std::decay_t<decltype(access)>;
-    const auto edge_map = Parameters::edge_constraint_map(np);
-    const auto vertex_map = Parameters::vertex_constraint_map(np);
-    require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    if constexpr (has_creased_limits_v<Scheme, Access, Normal_map, std::decay_t<decltype(edge_map)>,
-                                       std::decay_t<decltype(vertex_map)>>)
-      report = creased_vertex_limits<FT>(access, scheme, points, normals, edge_map, vertex_map,
-                                         options, for_chunks, [&](auto& limits, auto& tangents) {
-                                           put_creased_limits(access, limits, tangents, points,
-                                                              normals, options.surface_normals);
-                                         });
-    else
-      report = vertex_limits<FT>(
-        access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
-          Limit_writer<Access, Scheme, std::decay_t<decltype(points)>, Normal_map>(access, points,
-                                                                                   normals)
-            .write(results, options.surface_normals);
-        });
-  });
+  if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
+    using FT = typename Parameters::FT;
+    const auto points = Parameters::point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    using Normal_map = std::decay_t<decltype(normals)>;
+    const auto for_chunks = For_chunks::with(Concurrency_tag());
+    with_mesh_access(mesh, [&](const auto& access) {
+      using Access = std::decay_t<decltype(access)>;
+      const auto edge_map = Parameters::edge_constraint_map(np);
+      const auto vertex_map = Parameters::vertex_constraint_map(np);
+      require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      if constexpr (has_creased_limits_v<Scheme, Access, Normal_map,
+                                         std::decay_t<decltype(edge_map)>,
+                                         std::decay_t<decltype(vertex_map)>>)
+        report = creased_vertex_limits<FT>(access, scheme, points, normals, edge_map, vertex_map,
+                                           options, for_chunks, [&](auto& limits, auto& tangents) {
+                                             put_creased_limits(access, limits, tangents, points,
+                                                                normals, options.surface_normals);
+                                           });
+      else
+        report = vertex_limits<FT>(
+          access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
+            Limit_writer<Access, Scheme, std::decay_t<decltype(points)>, Normal_map>(access, points,
+                                                                                     normals)
+              .write(results, options.surface_normals);
+          });
+    });
+  }
   return report;
 }
 
@@ -317,6 +320,14 @@ border, nor where the neighborhood collapses to a line. There the control normal
 modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
 estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
 
+<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `with_border()`, corners are their own limits; on
+creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
+and the normals of all wedges; where a crease ends and beside it, the ring has slots of both sides. Points of a vertex
+are the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface
+normals, with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds
+that made a mesh if it still has their normals by half-edges and their tangents, see `with_crease_tangents()`.
+`Limit_point` has the mean of the normals of a vertex.
+
 Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
 valence once. Surface normals, curvatures and errors are computed in `double`; in exact number types
 the limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most,
@@ -336,13 +347,14 @@ so that the tolerance may be missed.
 \param limits the map to write
 \param options what is computed, and how well
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map` with the control normals (without it they are estimated), and `geom_traits`, as in
-  `subdivide()`, whose maps are read only
+  `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
+  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`; the maps are read only
 
 \returns what was reached. A tolerance that cannot be met is no error.
 
-\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, and if
-  the scheme has no limit masks or `with_border()` makes creases; nothing has been written then
+\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, if the scheme has
+  no limit masks, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds
+  use it up; nothing has been written then
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 <br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices
@@ -363,34 +375,36 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
   using Limit = typename boost::property_traits<LimitMap>::value_type;
-  const auto points = Parameters::const_point_map(mesh, np);
-  const auto normals = Parameters::normal_map(np);
-  const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
   Limit_report report;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    using Access = std::decay_t<decltype(access)>;
-    const auto edge_map = Parameters::edge_constraint_map(np);
-    const auto vertex_map = Parameters::vertex_constraint_map(np);
-    const auto put_limits = [&](const auto& results, Level_connectivity::Index n) {
-      for (Level_connectivity::Index v = 0; v < n; ++v)
-        put(limits, access.vertex(v), internal::to_limit_point<Limit>(results[v]));
-    };
-    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
-                                                 std::decay_t<decltype(edge_map)>,
-                                                 std::decay_t<decltype(vertex_map)>>)
-      report = internal::creased_vertex_limits<FT>(
-        access, scheme, points, normals, edge_map, vertex_map, options, for_chunks,
-        [&](auto& of_slots, auto&) {
-          internal::put_mean_normals<Scheme>(of_slots.creases, of_slots.results);
-          put_limits(of_slots.results, of_slots.level.number_of_vertices());
-        });
-    else
-      report = internal::vertex_limits<FT>(
-        access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
-          put_limits(results, static_cast<Level_connectivity::Index>(results.size()));
-        });
-  });
+  if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    const auto points = Parameters::const_point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      using Access = std::decay_t<decltype(access)>;
+      const auto edge_map = Parameters::edge_constraint_map(np);
+      const auto vertex_map = Parameters::vertex_constraint_map(np);
+      const auto put_limits = [&](const auto& results, Level_connectivity::Index n) {
+        for (Level_connectivity::Index v = 0; v < n; ++v)
+          put(limits, access.vertex(v), internal::to_limit_point<Limit>(results[v]));
+      };
+      internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
+                                                   std::decay_t<decltype(edge_map)>,
+                                                   std::decay_t<decltype(vertex_map)>>)
+        report = internal::creased_vertex_limits<FT>(
+          access, scheme, points, normals, edge_map, vertex_map, options, for_chunks,
+          [&](auto& of_slots, auto&) {
+            internal::put_mean_normals<Scheme>(of_slots.creases, of_slots.results);
+            put_limits(of_slots.results, of_slots.level.number_of_vertices());
+          });
+      else
+        report = internal::vertex_limits<FT>(
+          access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
+            put_limits(results, static_cast<Level_connectivity::Index>(results.size()));
+          });
+    });
+  }
   return report;
 }
 
@@ -444,8 +458,10 @@ makes the result lie on the surface that further rounds would tend to; `subdivid
 
 Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
 `options.surface_normals` is set, and otherwise the limit control normals. With a linear scheme normals
-are written only as surface normals. *The mesh is no control mesh any more:* its points and normals are
-not meant to be subdivided further.
+are written only as surface normals. With a map of half-edges the wedges
+of creases have their own, and the map of `with_crease_tangents()` gets the tangents of the limit; with a map of
+vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
+subdivided further.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
 the user's whose `put()` throws also while old values are put back.

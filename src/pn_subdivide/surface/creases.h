@@ -70,7 +70,7 @@ struct Crease_maps
   Crease_tangents tangents;
 };
 // with_tangents: whether there is a map of them, for what goes on from the refined mesh
-Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents);
+Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents = false);
 
 } // namespace pn_subdivide
 

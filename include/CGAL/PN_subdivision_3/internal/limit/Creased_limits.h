@@ -141,10 +141,8 @@ private:
       else
         rest.push_back(v);
     }
-    std::vector<Result> of_smooth(smooth.size());
-    const std::vector<Index> unsettled =
-      evaluation_.evaluate_settled(level, smooth, next_round, depth, of_smooth.data());
-    for (std::size_t i = 0; i < smooth.size(); ++i) results[smooth[i]] = of_smooth[i];
+    const std::vector<Index> unsettled = evaluation_.evaluate_settled(
+      level, smooth, next_round, depth, [&](Index i) -> Result& { return results[smooth[i]]; });
     for (const Index i : unsettled) rest.push_back(smooth[i]);
     return rest;
   }
@@ -257,7 +255,8 @@ private:
       if (creases.rule(star) == Vertex_rule::crease)
         for (Index w = 0; w < star.number_of_wedges; ++w) slots.push_back(star.slot(w));
     std::vector<Result> of_slots(slots.size());
-    evaluation_.evaluate_settled(level, slots, next_round, 0, of_slots.data());
+    evaluation_.evaluate_settled(level, slots, next_round, 0,
+                                 [&](Index i) -> Result& { return of_slots[i]; });
     for (std::size_t i = 0; i < slots.size(); ++i) {
       results[slots[i]].surface_normal = of_slots[i].surface_normal;
       results[slots[i]].has_surface_normal = of_slots[i].has_surface_normal;

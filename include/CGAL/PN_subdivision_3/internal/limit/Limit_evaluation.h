@@ -71,11 +71,13 @@ public:
     return results;
   }
 
-  // The results of those vertices whose neighborhood is settled, or will be after one round; of the others
-  // returns the positions. A level that is cut open along creases may be given, without the vertices on
+  // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; of the
+  // other vertices returns the positions. A level that is cut open along creases may be given, without the vertices on
   // these.
+  template <class Result_of>
   std::vector<Index> evaluate_settled(const Level& level, const std::vector<Index>& vertices,
-                                      unsigned next_round, unsigned depth, Result* results)
+                                      unsigned next_round, unsigned depth,
+                                      const Result_of& result_of)
   {
     const auto n = static_cast<Index>(vertices.size());
     const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
@@ -97,7 +99,7 @@ public:
     std::vector<Index> unsettled;
     for (Index i = 0; i < n; ++i) {
       const Index v = vertices[i];
-      Result& result = results[i];
+      Result& result = result_of(i);
       result.depth = depth;
       if (state[i] == 'i')
         result.value = level.values[v];
@@ -146,8 +148,8 @@ private:
   void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
                 unsigned depth, Result* results)
   {
-    const std::vector<Index> unsettled =
-      evaluate_settled(level, vertices, next_round, depth, results);
+    const std::vector<Index> unsettled = evaluate_settled(
+      level, vertices, next_round, depth, [&](Index i) -> Result& { return results[i]; });
     if (unsettled.empty()) return;
     require_depth(depth, next_round);
     std::vector<Index> centers;

@@ -318,6 +318,19 @@ constexpr bool check_subdivision_arguments()
   return false;
 }
 
+// the maps of a function for limits that say what is sharp
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_creased_limit_arguments()
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                              typename Parameters::Edge_constraint_map>() &&
+         check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                              typename Parameters::Vertex_constraint_map>() &&
+         check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                               typename Parameters::Geom_traits>();
+}
+
 template <class Mesh, class Item>
 constexpr bool is_attribute_of_v = false;
 template <class Mesh, template <class> class Item, class Map>
