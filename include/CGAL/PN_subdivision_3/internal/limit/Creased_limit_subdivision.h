@@ -50,9 +50,10 @@ public:
                           Vertex_map vertex_map) const
   {
     // with a linear scheme normals are written as surface normals only
-    if (is_pn_v<Scheme> || options_.surface_normals)
-      return subdivide(access, points, normals, edge_map, vertex_map);
-    return subdivide(access, points, No_normal_map(), edge_map, vertex_map);
+    if constexpr (!is_pn_v<Scheme>)
+      if (!options_.surface_normals)
+        return subdivide(access, points, No_normal_map(), edge_map, vertex_map);
+    return subdivide(access, points, normals, edge_map, vertex_map);
   }
 
 private:
