@@ -12,8 +12,11 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Face_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_subdivision_3/internal/limit/creased_vertex_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Creased_control.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -155,43 +158,134 @@ void check_limits(const Results& results, const Name& name)
                           [&] { return "the limit point of " + name(i); });
 }
 
-// Calls sink(access, results, demand) with the limits of a mesh at its vertices.
-template <class FT, class Mesh, class Scheme, class Point_map, class Normal_map, class Sink>
-Limit_report vertex_limits(Mesh& mesh, const Scheme& scheme, Point_map points, Normal_map normals,
-                           const Limit_options& options, const For_chunks& for_chunks,
-                           const Sink& sink)
+// Calls sink(results) with the limits of a mesh at its vertices.
+template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Sink>
+Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
+                           Normal_map normals, const Limit_options& options,
+                           const For_chunks& for_chunks, const Sink& sink)
+{
+  const auto level = read_limit_level<Scheme, FT>(access, scheme, points, normals);
+  const Limit_demand demand = limit_demand<FT>(options, box_size(level));
+  Limit_evaluation<Scheme, FT> evaluation(scheme, demand, for_chunks);
+  const auto results = evaluation(level, options.rounds_done + 1);
+  const auto name = [&](std::size_t v) {
+    return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+  };
+  check_limits<FT>(results, name);
+  sink(results);
+  return limit_report(results, demand);
+}
+
+// whether creases are looked for
+template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
+constexpr bool has_creased_limits_v = Has_crease_rules<Scheme>::value&&
+  may_be_creased_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>;
+
+// Refuses what is sharp if the scheme has no rules for it.
+template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
+void require_crease_rules([[maybe_unused]] const Scheme& scheme,
+                          [[maybe_unused]] const Access& access, const Normal_map&,
+                          [[maybe_unused]] Edge_map edge_map,
+                          [[maybe_unused]] Vertex_map vertex_map)
+{
+  static_assert(Has_crease_rules<Scheme>::value || !is_of_halfedges_v<Access, Normal_map>,
+                "PN_subdivision_3: the scheme has no rules for creases and takes a normal per "
+                "vertex, not per half-edge");
+  if constexpr (!Has_crease_rules<Scheme>::value &&
+                may_be_creased_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>)
+    refuse_creases(scheme, access, edge_map, vertex_map);
+}
+
+// The same of a mesh that may have creases. Calls sink(limits, tangents): the limits of the slots, and the
+// tangents of the map.
+template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Edge_map,
+          class Vertex_map, class Sink>
+Limit_report creased_vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
+                                   Normal_map normals, Edge_map edge_map, Vertex_map vertex_map,
+                                   const Limit_options& options, const For_chunks& for_chunks,
+                                   const Sink& sink)
+{
+  using Control = Creased_control<Scheme, FT>;
+  Level_connectivity level = checked_level(access);
+  check_scheme(scheme, level, access);
+  const Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
+  const Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
+                                                        level.number_of_vertices());
+  typename Control::template Tangents<Access> tangents(access, level, Control::tangent_map(scheme));
+  Creased_vertex_limits<Scheme, FT> limits(
+    access, std::move(level), tangents, scheme, points, normals, edges, vertices,
+    options.rounds_done, [&](double box) { return limit_demand<FT>(options, box); }, for_chunks);
+  check_limits<FT>(limits.results, [&](std::size_t v) {
+    return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+  });
+  const Level_connectivity::Index n = limits.level.number_of_vertices();
+  sink(limits, tangents);
+  limits.results.resize(n);
+  return limit_report(limits.results, limits.demand);
+}
+
+// Puts limits into the maps of a mesh with creases, and the old values back if that fails.
+template <class Scheme, class FT, class Access, class Tangents, class Point_map, class Normal_map>
+void put_creased_limits(const Access& access, Creased_vertex_limits<Scheme, FT>& limits,
+                        Tangents& tangents, Point_map points, Normal_map normals,
+                        bool surface_normals)
+{
+  constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
+  using Control = Creased_control<Scheme, FT>;
+  typename Control::template Corner_writer<Access, Normal_map> corners(access, limits.level,
+                                                                       normals);
+  if constexpr (has_corner_normals) {
+    if (is_pn_v<Scheme> || surface_normals)
+      corners.put_all(limits.level, limits.creases,
+                      slot_values<Scheme, FT>(limits.results, surface_normals));
+  } else
+    put_mean_normals<Scheme>(limits.creases, limits.results);
+  tangents.put_refined(limits.creases, limits.level.number_of_edges());
+  limits.results.resize(limits.level.number_of_vertices());
+  using Vertex_normal_map = typename Control::template Vertex_normal_map<Access, Normal_map>;
+  Limit_writer<Access, Scheme, Point_map, Vertex_normal_map>(
+    access, points, Control::template make_vertex_normal_map<Access>(normals))
+    .write(limits.results, surface_normals);
+  corners.keep();
+  tangents.keep();
+}
+
+template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class NamedParameters>
+Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const Limit_options& options,
+                           const NamedParameters& np)
 {
   static_assert(Scheme::Host::keeps_vertices,
                 "the limit points of a dual scheme belong to the faces: see face_limit_points()");
   Limit_report report;
-  with_mesh_access(mesh, [&](auto& access) {
-    const auto level = read_limit_level<Scheme, FT>(access, scheme, points, normals);
-    const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-    Limit_evaluation<Scheme, FT> evaluation(scheme, demand, for_chunks);
-    const auto results = evaluation(level, options.rounds_done + 1);
-    const auto name = [&](std::size_t v) {
-      return access.vertex_name(static_cast<Level_connectivity::Index>(v));
-    };
-    check_limits<FT>(results, name);
-    sink(access, results);
-    report = limit_report(results, demand);
-  });
-  return report;
-}
-
-// the same, put into the maps of the mesh
-template <class Concurrency_tag, class FT, class Mesh, class Scheme, class Point_map,
-          class Normal_map>
-Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, Point_map points, Normal_map normals,
-                           const Limit_options& options)
-{
-  return vertex_limits<FT>(
-    mesh, scheme, points, normals, options, For_chunks::with(Concurrency_tag()),
-    [&](const auto& access, const auto& results) {
-      Limit_writer<std::decay_t<decltype(access)>, Scheme, Point_map, Normal_map>(access, points,
-                                                                                  normals)
-        .write(results, options.surface_normals);
+  if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
+    using FT = typename Parameters::FT;
+    const auto points = Parameters::point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    using Normal_map = std::decay_t<decltype(normals)>;
+    const auto for_chunks = For_chunks::with(Concurrency_tag());
+    with_mesh_access(mesh, [&](const auto& access) {
+      using Access = std::decay_t<decltype(access)>;
+      const auto edge_map = Parameters::edge_constraint_map(np);
+      const auto vertex_map = Parameters::vertex_constraint_map(np);
+      require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      if constexpr (has_creased_limits_v<Scheme, Access, Normal_map,
+                                         std::decay_t<decltype(edge_map)>,
+                                         std::decay_t<decltype(vertex_map)>>)
+        report = creased_vertex_limits<FT>(access, scheme, points, normals, edge_map, vertex_map,
+                                           options, for_chunks, [&](auto& limits, auto& tangents) {
+                                             put_creased_limits(access, limits, tangents, points,
+                                                                normals, options.surface_normals);
+                                           });
+      else
+        report = vertex_limits<FT>(
+          access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
+            Limit_writer<Access, Scheme, std::decay_t<decltype(points)>, Normal_map>(access, points,
+                                                                                     normals)
+              .write(results, options.surface_normals);
+          });
     });
+  }
+  return report;
 }
 
 } // namespace internal
@@ -226,6 +320,14 @@ border, nor where the neighborhood collapses to a line. There the control normal
 modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
 estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
 
+<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `with_border()`, corners are their own limits; on
+creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
+and the normals of all wedges; where a crease ends and beside it, the ring has slots of both sides. Points of a vertex
+are the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface
+normals, with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds
+that made a mesh if it still has their normals by half-edges and their tangents, see `with_crease_tangents()`.
+`Limit_point` has the mean of the normals of a vertex.
+
 Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
 valence once. Surface normals, curvatures and errors are computed in `double`; in exact number types
 the limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most,
@@ -245,13 +347,14 @@ so that the tolerance may be missed.
 \param limits the map to write
 \param options what is computed, and how well
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map` with the control normals (without it they are estimated), and `geom_traits`, as in
-  `subdivide()`, whose maps are read only
+  `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
+  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`; the maps are read only
 
 \returns what was reached. A tolerance that cannot be met is no error.
 
-\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, and if
-  the scheme has no limit masks or `with_border()` makes creases; nothing has been written then
+\throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, if the scheme has
+  no limit masks, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds
+  use it up; nothing has been written then
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 <br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices
@@ -265,17 +368,44 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
                           const Limit_options& options = Limit_options(),
                           const NamedParameters& np = parameters::default_values())
 {
-  static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
+  static_assert(Scheme::Host::keeps_vertices,
+                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+  static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
                 "PN_subdivision_3: a named parameter is given that is not used here");
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
   using Limit = typename boost::property_traits<LimitMap>::value_type;
-  return internal::vertex_limits<typename Parameters::FT>(
-    mesh, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np), options,
-    internal::For_chunks::with(Concurrency_tag()), [&](const auto& access, const auto& results) {
-      for (std::size_t v = 0; v < results.size(); ++v)
-        put(limits, access.vertex(static_cast<Level_connectivity::Index>(v)),
-            internal::to_limit_point<Limit>(results[v]));
+  Limit_report report;
+  if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    const auto points = Parameters::const_point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      using Access = std::decay_t<decltype(access)>;
+      const auto edge_map = Parameters::edge_constraint_map(np);
+      const auto vertex_map = Parameters::vertex_constraint_map(np);
+      const auto put_limits = [&](const auto& results, Level_connectivity::Index n) {
+        for (Level_connectivity::Index v = 0; v < n; ++v)
+          put(limits, access.vertex(v), internal::to_limit_point<Limit>(results[v]));
+      };
+      internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
+                                                   std::decay_t<decltype(edge_map)>,
+                                                   std::decay_t<decltype(vertex_map)>>)
+        report = internal::creased_vertex_limits<FT>(
+          access, scheme, points, normals, edge_map, vertex_map, options, for_chunks,
+          [&](auto& of_slots, auto&) {
+            internal::put_mean_normals<Scheme>(of_slots.creases, of_slots.results);
+            put_limits(of_slots.results, of_slots.level.number_of_vertices());
+          });
+      else
+        report = internal::vertex_limits<FT>(
+          access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
+            put_limits(results, static_cast<Level_connectivity::Index>(results.size()));
+          });
     });
+  }
+  return report;
 }
 
 /*!
@@ -328,8 +458,10 @@ makes the result lie on the surface that further rounds would tend to; `subdivid
 
 Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
 `options.surface_normals` is set, and otherwise the limit control normals. With a linear scheme normals
-are written only as surface normals. *The mesh is no control mesh any more:* its points and normals are
-not meant to be subdivided further.
+are written only as surface normals. With a map of half-edges the wedges
+of creases have their own, and the map of `with_crease_tangents()` gets the tangents of the limit; with a map of
+vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
+subdivided further.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
 the user's whose `put()` throws also while old values are put back.
@@ -347,11 +479,10 @@ Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                            const Limit_options& options = Limit_options(),
                            const NamedParameters& np = parameters::default_values())
 {
-  static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
+  static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
                 "PN_subdivision_3: a named parameter is given that is not used here");
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  return internal::move_to_limit<Concurrency_tag, typename Parameters::FT>(
-    mesh, scheme, Parameters::point_map(mesh, np), Parameters::normal_map(np), options);
+  return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
 }
 
 } // namespace PN_subdivision_3

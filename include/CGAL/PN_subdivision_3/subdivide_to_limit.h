@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Creased_limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -17,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -33,13 +35,19 @@ call.
 \param options what is computed, and how well; `Limit_options::rounds_done` is 0, since the call counts its rounds itself
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
   `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), which become what
-  `move_to_limit()` makes of them, and `geom_traits`, as in `subdivide()`
+  `move_to_limit()` makes of them, `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
+  `subdivide()`
 
 \returns what was reached
 
 \throws std::invalid_argument as `subdivide()` and `limit_points()` do, and if `Limit_options::rounds_done` is not 0
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do
 <br><b>Cost:</b> that of both functions; the refined level is kept in memory besides the mesh
+
+With `edge_is_constrained_map`, `vertex_is_constrained_map`, `with_border()` and `with_crease_tangents()` the mesh
+has creases as in `subdivide()`, and the limits are those of `limit_points()`: what is sharp for a finite number of
+rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are those
+of the limit.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
@@ -56,18 +64,31 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
     throw std::invalid_argument("PN_subdivision_3: subdivide_to_limit() counts its rounds itself: "
                                 "leave rounds_done 0");
   const unsigned rounds = Parameters::number_of_iterations(np);
-  const auto points = Parameters::point_map(mesh, np);
-  const auto normals = Parameters::normal_map(np);
-  Limit_report report;
   if (rounds == 0)
-    report = internal::move_to_limit<Concurrency_tag, typename Parameters::FT>(mesh, scheme, points,
-                                                                               normals, options);
-  else
+    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
+  Limit_report report;
+  if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    const auto points = Parameters::point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
     internal::with_mesh_access(mesh, [&](auto& access) {
-      const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
-        subdivision(scheme, rounds, options);
-      report = subdivision(access, points, normals);
+      using Access = std::decay_t<decltype(access)>;
+      using FT = typename Parameters::FT;
+      const auto edge_map = Parameters::edge_constraint_map(np);
+      const auto vertex_map = Parameters::vertex_constraint_map(np);
+      internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
+                                                   std::decay_t<decltype(edge_map)>,
+                                                   std::decay_t<decltype(vertex_map)>>) {
+        const internal::Creased_limit_subdivision<Concurrency_tag, Scheme, FT> subdivision(
+          scheme, rounds, options);
+        report = subdivision(access, points, normals, edge_map, vertex_map);
+      } else {
+        const internal::Limit_subdivision<Concurrency_tag, Scheme, FT> subdivision(scheme, rounds,
+                                                                                   options);
+        report = subdivision(access, points, normals);
+      }
     });
+  }
   return report;
 }
 

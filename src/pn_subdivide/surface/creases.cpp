@@ -233,11 +233,16 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   return creases;
 }
 
-Crease_maps add_creases(Surface& surface, const Creases& creases)
+Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents)
 {
   Crease_maps maps{surface.add_property_map<Edge, double>("e:sharpness", 0).first,
                    surface.add_property_map<Vertex, double>("v:sharpness", 0).first,
-                   creases.border};
+                   creases.border,
+                   {}};
+  if (with_tangents)
+    maps.tangents.map =
+      surface.add_property_map<Surface::Halfedge_index, Vector_3>("h:tangent", Vector_3(0, 0, 0))
+        .first;
   if (!creases.edges.empty())
     for (const Edge e : surface.edges()) maps.edges[e] = creases.edges[e];
   if (!creases.vertices.empty())

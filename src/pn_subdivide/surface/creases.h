@@ -13,6 +13,8 @@
 #include "surface/Crease_plan.h"
 #include "surface/Surface.h"
 
+#include <boost/property_map/property_map.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,13 +41,36 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
 using Edge_sharpness = Surface::Property_map<Surface::Edge_index, double>;
 using Vertex_sharpness = Surface::Property_map<Surface::Vertex_index, double>;
 
+// The tangents of creases, from the source of a half-edge along it. Without a map none are given, and those
+// that are got are dropped.
+struct Crease_tangents
+{
+  using key_type = Surface::Halfedge_index;
+  using value_type = Vector_3;
+  using reference = Vector_3;
+  using category = boost::read_write_property_map_tag;
+
+  std::optional<Surface::Property_map<Surface::Halfedge_index, Vector_3>> map;
+
+  friend Vector_3 get(const Crease_tangents& t, key_type h)
+  {
+    return t.map ? (*t.map)[h] : Vector_3(0, 0, 0);
+  }
+  friend void put(const Crease_tangents& t, key_type h, const Vector_3& v)
+  {
+    if (t.map) (*t.map)[h] = v;
+  }
+};
+
 struct Crease_maps
 {
   Edge_sharpness edges;
   Vertex_sharpness vertices;
   Border border;
+  Crease_tangents tangents;
 };
-Crease_maps add_creases(Surface& surface, const Creases& creases);
+// with_tangents: whether there is a map of them, for what goes on from the refined mesh
+Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents = false);
 
 } // namespace pn_subdivide
 

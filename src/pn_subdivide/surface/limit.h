@@ -11,6 +11,7 @@
 
 #include "surface/Scheme.h"
 #include "surface/Surface.h"
+#include "surface/creases.h"
 #include "surface/limit_surface.h"
 
 #include <CGAL/PN_subdivision_3/limit_points.h>
@@ -34,6 +35,19 @@ Limit_report limits_with_normals(const Surface& surface, Normal_map normals, con
 Limit_report limits_with_normal_scheme(const Surface& surface, Normal_map normals,
                                        const Scheme& scheme, const Scheme& normal_scheme,
                                        Limit_map limits, const Limit_options& options);
+
+// The same with creases, of a mesh that is changed: it gets the limit points and the normals that are asked for,
+// by corners; with a linear scheme, only normals of the surface. The schemes must have rules for creases.
+Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
+                                   const Scheme& scheme, const Crease_maps& creases,
+                                   const Limit_options& options);
+Limit_report move_to_limits_with_normals(Surface& surface, Corner_normal_map normals,
+                                         const Scheme& scheme, const Crease_maps& creases,
+                                         const Limit_options& options);
+Limit_report move_to_limits_with_normal_scheme(Surface& surface, Corner_normal_map normals,
+                                               const Scheme& scheme, const Scheme& normal_scheme,
+                                               const Crease_maps& creases,
+                                               const Limit_options& options);
 
 } // namespace pn_subdivide
 

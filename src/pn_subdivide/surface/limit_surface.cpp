@@ -11,7 +11,9 @@
 #include "io/Error.h"
 #include "surface/limit.h"
 
+#include <algorithm>
 #include <type_traits>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -33,6 +35,29 @@ Limit_report limits_of(Surface& surface, const Scheme_choice& choice, Limit_map 
   return limits_with_normals(surface, *normals, scheme, limits, options);
 }
 
+Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
+                               const Crease_maps& creases, const Limit_options& options)
+{
+  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const bool is_linear = !normals_of(surface);
+  if (is_linear && !options.surface_normals) {
+    Corner_normal_map unused =
+      surface.add_property_map<Surface::Halfedge_index, Vector_3>("h:unused").first;
+    const Limit_report report = move_to_linear_limits(surface, unused, scheme, creases, options);
+    surface.remove_property_map(unused);
+    return report;
+  }
+  if (is_linear) add_normals(surface);
+  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  if (!normals) normals = add_corner_normals(surface);
+  if (is_linear) return move_to_linear_limits(surface, *normals, scheme, creases, options);
+  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
+    return move_to_limits_with_normal_scheme(
+      surface, *normals, scheme, make_scheme("--normal-scheme", *choice.normal_scheme, choice),
+      creases, options);
+  return move_to_limits_with_normals(surface, *normals, scheme, creases, options);
+}
+
 void write_limits(Surface& surface, Limit_map limits, const Limit_choice& choice)
 {
   std::optional<Normal_map> normals = normals_of(surface);
@@ -42,6 +67,15 @@ void write_limits(Surface& surface, Limit_map limits, const Limit_choice& choice
     if (normals)
       (*normals)[v] = choice.normals ? limits[v].surface_normal : limits[v].control_normal;
   }
+}
+
+Limit_options make_options(const Limit_choice& choice, unsigned levels)
+{
+  Limit_options options;
+  if (choice.tolerance) options.tolerance = *choice.tolerance;
+  options.surface_normals = choice.normals;
+  options.rounds_done = levels;
+  return options;
 }
 
 } // namespace
@@ -64,14 +98,26 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #endif
-  Limit_options options;
-  if (choice.tolerance) options.tolerance = *choice.tolerance;
-  options.surface_normals = choice.normals;
-  options.rounds_done = levels;
+  const Limit_options options = make_options(choice, levels);
   Limit_map limits = surface.add_property_map<Surface::Vertex_index, Limit_point>("v:limit").first;
   const Limit_report report = limits_of(surface, scheme, limits, options);
   write_limits(surface, limits, choice);
   surface.remove_property_map(limits);
+  return {report, report.tolerance / options.tolerance};
+}
+
+Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
+                         const Crease_maps& creases, unsigned levels,
+                         [[maybe_unused]] unsigned threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+  const Limit_options options = make_options(choice, levels);
+  std::vector<Point_3> points;
+  if (!choice.points) points.assign(surface.points().begin(), surface.points().end());
+  const Limit_report report = move_to_limits_of(surface, scheme, creases, options);
+  if (!choice.points) std::copy(points.begin(), points.end(), surface.points().begin());
   return {report, report.tolerance / options.tolerance};
 }
 

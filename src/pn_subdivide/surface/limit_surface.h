@@ -11,6 +11,7 @@
 
 #include "io/Limit_choice.h"
 #include "surface/Surface.h"
+#include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
 #include <string>
@@ -25,6 +26,10 @@ void require_limit_of_vertices(const std::string& scheme, const Limit_choice& ch
 // exceptions.
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
                          unsigned levels, unsigned threads);
+// The same of a mesh that has creases or crease borders, with their tangents if it is refined; normals are
+// those of corners afterwards.
+Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
+                         const Crease_maps& creases, unsigned levels, unsigned threads);
 
 } // namespace pn_subdivide
 

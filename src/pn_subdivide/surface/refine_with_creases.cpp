@@ -21,13 +21,14 @@ template <class S>
 void refine(Surface& surface, Corner_normal_map normals, const S& scheme,
             const Crease_maps& creases, const Refinement& refinement)
 {
-  PN::subdivide<Tag>(surface, PN::with_border(scheme, creases.border),
-                     CGAL::parameters::number_of_iterations(refinement.levels)
-                       .vertex_normal_map(normals)
-                       .edge_is_constrained_map(creases.edges)
-                       .vertex_is_constrained_map(creases.vertices)
-                       .visitor(Round_visitor{refinement.round_done}),
-                     *refinement.attributes);
+  PN::subdivide<Tag>(
+    surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
+    CGAL::parameters::number_of_iterations(refinement.levels)
+      .vertex_normal_map(normals)
+      .edge_is_constrained_map(creases.edges)
+      .vertex_is_constrained_map(creases.vertices)
+      .visitor(Round_visitor{refinement.round_done}),
+    *refinement.attributes);
 }
 
 } // namespace

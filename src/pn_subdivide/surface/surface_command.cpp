@@ -25,8 +25,10 @@
 #include "surface/vertex_curvature.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -140,10 +142,12 @@ void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, R
 }
 
 void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
-                    const Scheme_choice& scheme, Report& report)
+                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
+                    Report& report)
 {
   const Limit_summary summary =
-    set_limits(surface, scheme, options.limit, options.levels, plan.threads);
+    creases ? set_limits(surface, scheme, options.limit, *creases, options.levels, plan.threads)
+            : set_limits(surface, scheme, options.limit, options.levels, plan.threads);
   report.note(summary.description(options.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
@@ -205,7 +209,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
   if (creases.any() || creases.border != Border::surface)
-    rounds.creases = add_creases(surface, creases);
+    rounds.creases = add_creases(surface, creases, options.limit.is_used());
   if (options.levels > 0) {
     Carried_attributes carried(surface, std::move(attributes));
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
@@ -213,7 +217,8 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
     refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
-  if (options.limit.is_used()) move_to_limits(surface, plan, options, scheme, report);
+  if (options.limit.is_used())
+    move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
@@ -244,18 +249,19 @@ void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Pl
   report.warn(plan.output.title("standard output") + text);
 }
 
-// Limits take the mesh as a smooth surface.
-void require_limit_without_creases(const Creases& creases, const Limit_choice& limit)
+// Limits are those of what is smooth or sharp for ever.
+void require_limit_of_creases(const Creases& creases, const Limit_choice& limit, unsigned levels)
 {
-  if (!limit.is_used() || (!creases.any() && creases.border == Border::surface)) return;
-  const std::string option = limit.points ? "--limit" : "--surface-normals";
-  if (creases.any())
-    throw Error(option + ": limits of meshes with sharp edges are not known; leave it out, or take "
-                         "--sharp none");
-  throw Usage_error(option + ": limits are known with --border surface only");
+  if (!limit.is_used() || creases.number_of_edges == 0) return;
+  const double sharpness = *std::max_element(creases.edges.begin(), creases.edges.end());
+  if (std::isinf(sharpness) || sharpness <= levels) return;
+  throw Usage_error(std::string(limit.points ? "--limit" : "--surface-normals") +
+                    ": limits are known only of edges that are smooth or sharp for ever; with this "
+                    "--sharpness take --levels " +
+                    std::to_string(static_cast<unsigned long>(std::ceil(sharpness))) + " or more");
 }
 
-// So does interpolation.
+// Interpolation takes the mesh as a smooth surface.
 void require_interpolation_without_creases(const Creases& creases, const Plan& plan)
 {
   if (!plan.interpolation) return;
@@ -353,7 +359,7 @@ void run_surface_command(const Surface_options& options)
     require_limit_of_vertices(scheme.scheme, options.limit);
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
-    require_limit_without_creases(creases, options.limit);
+    require_limit_of_creases(creases, options.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases);
     const bool has_file_normals = mesh.has_normals();

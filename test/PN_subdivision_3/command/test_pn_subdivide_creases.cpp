@@ -22,6 +22,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -258,6 +259,52 @@ TEST_F(Pn_subdivide_creases, PartsKeepTheirPlanesCylindersAndSpheres)
     const Errors linear = errors(control, Obj(refine(input, options + " --linear")), groups);
     EXPECT_GE(linear.points * epsilon, 1e-3) << name;
   }
+}
+
+TEST_F(Pn_subdivide_creases, LimitsOfPartsLieOnTheirPlanesCylindersAndSpheres)
+{
+  for (const std::string name : parts) {
+    const std::string input = part(name + ".obj");
+    const Obj control(input);
+    const std::string options =
+      "--scheme catmull-clark --limit --sharp '" + part(name + ".selection.txt") + "' --levels ";
+    const Errors limit =
+      errors(control, Obj(refine(input, options + "2")), refined_groups(control, 2));
+    EXPECT_LE(limit.points, 8) << name;
+    EXPECT_LE(limit.normals, 8) << name;
+    const Errors normals = errors(control, Obj(refine(input, options + "2 --surface-normals")),
+                                  refined_groups(control, 2));
+    EXPECT_LE(normals.normals * epsilon, 1e-12) << name;
+  }
+}
+
+TEST_F(Pn_subdivide_creases, LimitsAreTheSameAtEveryLevel)
+{
+  const std::string plate = PN_DATA_DIR "/creased_plate.ply";
+  for (const auto& [input, options] :
+       {std::pair(part("lens.obj"), "--sharp file"),
+        std::pair(part("lens.obj"), "--sharp file --linear --surface-normals"),
+        std::pair(part("lens.obj"), "--sharp file --normal-scheme modified-catmull-clark"),
+        std::pair(plate, "--border curve"),
+        std::pair(plate, "--border corners --sharp angle:30")}) {
+    std::vector<std::vector<Vec>> points;
+    for (const char* levels : {"0", "1", "3"})
+      points.push_back(Obj(refine(input, std::string("--scheme catmull-clark --limit ") + options +
+                                           " --levels " + levels))
+                         .points);
+    for (std::size_t v = 0; v < points[0].size(); ++v) {
+      EXPECT_LE(length(sum(points[0][v], points[1][v], -1)), 1e-8) << options;
+      EXPECT_LE(length(sum(points[0][v], points[2][v], -1)), 1e-8) << options;
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_creases, LimitsNeedWhatIsSmoothOrSharpForEver)
+{
+  const std::string input = part("lens.obj");
+  const std::string options = "--sharp file --sharpness 1.5 --limit --levels ";
+  expect_refusal(input, options + "1", 2, "take --levels 2 or more");
+  EXPECT_EQ(surface(input, folder.file("limit.obj"), options + "2").code, 0);
 }
 
 TEST_F(Pn_subdivide_creases, TrianglesOfPartsKeepTheNormalsOfTheirCorners)

@@ -137,7 +137,8 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
     EXPECT_TRUE(mesh.is_valid());
   };
   const PN::CatmullClark_scheme scheme;
-  expect_refusal(PN::with_border(scheme, PN::Border::curve), PN::Limit_options(), "with_border()");
+  expect_refusal(PN::with_border(PN::Kobbelt_scheme(), PN::Border::curve), PN::Limit_options(),
+                 "has no rules for creases");
   PN::Limit_options counted;
   counted.rounds_done = 2;
   expect_refusal(scheme, counted, "leave rounds_done 0");

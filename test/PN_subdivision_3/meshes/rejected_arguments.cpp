@@ -122,8 +122,11 @@ void reject(Mesh& mesh)
   PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(), creases);
   // expected: the attributes are neither made by
 
-  PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::edge_is_constrained_map(creases));
+  PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::number_of_iterations(2));
   // expected: a named parameter is given that is not used here
+
+  PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::vertex_is_constrained_map(creases));
+  // expected: is no property map of the mesh's edges or vertices
 
   PN::Surface_refiner(mesh, PN::Loop_scheme(), params::visitor(3));
   // expected: a named parameter is given that is not used here

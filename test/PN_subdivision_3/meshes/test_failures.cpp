@@ -12,6 +12,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -223,6 +224,24 @@ TYPED_TEST(Strong_guarantee_of_features, Limits)
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4);
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 4);
+}
+
+TYPED_TEST(Strong_guarantee_of_features, CreasedLimits)
+{
+  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  PN::Limit_options options;
+  options.max_depth = 2;
+  const auto subdivided = [&](auto& t) {
+    PN::subdivide_to_limit(t.mesh, scheme, options,
+                           params::vertex_normal_map(failing(t.corner_normals)));
+  };
+  const auto moved = [&](auto& t) {
+    PN::move_to_limit(t.mesh, scheme, options,
+                      params::vertex_normal_map(failing(t.corner_normals)));
+  };
+  EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, true), 24);
+  EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, false), 10);
+  EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), moved, true), 24);
 }
 
 TYPED_TEST(Strong_guarantee_of_features, MapsThatFailForGood)

@@ -34,11 +34,12 @@ public:
   using Index = Level_connectivity::Index;
   using Values = typename Refiner::Values;
 
-  // level, creases and values are those of the first round
+  // level, creases and values are those of the first round that is not done
   Crease_refiner(const Scheme& scheme, Level_connectivity&& level, Creases<FT>&& creases,
-                 Values&& values, const For_chunks& for_chunks = For_chunks())
+                 Values&& values, const For_chunks& for_chunks = For_chunks(),
+                 unsigned rounds_done = 0)
     : scheme_(scheme)
-    , refiner_(scheme, std::move(level), std::move(values), for_chunks)
+    , refiner_(scheme, std::move(level), std::move(values), for_chunks, rounds_done)
     , creases_(std::move(creases))
     , for_chunks_(for_chunks)
   {}

@@ -105,18 +105,6 @@ public:
            std::any_of(creases_.edges.begin(), creases_.edges.end(),
                        [](const Crease_edge<FT>& e) { return e.sharpness < 1; });
   }
-  // for these rules, of the whole level: crease vertices and corners are not extraordinary, darts count
-  // but have no rules of their own
-  static void count_valences(Level_connectivity& level, const Creases<FT>& creases)
-  {
-    std::vector<Level_connectivity::Counted_valence> counted;
-    for (const Crease_star& star : creases.stars) {
-      const bool is_dart = !star.is_border && creases.rule(star) == Vertex_rule::dart;
-      counted.push_back({star.vertex, is_dart ? level.valence(star.vertex) : 0});
-    }
-    level.set_counted_valences(std::move(counted));
-  }
-
   // the values on the creases, for each of their slots
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
   {

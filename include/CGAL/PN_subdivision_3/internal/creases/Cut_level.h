@@ -19,6 +19,19 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// For smooth rules on a level that is not cut open: crease vertices and corners are not extraordinary, darts
+// count but have no rules of their own.
+template <class FT>
+void count_valences(Level_connectivity& level, const Creases<FT>& creases)
+{
+  std::vector<Level_connectivity::Counted_valence> counted;
+  for (const Crease_star& star : creases.stars) {
+    const bool is_dart = !star.is_border && creases.rule(star) == Vertex_rule::dart;
+    counted.push_back({star.vertex, is_dart ? level.valence(star.vertex) : 0});
+  }
+  level.set_counted_valences(std::move(counted));
+}
+
 // Cuts a level open along its creases: its vertices are then the slots, so that a mask reads in every
 // face the values of that face's wedges, and meets a border where a crease is.
 //

@@ -71,22 +71,13 @@ public:
     return results;
   }
 
-private:
-  using Average = typename Tower::Average;
-  using One_round = Round<Scheme, Average>;
-  using Neighborhood = Limit_neighborhood<Scheme>;
-
-  using Towers = Limit_towers<Scheme, FT>;
-  using Vertices = std::vector<typename Towers::Vertex>;
-
-  // after so many rounds only a scheme of other rules than the built-in ones is not settled
-  static constexpr unsigned most_rounds = 6;
-  // rings of the next round that are made at once
-  static constexpr Index batch = 128;
-
-  // result i is that of vertices[i]
-  void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
-                unsigned depth, Result* results)
+  // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; of the
+  // other vertices returns the positions. A level that is cut open along creases may be given, without the vertices on
+  // these.
+  template <class Result_of>
+  std::vector<Index> evaluate_settled(const Level& level, const std::vector<Index>& vertices,
+                                      unsigned next_round, unsigned depth,
+                                      const Result_of& result_of)
   {
     const auto n = static_cast<Index>(vertices.size());
     const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
@@ -104,10 +95,11 @@ private:
                                                                  : 'u';
       }
     });
-    Vertices settled, in_next_ring, unsettled;
+    Vertices settled, in_next_ring;
+    std::vector<Index> unsettled;
     for (Index i = 0; i < n; ++i) {
       const Index v = vertices[i];
-      Result& result = results[i];
+      Result& result = result_of(i);
       result.depth = depth;
       if (state[i] == 'i')
         result.value = level.values[v];
@@ -116,22 +108,56 @@ private:
       else if (state[i] == 'n')
         in_next_ring.push_back({v, &result, &classes_.at(level.level, v, next_round + 1)});
       else
-        unsettled.push_back({v, &result, nullptr});
+        unsettled.push_back(i);
     }
-    evaluate_settled(level, settled);
+    evaluate_rings(level, settled);
     if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
-    if (unsettled.empty()) return;
-    if (depth == most_rounds && next_round < first_final_round)
+    return unsettled;
+  }
+
+  // after so many rounds about vertices that are not settled
+  void require_depth(unsigned depth, unsigned next_round) const
+  {
+    const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
+    if (depth < most_rounds) return;
+    if (next_round < first_final_round)
       throw std::invalid_argument(
         "PN_subdivision_3: the first round of the rules of the scheme is " +
         std::to_string(first_final_round) + ", but no limit is sought beyond round " +
         std::to_string(next_round - 1) + ", which is " + std::to_string(most_rounds) +
         " rounds after the mesh: subdivide it first, or take an earlier first round");
-    if (depth == most_rounds)
-      throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
-                                  "within " +
-                                  std::to_string(most_rounds) + " rounds: it has no limit masks");
-    refine(level, unsettled, next_round, depth);
+    throw std::invalid_argument("PN_subdivision_3: the scheme does not settle about its vertices "
+                                "within " +
+                                std::to_string(most_rounds) + " rounds: it has no limit masks");
+  }
+
+private:
+  using Average = typename Tower::Average;
+  using One_round = Round<Scheme, Average>;
+  using Neighborhood = Limit_neighborhood<Scheme>;
+
+  using Towers = Limit_towers<Scheme, FT>;
+  using Vertices = std::vector<typename Towers::Vertex>;
+
+  // after so many rounds only a scheme of other rules than the built-in ones is not settled
+  static constexpr unsigned most_rounds = 6;
+  // rings of the next round that are made at once
+  static constexpr Index batch = 128;
+
+  // result i is that of vertices[i]
+  void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
+                unsigned depth, Result* results)
+  {
+    const std::vector<Index> unsettled = evaluate_settled(
+      level, vertices, next_round, depth, [&](Index i) -> Result& { return results[i]; });
+    if (unsettled.empty()) return;
+    require_depth(depth, next_round);
+    std::vector<Index> centers;
+    for (const Index i : unsettled) centers.push_back(vertices[i]);
+    const Level refined = refined_about(level, centers, next_round);
+    std::vector<Result> fine(centers.size());
+    evaluate(refined, centers, next_round + 1, depth + 1, fine.data());
+    for (std::size_t k = 0; k < unsettled.size(); ++k) results[unsettled[k]] = fine[k];
   }
 
   // calls f(towers, begin, end) for parts of [0, n), each with towers of its own
@@ -147,7 +173,7 @@ private:
     });
   }
 
-  void evaluate_settled(const Level& level, const Vertices& vertices) const
+  void evaluate_rings(const Level& level, const Vertices& vertices) const
   {
     with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
       std::vector<Index> ring;
@@ -195,16 +221,6 @@ private:
   {
     if (!demand_.curvatures || !Neighborhood::is_spline || level.is_border_vertex(v)) return false;
     return level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
-  }
-
-  void refine(const Level& level, const Vertices& vertices, unsigned next_round, unsigned depth)
-  {
-    std::vector<Index> centers;
-    for (const auto& vertex : vertices) centers.push_back(vertex.v);
-    const Level refined = refined_about(level, centers, next_round);
-    std::vector<Result> fine(centers.size());
-    evaluate(refined, centers, next_round + 1, depth + 1, fine.data());
-    for (std::size_t k = 0; k < vertices.size(); ++k) *vertices[k].result = fine[k];
   }
 
   // the next level; `vertices` are given, and come back, as their numbers there

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
@@ -23,6 +24,8 @@
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <algorithm>
 #include <limits>
@@ -104,6 +107,14 @@ struct Limit_neighborhood<Sqrt3_scheme> : Sqrt3_neighborhood
 
 template <class Scheme>
 struct Limit_neighborhood<Linear_scheme<Scheme>> : Limit_neighborhood<Scheme>
+{};
+
+// beside creases the rules are those of the scheme
+template <class Scheme>
+struct Limit_neighborhood<Scheme_with_border<Scheme>> : Limit_neighborhood<Scheme>
+{};
+template <class Scheme, class Map>
+struct Limit_neighborhood<Scheme_with_crease_tangents<Scheme, Map>> : Limit_neighborhood<Scheme>
 {};
 
 template <class Scheme, class Normal_scheme, class Points = Limit_neighborhood<Scheme>,
@@ -213,6 +224,10 @@ private:
 
   bool is_regular(Index v, bool at_border) const
   {
+    // a dart is cut open, but counts by its valence
+    if (const auto* counted = counted_valence(level_, v); counted != nullptr)
+      return Neighborhood::takes_border &&
+             (counted->valence == 0 || counted->valence == regular_valence);
     if (level_.is_border_vertex(v))
       return Neighborhood::takes_border ||
              (at_border && level_.valence(v) == (degree == 4 ? 3 : 4));

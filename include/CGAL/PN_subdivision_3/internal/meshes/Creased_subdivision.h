@@ -14,10 +14,8 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Creased_control.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
@@ -49,6 +47,7 @@ class Creased_subdivision
 
   using Index = Level_connectivity::Index;
   using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
+  using Control = Creased_control<Scheme, FT>;
   using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
   using Value = typename Average::Value;
   using Refiner = Crease_refiner<Scheme, Average>;
@@ -82,30 +81,28 @@ private:
                  Vertex_map vertex_map, const Carry& carry) const
   {
     constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
-    using Vertex_normal_map = std::conditional_t<has_corner_normals, No_normal_map, Normal_map>;
-    using Corner_writer =
-      std::conditional_t<has_corner_normals, Corner_normal_writer<Access, Normal_map>, Nothing>;
+    using Vertex_normal_map = typename Control::template Vertex_normal_map<Access, Normal_map>;
 
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
     Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
     Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map, level.number_of_vertices());
-    Creases<FT> creases = Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
-      [&](Index e) { return edges.sharpness(e); }, [&](Index v) { return vertices.sharpness(v); });
-    Tangents<Access> tangents(access, level, tangent_map());
+    Creases<FT> creases = Control::make_creases(scheme_, level, edges, vertices);
+    typename Control::template Tangents<Access> tangents(access, level,
+                                                         Control::tangent_map(scheme_));
     tangents.read(creases);
     const unsigned rounds = plain_.number_of_rounds(level);
     const Level_size size =
       checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
 
-    auto values = read_control<Value>(access, level, points, normals, creases);
+    auto values = Control::template read<Value>(scheme_, access, level, points, normals, creases);
     const bool is_near_overflow = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(point_of(v));
     });
-    Vertex_normal_map vertex_normals = make_vertex_normal_map<Vertex_normal_map>(normals);
+    Vertex_normal_map vertex_normals = Control::template make_vertex_normal_map<Access>(normals);
     using Writer = Mesh_writer<Value, Access, Point_map, Vertex_normal_map>;
     Writer writer(access, points, vertex_normals, is_near_overflow);
-    Corner_writer corners(access, level, normals);
+    typename Control::template Corner_writer<Access, Normal_map> corners(access, level, normals);
     Carried_through<FT, typename Scheme::Host, Carry> carried(
       carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
       sharpness<Carry>(level, edges, vertices), for_chunks_);
@@ -135,7 +132,7 @@ private:
       });
     last.close();
     carried.put(refiner.refiner(), last.round());
-    put_constraints(last.refined_creases(), size, edges, vertices, rounds);
+    Control::put_constraints(last.refined_creases(), size, edges, vertices, rounds);
     tangents.put_refined(last.refined_creases(), static_cast<Index>(size.edges));
     plain_.report_last_round(rounds, size);
     plain_.put_connectivity(refiner.refiner(), last.round(), access, [&] {
@@ -147,77 +144,6 @@ private:
       carried.keep();
     });
     carried.visit(access, refiner.refiner(), last.round());
-  }
-
-  // a linear scheme has no use for tangents either
-  auto tangent_map() const
-  {
-    if constexpr (is_pn)
-      return crease_tangents(scheme_);
-    else
-      return No_tangent_map();
-  }
-  template <class Access>
-  using Tangents =
-    Crease_tangents<FT, Access,
-                    std::conditional_t<is_pn, Crease_tangent_map<Scheme>, No_tangent_map>>;
-
-  // in the place of a Corner_normal_writer
-  struct Nothing
-  {
-    template <class Access, class Map>
-    Nothing(const Access&, const Level_connectivity&, Map)
-    {}
-    void keep() {}
-  };
-
-  template <class Vertex_normal_map, class Normal_map>
-  static Vertex_normal_map make_vertex_normal_map([[maybe_unused]] Normal_map normals)
-  {
-    if constexpr (std::is_same_v<Vertex_normal_map, Normal_map>)
-      return normals;
-    else
-      return {};
-  }
-
-  // the values of the slots, and the tangents that are missing
-  template <class Control_value, class Access, class Point_map, class Normal_map>
-  std::vector<Control_value> read_control(const Access& access, const Level_connectivity& level,
-                                          Point_map points, [[maybe_unused]] Normal_map normals,
-                                          Creases<FT>& creases) const
-  {
-    const Index n = level.number_of_vertices();
-    std::vector<Control_value> values(creases.number_of_slots);
-    for (Index v = 0; v < n; ++v) point_of(values[v]) = checked_point<FT>(access, points, v);
-    const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
-    for (std::size_t i = 0; i < extra.size(); ++i)
-      point_of(values[n + i]) = point_of(values[extra[i]]);
-    if constexpr (is_pn) {
-      std::vector<bool> is_given(values.size(), false);
-      for (Control_value& value : values) value.normal = zero_vector<FT, 3>();
-      if constexpr (is_of_halfedges_v<Access, Normal_map>) {
-        is_given.assign(values.size(), true);
-        read_corner_normals<FT>(access, level, creases, normals, values);
-      } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
-        std::fill_n(is_given.begin(), n, true);
-        for (const Crease_star& star : creases.stars)
-          if (star.number_of_wedges > 1) is_given[star.vertex] = false;
-        read_vertex_normals(access, normals, is_given, n, values);
-      }
-      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))();
-    }
-    return values;
-  }
-
-  template <class Access, class Normal_map>
-  static void read_vertex_normals(const Access& access, Normal_map normals,
-                                  const std::vector<bool>& is_given, Index n,
-                                  std::vector<Value>& values)
-  {
-    std::vector<Value> given(n);
-    read_normals<FT>(access, normals, given);
-    for (Index v = 0; v < n; ++v)
-      if (is_given[v]) values[v].normal = given[v].normal;
   }
 
   // what is sharp besides the seams of attributes
@@ -260,25 +186,6 @@ private:
     Level_connectivity child(last.round().refined_size());
     refiner.refiner().connect(last.round(), child);
     corners.put_all(child, creases, values);
-  }
-
-  // what the user has tagged; the border that is a crease by the scheme's rule is not
-  template <class Edges, class Vertices>
-  static void put_constraints(const Creases<FT>& creases, const Level_size& size, Edges& edges,
-                              Vertices& vertices, unsigned rounds)
-  {
-    std::vector<std::pair<Index, std::pair<Index, double>>> tagged;
-    for (const Crease_edge<FT>& e : creases.edges)
-      if (edges.sharpness(e.control_edge) > 0)
-        tagged.push_back({e.edge, {e.control_edge, e.sharpness}});
-    edges.put_refined(static_cast<Index>(size.edges), tagged);
-    tagged.clear();
-    for (Index v = 0; v < vertices.number_of_old(); ++v) {
-      double s = vertices.sharpness(v);
-      for (unsigned k = 0; k < rounds && s > 0; ++k) s = refined_sharpness(s);
-      if (s > 0) tagged.push_back({v, {v, s}});
-    }
-    vertices.put_refined(static_cast<Index>(size.vertices), tagged);
   }
 
   const Scheme& scheme_;

@@ -45,9 +45,14 @@ struct Used_parameters
 using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
 using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                                          internal_np::vertex_normal_map_t>;
+using Creased_limit_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
+                  internal_np::vertex_is_constrained_t>;
 using Limit_subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t>;
+                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
+                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t>;
 using Interpolation_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
@@ -311,6 +316,19 @@ constexpr bool check_subdivision_arguments()
     }
   }
   return false;
+}
+
+// the maps of a function for limits that say what is sharp
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_creased_limit_arguments()
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                              typename Parameters::Edge_constraint_map>() &&
+         check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                              typename Parameters::Vertex_constraint_map>() &&
+         check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                               typename Parameters::Geom_traits>();
 }
 
 template <class Mesh, class Item>

@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -75,7 +74,7 @@ public:
     for (Index v = 0; v < level.number_of_vertices(); ++v)
       if (valence_[v] != 0) {
         const bool is_one = valence_[v] > 2 && has_weights(valence_[v]) &&
-                            !has_counted_valence(level, v) &&
+                            counted_valence(level, v) == nullptr &&
                             is_separated(level, v, degree, valence_);
         (is_one ? separated : others).push_back(v);
       }
@@ -113,14 +112,6 @@ public:
   }
 
 private:
-  static bool has_counted_valence(const Level_connectivity& level, Index v)
-  {
-    const auto& counted = level.counted_valences(); // in the order of the vertices
-    const auto it = std::lower_bound(counted.begin(), counted.end(), v,
-                                     [](const auto& c, Index vertex) { return c.vertex < vertex; });
-    return it != counted.end() && it->vertex == v;
-  }
-
   std::vector<Index> valence_; // 0: not separated
   std::map<Index, Weights> weights_;
 };

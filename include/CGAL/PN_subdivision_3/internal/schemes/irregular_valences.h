@@ -11,11 +11,22 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// what the valence of v counts as, null if that is the valence itself
+inline const Level_connectivity::Counted_valence* counted_valence(const Level_connectivity& level,
+                                                                  Level_connectivity::Index v)
+{
+  const auto& counted = level.counted_valences(); // in the order of the vertices
+  const auto it = std::lower_bound(counted.begin(), counted.end(), v,
+                                   [](const auto& c, auto vertex) { return c.vertex < vertex; });
+  return it != counted.end() && it->vertex == v ? &*it : nullptr;
+}
 
 // The valence of each interior vertex that is not regular; 0 for all other vertices. Counted valences go
 // first.

@@ -1,0 +1,335 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_LIMITS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_LIMITS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Crease_vertex_limit.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Dart_limit.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The limits at all slots of a level with creases that are sharp for ever.
+//
+// Where there is no crease, they are those of the level cut open: what the ring of a vertex becomes depends on
+// the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the
+// crease, darts with their ring, and corners stay. Where a ring is not settled, the whole level is refined.
+template <class Scheme, class FT>
+class Creased_limits
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Evaluation = Limit_evaluation<Scheme, FT>;
+  using Value = typename Evaluation::Value;
+  using Result = typename Evaluation::Result;
+  using Level = typename Evaluation::Level;
+
+  Creased_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , demand_(demand)
+    , for_chunks_(for_chunks)
+    , evaluation_(scheme, demand, for_chunks)
+    , any_round_((std::max)(101u, First_tuned_round<Scheme>::of(scheme)))
+    , border_classes_(scheme)
+  {}
+
+  // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit.
+  std::vector<Result> operator()(Level& level, Creases<FT>& creases, unsigned next_round)
+  {
+    if (creases.empty()) return evaluation_(level, next_round);
+    std::vector<Result> results(creases.number_of_slots);
+    Creases<FT> limits = creases;
+    std::vector<Index> rest = vertices_of_rings(level.level, creases);
+    {
+      const Cut cut(level.level, creases);
+      evaluate_creases(level, creases, limits, results);
+      if constexpr (!is_pn)
+        if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
+      rest = evaluate_rest(level, creases, limits, rest, next_round, 0, results);
+    }
+    if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
+    creases = std::move(limits);
+    return results;
+  }
+
+private:
+  static constexpr bool is_pn = is_pn_v<Scheme>;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Refiner = Crease_refiner<Scheme, Average>;
+  using Vector = Coordinates<FT, 3>;
+  using Crease_limit = Crease_vertex_limit<FT, is_pn>;
+  using Dart = Dart_class<Scheme, FT>;
+
+  // open while it lives
+  struct Cut
+  {
+    Cut(Level_connectivity& level, const Creases<FT>& creases)
+      : cut(level, creases)
+    {}
+    ~Cut() { cut.close(); }
+    Level_cut<FT> cut;
+  };
+
+  static Vector normal(const Value& value)
+  {
+    if constexpr (is_pn)
+      return value.normal;
+    else
+      return zero_vector<FT, 3>();
+  }
+
+  // \name Vertices whose limit depends on their ring
+  // all but crease vertices and corners
+  static std::vector<Index> vertices_of_rings(const Level_connectivity& level,
+                                              const Creases<FT>& creases)
+  {
+    std::vector<Index> vertices;
+    auto star = creases.stars.begin(); // in the order of the vertices
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      const bool is_star = star != creases.stars.end() && star->vertex == v;
+      if (!is_star || creases.rule(*star) == Vertex_rule::dart) vertices.push_back(v);
+      if (is_star) ++star;
+    }
+    return vertices;
+  }
+
+  // of the level cut open; returns the vertices that have to be refined first
+  std::vector<Index> evaluate_rest(const Level& level, const Creases<FT>& creases,
+                                   Creases<FT>& limits, const std::vector<Index>& vertices,
+                                   unsigned next_round, unsigned depth,
+                                   std::vector<Result>& results)
+  {
+    std::map<Index, const Crease_star*> darts;
+    for (const Crease_star& star : creases.stars)
+      if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
+    std::vector<Index> smooth, rest;
+    const bool is_final = next_round >= First_tuned_round<Scheme>::of(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(level.level, is_final);
+    for (const Index v : vertices) {
+      const auto dart = darts.find(v);
+      if (dart == darts.end())
+        smooth.push_back(v);
+      else if (is_settled(v))
+        evaluate_dart(level, creases, *dart->second, limits, depth, results[v]);
+      else
+        rest.push_back(v);
+    }
+    const std::vector<Index> unsettled = evaluation_.evaluate_settled(
+      level, smooth, next_round, depth, [&](Index i) -> Result& { return results[smooth[i]]; });
+    for (const Index i : unsettled) rest.push_back(smooth[i]);
+    return rest;
+  }
+
+  // old vertices keep their numbers
+  void refine(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
+              std::vector<Index>&& vertices, unsigned next_round, std::vector<Result>& results)
+  {
+    Refiner refiner(scheme_, Level_connectivity(level.level), Creases<FT>(creases),
+                    {level.values.begin(), level.values.end()}, for_chunks_, next_round - 1);
+    for (unsigned depth = 0; !vertices.empty();) {
+      evaluation_.require_depth(depth, next_round);
+      refiner.refine();
+      ++depth;
+      ++next_round;
+      Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
+      const Cut cut(refined.level, refiner.creases());
+      vertices =
+        evaluate_rest(refined, refiner.creases(), limits, vertices, next_round, depth, results);
+    }
+  }
+
+  // \name Vertices on creases
+  void evaluate_creases(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
+                        std::vector<Result>& results)
+  {
+    Crease_curve_weights<FT> weights{FT(0), FT(0)};
+    const auto first =
+      std::find_if(creases.stars.begin(), creases.stars.end(), [&](const Crease_star& star) {
+        return creases.rule(star) == Vertex_rule::crease;
+      });
+    if (first != creases.stars.end())
+      weights = Crease_curve_weights<FT>::of(scheme_, level.level, first->vertex, any_round_);
+    const Caller_precision<FT> precision;
+    for_chunks_(static_cast<Index>(creases.stars.size()), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread same(precision);
+      for (Index i = begin; i < end; ++i) {
+        const Crease_star& star = creases.stars[i];
+        const Vertex_rule rule = creases.rule(star);
+        if (rule == Vertex_rule::crease)
+          decide(star, [&] { evaluate_crease(level, creases, star, weights, limits, results); });
+        else if (rule == Vertex_rule::corner)
+          for (Index w = 0; w < star.number_of_wedges; ++w)
+            results[star.slot(w)].value = level.values[star.slot(w)];
+      }
+    });
+  }
+
+  // names the vertex at which the precision of the number type does not suffice
+  template <class Function>
+  static void decide(const Crease_star& star, const Function& f)
+  {
+    decided<FT>(
+      f, [&] { return "the limit at vertex " + std::to_string(star.vertex) + " on a crease"; });
+  }
+
+  // the tangent at a vertex along an edge of it, from the vertex and towards it from the other end
+  static Vector& tangent_from(Creases<FT>& creases, const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[1 - e.side];
+  }
+  static const Vector& tangent_from(const Creases<FT>& creases, const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[1 - e.side];
+  }
+  static const Vector& tangent_towards(const Creases<FT>& creases, const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[e.side];
+  }
+
+  void evaluate_crease(const Level& level, const Creases<FT>& creases, const Crease_star& star,
+                       const Crease_curve_weights<FT>& weights, Creases<FT>& limits,
+                       std::vector<Result>& results) const
+  {
+    const Crease_end &from = creases.end(star, 0), &to = creases.end(star, 1);
+    const auto neighbor = [&](const Crease_end& e) {
+      return point_of(level.values[level.level.source(creases.halfedge(e))]);
+    };
+    Crease_limit limit;
+    limit.points = {point_of(level.values[star.vertex]), neighbor(from), neighbor(to)};
+    limit.tangents = {tangent_from(creases, to), tangent_towards(creases, from),
+                      opposite_vector<FT, 3>(tangent_towards(creases, to))};
+    limit.arrival_tangent = opposite_vector<FT, 3>(tangent_from(creases, from));
+    std::vector<Index> slots;
+    if constexpr (is_pn) {
+      add_wedge(level, creases, from, to, false, limit, slots);
+      add_wedge(level, creases, to, from, true, limit, slots);
+    }
+    Limit_steps<FT> steps(demand_, !is_pn, 1. / 16);
+    limit.evaluate(weights, steps);
+    for (Index w = 0; w < star.number_of_wedges; ++w) {
+      Result& result = results[star.slot(w)];
+      point_of(result.value) = limit.points[0];
+      result.error = steps.error();
+      result.depth = steps.depth();
+    }
+    if constexpr (is_pn)
+      for (std::size_t w = 0; w < slots.size(); ++w)
+        results[slots[w]].value.normal = limit.normals[w][0];
+    tangent_from(limits, from) = opposite_vector<FT, 3>(limit.tangents[0]);
+    tangent_from(limits, to) = limit.tangents[0];
+  }
+
+  // of a linear scheme, whose rules in a wedge are those of a border
+  void evaluate_normals(const Level& level, const Creases<FT>& creases, unsigned next_round,
+                        std::vector<Result>& results)
+  {
+    std::vector<Index> slots;
+    for (const Crease_star& star : creases.stars)
+      if (creases.rule(star) == Vertex_rule::crease)
+        for (Index w = 0; w < star.number_of_wedges; ++w) slots.push_back(star.slot(w));
+    std::vector<Result> of_slots(slots.size());
+    evaluation_.evaluate_settled(level, slots, next_round, 0,
+                                 [&](Index i) -> Result& { return of_slots[i]; });
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      results[slots[i]].surface_normal = of_slots[i].surface_normal;
+      results[slots[i]].has_surface_normal = of_slots[i].has_surface_normal;
+    }
+  }
+
+  // the normals of the wedge that lies behind one end and before the other one, if there is one
+  static void add_wedge(const Level& level, const Creases<FT>& creases, const Crease_end& behind,
+                        const Crease_end& before, bool is_reversed, Crease_limit& limit,
+                        std::vector<Index>& slots)
+  {
+    const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
+    if (!first.has_after(behind.side)) return;
+    slots.push_back(first.after[behind.side]);
+    const auto normal_of = [&](Index slot) { return normal(level.values[slot]); };
+    typename Crease_limit::Three three{normal_of(slots.back()),
+                                       normal_of(first.before[1 - behind.side]),
+                                       normal_of(last.after[1 - before.side])};
+    if (is_reversed) std::swap(three[1], three[2]);
+    limit.normals.push_back(three);
+  }
+
+  // \name Darts
+  void evaluate_dart(const Level& level, const Creases<FT>& creases, const Crease_star& star,
+                     Creases<FT>& limits, unsigned depth, Result& result)
+  {
+    const Crease_end& e = creases.end(star, 0);
+    std::vector<Index> places;
+    Vertex_ring::append(level.level, star.vertex, 1, places);
+    const bool is_first = star.is_border && places[1] == level.level.source(creases.halfedge(e));
+    const Dart& dart = dart_class(level, star, is_first);
+    Dart_limit<Scheme, FT> limit;
+    for (const Index slot : places) limit.ring.push_back(level.values[slot]);
+    limit.tangent = tangent_from(creases, e);
+    limit.far_tangent = tangent_towards(creases, e);
+    // the differences fall by 1/4 at least, as the square of the ring
+    Limit_steps<FT> steps(demand_, !is_pn, 1. / 4);
+    decide(star, [&] { result.value = limit.evaluate(dart, steps); });
+    result.error = steps.error();
+    result.depth = depth + steps.depth();
+    const auto of_limits =
+      std::lower_bound(limits.stars.begin(), limits.stars.end(), star.vertex,
+                       [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
+    tangent_from(limits, limits.end(*of_limits, 0)) = limit.tangent;
+  }
+
+  // is_first: of a border, whether the crease is on its first edge
+  const Dart& dart_class(const Level& level, const Crease_star& star, bool is_first)
+  {
+    const Index valence =
+      level.level.valence(star.vertex) - static_cast<Index>(star.is_border ? 0 : 1);
+    auto& dart = darts_[{star.is_border, is_first, valence}];
+    if (!dart && star.is_border)
+      dart =
+        std::make_unique<Dart>(*border_classes_.at(level.level, star.vertex, any_round_).ring_class,
+                               is_first ? Index(1) : valence);
+    else if (!dart)
+      dart = std::make_unique<Dart>(scheme_, valence, any_round_);
+    return *dart;
+  }
+
+  const Scheme& scheme_;
+  const Limit_demand& demand_;
+  For_chunks for_chunks_;
+  Evaluation evaluation_;
+  const unsigned any_round_; // with the rules of all later ones
+  Limit_classes<Scheme, FT> border_classes_;
+  // of the border, whether the crease is on its first edge, valence
+  std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_LIMITS_H

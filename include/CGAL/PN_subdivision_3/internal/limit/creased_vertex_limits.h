@@ -1,0 +1,135 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_VERTEX_LIMITS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_VERTEX_LIMITS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
+#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Creased_control.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Refuses what is still sharp after the rounds, but not for ever.
+template <class FT, class Access>
+void require_sharp_for_ever(const Access& access, const Creases<FT>& creases, unsigned rounds)
+{
+  const auto require = [&](double s, const auto& name) {
+    if (s == infinite_sharpness || s <= rounds) return;
+    std::ostringstream message;
+    message << "PN_subdivision_3: the sharpness of " << name() << " is " << s
+            << ", and limits are known only of what is smooth or sharp for ever: ";
+    const double missing = std::ceil(s) - rounds;
+    message << "subdivide by " << missing << (missing == 1 ? " more round" : " more rounds")
+            << ", or make it infinite";
+    throw std::invalid_argument(message.str());
+  };
+  for (const Crease_edge<FT>& e : creases.edges)
+    require(e.sharpness, [&] { return Edge_of_mesh::name(access, e.edge); });
+  for (const Crease_star& star : creases.stars)
+    require(star.sharpness, [&] { return access.vertex_name(star.vertex); });
+}
+
+// At vertices with several wedges: the mean of the normals of these.
+template <class Scheme, class FT, class Result>
+void put_mean_normals(const Creases<FT>& creases, std::vector<Result>& results)
+{
+  for (const Crease_star& star : creases.stars) {
+    if (star.number_of_wedges == 1) continue;
+    Result& mean = results[star.vertex];
+    for (Level_connectivity::Index w = 1; w < star.number_of_wedges; ++w) {
+      const Result& other = results[star.slot(w)];
+      if constexpr (is_pn_v<Scheme>)
+        add_multiple<FT, 3>(mean.value.normal, FT(1), other.value.normal);
+      mean.has_surface_normal = mean.has_surface_normal && other.has_surface_normal;
+      add_multiple<double, 3>(mean.surface_normal, 1, other.surface_normal);
+    }
+    if constexpr (is_pn_v<Scheme>)
+      decided<FT>(
+        [&] {
+          mean.value.normal = unit_or_zero<FT, 3>(mean.value.normal, FT(star.number_of_wedges));
+        },
+        [&] { return "the mean normal of vertex " + std::to_string(star.vertex); });
+    mean.surface_normal = unit_or_zero<double, 3>(mean.surface_normal, star.number_of_wedges);
+  }
+}
+
+// What becomes of the slots: limit points with the normals that are asked for.
+template <class Scheme, class FT, class Result>
+std::vector<Point_normal<FT, 3>> slot_values(const std::vector<Result>& results,
+                                             bool surface_normals)
+{
+  std::vector<Point_normal<FT, 3>> values;
+  values.reserve(results.size());
+  for (const Result& r : results)
+    values.push_back({point_of(r.value), limit_normal<Scheme>(r, surface_normals)});
+  return values;
+}
+
+// A mesh with creases as the maps tell of it, and the limits at its slots.
+template <class Scheme, class FT>
+struct Creased_vertex_limits
+{
+  using Value = typename Average_of_scheme<Scheme, FT>::Value;
+  using Control = Creased_control<Scheme, FT>;
+
+  Level_connectivity level;
+  Creases<FT> creases; // with the tangents of the limit
+  std::vector<Limit_result<Average_of_scheme<Scheme, FT>>> results;
+  Limit_demand demand;
+
+  // make_demand(size of the box)
+  template <class Access, class Tangents, class Point_map, class Normal_map, class Edges,
+            class Vertices, class Make_demand>
+  Creased_vertex_limits(const Access& access, Level_connectivity&& of_mesh, Tangents& tangents,
+                        const Scheme& scheme, Point_map points, Normal_map normals,
+                        const Edges& edges, const Vertices& vertices, unsigned rounds_done,
+                        const Make_demand& make_demand, const For_chunks& for_chunks)
+    : level(std::move(of_mesh))
+    , creases(Control::make_creases(scheme, level, edges, vertices))
+  {
+    require_sharp_for_ever(access, creases, 0);
+    tangents.read(creases);
+    Valued_level<Value> valued;
+    if constexpr (is_pn_v<Scheme>)
+      valued.values =
+        Control::template read<Value>(scheme, access, level, points, normals, creases);
+    else
+      valued.values =
+        Control::template read<Value>(scheme, access, level, points, No_normal_map(), creases);
+    valued.level = level;
+    demand = make_demand(box_size(valued));
+    results =
+      Creased_limits<Scheme, FT>(scheme, demand, for_chunks)(valued, creases, rounds_done + 1);
+  }
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_VERTEX_LIMITS_H
