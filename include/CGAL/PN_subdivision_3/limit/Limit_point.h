@@ -1,0 +1,75 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_LIMIT_LIMIT_POINT_H
+#define CGAL_PN_SUBDIVISION_3_LIMIT_LIMIT_POINT_H
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+The point of the limit surface that belongs to a vertex of a control mesh, see `limit_points()`.
+
+\tparam GeomTraits a model of `Kernel`
+*/
+template <class GeomTraits>
+struct Limit_point
+{
+  /// the limit of the points of the vertex.
+  typename GeomTraits::Point_3 point{0, 0, 0};
+  /// an estimate of the distance of `point` from the limit; it is not a bound that is proved.
+  double error = 0;
+  /// the limit of the control normals of the vertex, a unit vector; zero if there is none, and with
+  /// linear schemes. *It is not the normal of the surface.*
+  typename GeomTraits::Vector_3 control_normal{0, 0, 0};
+  /// the unit normal of the limit surface, if it was asked for and `has_surface_normal`; otherwise
+  /// `control_normal`.
+  typename GeomTraits::Vector_3 surface_normal{0, 0, 0};
+  /// an estimate of the error of `surface_normal`, in radians.
+  double normal_error = 0;
+  /// whether the surface has a tangent plane that its ring matrix tells of.
+  bool has_surface_normal = false;
+  /// \name Curvature
+  /// if it was asked for and `has_curvature`; signs are those of `Vertex_curvature`.
+  /// @{
+
+  /// the Gaussian curvature.
+  double gaussian = 0;
+  /// the mean curvature.
+  double mean = 0;
+  /// whether the surface has curvatures there.
+  bool has_curvature = false;
+  /// @}
+};
+
+/// \ingroup PkgPNSubdivision3Limit
+/// What `limit_points()` shall compute, and how well.
+struct Limit_options
+{
+  /// the largest estimated error of a limit point, as a part of the largest side of the bounding box of
+  /// the points.
+  double tolerance = 1e-9;
+  /// the largest estimated error of a surface normal, in radians.
+  double normal_tolerance = 1e-3;
+  /// the most rounds of refinement about a vertex.
+  unsigned max_depth = 12;
+  /// whether surface normals are computed.
+  bool surface_normals = false;
+  /// whether curvatures are computed, where they exist.
+  bool curvatures = false;
+  /// how many rounds the call has done that made the mesh: the borders of \f$ \sqrt{3} \f$ depend on
+  /// whether that is even, and modified schemes on whether it is before their first round; others do not.
+  unsigned rounds_done = 0;
+};
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_LIMIT_LIMIT_POINT_H
