@@ -247,9 +247,10 @@ private:
       next.push_back(average(dart.points().rows[p],
                              Has_normal_mask<Scheme>::value ? dart.normals().rows[p] : Row()));
     const FT half = FT(1) / FT(2);
-    const Vector far = opposite_vector<FT, 3>(far_tangent);
-    const std::array<Entry, 2> entries{{{half, point_of(ring.front()), tangent},
-                                        {half, point_of(ring[dart.crease_places().front()]), far}}};
+    const Vector onwards = opposite_vector<FT, 3>(far_tangent);
+    const std::array<Entry, 2> entries{
+      {{half, point_of(ring.front()), tangent},
+       {half, point_of(ring[dart.crease_places().front()]), onwards}}};
     const Rule rule(entries.data(), entries.data() + 2);
     for (const auto p : dart.crease_places()) {
       point_of(next[p]) = rule.point();
