@@ -22,7 +22,7 @@
 namespace pn_subdivide {
 namespace {
 
-Limit_report limits_of(Surface& surface, const Scheme_choice& choice, Limit_map limits,
+Limit_report limits_of(Surface& surface, const Scheme_choice& choice, const Limit_map& limits,
                        const Limit_options& options)
 {
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);

@@ -370,8 +370,8 @@ void run_surface_command(const Surface_options& options)
       const Bounding_box control(mesh.points);
       process(mesh, plan, options, scheme, creases, has_file_normals, report);
       if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
+      if (plan.verification) plan.verification->measure(mesh.points);
     }
-    if (plan.verification) plan.verification->measure(mesh.points);
   } catch (const Usage_error&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -150,7 +151,7 @@ private:
     size.vertices = 1 + spokes;
     size.edges = spokes + triangles;
     size.faces = triangles;
-    size.corners = 3 * triangles;
+    size.corners = std::size_t(3) * triangles;
     Level_connectivity level(size);
     level.set_uniform_degree(3);
     for (Index i = 0; i < spokes; ++i) {

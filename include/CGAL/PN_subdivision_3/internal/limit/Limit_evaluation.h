@@ -153,6 +153,7 @@ private:
     if (unsettled.empty()) return;
     require_depth(depth, next_round);
     std::vector<Index> centers;
+    centers.reserve(unsettled.size());
     for (const Index i : unsettled) centers.push_back(vertices[i]);
     const Level refined = refined_about(level, centers, next_round);
     std::vector<Result> fine(centers.size());
