@@ -6,15 +6,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/limit.h"
-
-#include <CGAL/PN_subdivision_3.h>
-
-#include <type_traits>
+#include "surface/move_to_limits.h"
 
 namespace pn_subdivide {
 
-using Tag = CGAL::Parallel_if_available_tag;
 namespace PN = CGAL::PN_subdivision_3;
 
 Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
@@ -24,11 +19,8 @@ Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
   return std::visit(
     [&](const auto& s) -> Limit_report {
       if constexpr (can_crease<std::decay_t<decltype(s)>>)
-        return PN::move_to_limit<Tag>(surface, PN::linear(PN::with_border(s, creases.border)),
-                                      options,
-                                      CGAL::parameters::vertex_normal_map(normals)
-                                        .edge_is_constrained_map(creases.edges)
-                                        .vertex_is_constrained_map(creases.vertices));
+        return move_to_limits(surface, normals, PN::linear(PN::with_border(s, creases.border)),
+                              creases, options);
       else
         return {};
     },

@@ -6,32 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "surface/limit.h"
-
-#include <CGAL/PN_subdivision_3.h>
-
-#include <type_traits>
+#include "surface/move_to_limits.h"
 
 namespace pn_subdivide {
 
-using Tag = CGAL::Parallel_if_available_tag;
 namespace PN = CGAL::PN_subdivision_3;
-
-namespace {
-
-template <class S>
-Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S& scheme,
-                            const Crease_maps& creases, const Limit_options& options)
-{
-  return PN::move_to_limit<Tag>(
-    surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-    options,
-    CGAL::parameters::vertex_normal_map(normals)
-      .edge_is_constrained_map(creases.edges)
-      .vertex_is_constrained_map(creases.vertices));
-}
-
-} // namespace
 
 Limit_report move_to_limits_with_normal_scheme(Surface& surface, Corner_normal_map normals,
                                                const Scheme& scheme, const Scheme& normal_scheme,
@@ -44,7 +23,9 @@ Limit_report move_to_limits_with_normal_scheme(Surface& surface, Corner_normal_m
       using T = std::decay_t<decltype(t)>;
       if constexpr (can_crease<S> && can_crease<T>)
         if constexpr (go_together<S, T>)
-          return move_to_limits(surface, normals, PN::with_normal_scheme(s, t), creases, options);
+          return move_to_limits(surface, normals,
+                                with_creases(PN::with_normal_scheme(s, t), creases), creases,
+                                options);
       return {};
     },
     scheme, normal_scheme);
