@@ -112,9 +112,10 @@ foreach(unit_test ${unit_tests})
     pn_add_test(${name} ${unit_test} ${further})
   elseif(TARGET pn_subdivide)
     pn_add_test(${name} ${unit_test})
-    target_link_libraries(${name} PRIVATE pn_subdivide_command)
+    target_link_libraries(${name} PRIVATE pn_subdivide_command nlohmann_json::nlohmann_json)
     target_compile_definitions(
-      ${name} PRIVATE PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
+      ${name} PRIVATE PN_SUBDIVIDE_VERSION="${PN_subdivision_3_VERSION}"
+              PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
     add_dependencies(${name} pn_subdivide)
   endif()
 endforeach()

@@ -197,7 +197,8 @@ private:
   static void require_finite_texture(double x, const Ply_element& element, std::size_t i)
   {
     if (!std::isfinite(x))
-      throw Error(name_of(element, i) + " has a texture coordinate that is not finite");
+      throw Error(name_of(element, i) + " has a texture coordinate that is not finite" +
+                  reading_without_it);
   }
 
   void read_faces(const Ply_element& element)

@@ -192,7 +192,7 @@ void write_pieces(const Pieces_job& job, const Mesh_file& output, [[maybe_unused
   } catch (const std::bad_alloc&) {
     throw Error(output.name + ": not enough memory for a piece: ask for more --pieces");
   } catch (const std::exception& e) {
-    throw Error(output.name + ": " + e.what());
+    throw Error(output.name + ": " + message_of(e));
   }
 }
 

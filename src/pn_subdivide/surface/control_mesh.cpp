@@ -35,7 +35,7 @@ void announce_reading(const Mesh_file& file, const Report& report)
 void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Report& report)
 {
   if (!mesh.dropped.empty())
-    report.warn(name + ": not carried over to the result: " + enumeration(mesh.dropped));
+    report.warn_of_dropped(name + ": not carried over to the result: ", mesh.dropped);
 }
 
 void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
@@ -44,6 +44,11 @@ void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_optio
   if (options.repair) {
     const Soup_repair repair = repair_soup(mesh);
     if (repair.changed_anything()) report.warn(name + ": " + repair.description());
+    report.add_repair("removed_degenerate_faces", repair.removed_degenerate_faces);
+    report.add_repair("split_faces", repair.split_faces);
+    report.add_repair("removed_duplicate_faces", repair.removed_duplicate_faces);
+    report.add_repair("reversed_faces", repair.reversed_faces);
+    report.add_repair("added_vertices", repair.added_vertices);
   }
   require_sound_elements(mesh);
   const Soup_defects defects = find_defects(mesh);
@@ -78,6 +83,7 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
 void merge_points(Mesh_data& mesh, const std::string& name, Report& report)
 {
   const Point_merge merge = merge_equal_points(mesh);
+  report.add_repair("merged_vertices", merge.merged_vertices);
   if (merge.merged_vertices > 0)
     report.note(name + ": " + plural(merge.merged_vertices, "vertex", "vertices") +
                 " merged with an equal one");

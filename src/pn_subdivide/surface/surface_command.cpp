@@ -96,6 +96,7 @@ Plan make_plan(const Surface_options& options)
     plan.verification->require_surface();
   }
   require_writable_place(options.output);
+  require_report_place(options.report, {options.input, options.output, plan.creases.file});
   return plan;
 }
 
@@ -149,6 +150,7 @@ void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& o
     creases ? set_limits(surface, scheme, options.limit, *creases, options.levels, plan.threads)
             : set_limits(surface, scheme, options.limit, options.levels, plan.threads);
   report.note(summary.description(options.limit));
+  report.set_limit(summary.numbers(options.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
 }
@@ -287,8 +289,9 @@ void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& re
 {
   const std::vector<std::string> names = not_held(plan.output, mesh);
   if (!names.empty())
-    report.warn(plan.output.title("standard output") + ": not written, " + plan.output.format +
-                " files cannot hold it: " + enumeration(names));
+    report.warn_of_dropped(plan.output.title("standard output") + ": not written, " +
+                             plan.output.format + " files cannot hold it: ",
+                           names);
 }
 
 std::string rounds_of(const Plan& plan, const Surface_options& options, const Scheme_choice& scheme,
@@ -335,14 +338,17 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals + ", " + pieces +
               time_of(report));
   report.print_warnings();
+  report.write_file({options.input, options.output, size.vertices, size.faces, options.levels});
   report.print_notes();
+  ranks().wait_for_all(); // none ends the others before they have said all
+  report.require_no_warnings();
 }
 
 } // namespace
 
 void run_surface_command(const Surface_options& options)
 {
-  Report report(options.quiet, ranks().rank() != 0);
+  Report report(options.report, ranks().rank() != 0);
   Plan plan = make_plan(options);
   const std::string input = plan.input.title("standard input");
   Mesh_data mesh;
@@ -377,7 +383,7 @@ void run_surface_command(const Surface_options& options)
   } catch (const std::bad_alloc&) {
     throw Error(input + ": not enough memory for " + std::to_string(options.levels) + " rounds");
   } catch (const std::exception& e) {
-    const std::string what = e.what();
+    const std::string what = message_of(e);
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
   if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, report);
@@ -390,8 +396,11 @@ void run_surface_command(const Surface_options& options)
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
   report.print_warnings();
+  report.write_file({options.input, options.output, mesh.points.size(), mesh.number_of_faces(),
+                     options.levels});
   if (plan.verification) plan.verification->require_tolerance();
   report.print_notes();
+  report.require_no_warnings();
 }
 
 } // namespace pn_subdivide

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "io/Report.h"
 #include "pieces/Pieces_options.h"
 #include "surface/Crease_options.h"
 #include "surface/Verify_options.h"
@@ -35,7 +36,8 @@ struct Surface_options
   Pieces_options pieces;
   bool merge_points = false, repair = false, triangulate = false;
   bool drop_attributes = false;
-  bool ascii = false, quiet = false;
+  bool ascii = false;
+  Report_options report;
 };
 
 // The command `pn_subdivide surface`. Throws Usage_error, Error or what the library throws; the
