@@ -25,6 +25,31 @@ pn_configure_without(CGAL "PN_subdivision_3 needs CGAL 5.5 or newer, which was n
 pn_configure_without(Eigen3 "tests are left out: [^\n]*test_schemes.*Configuring done")
 pn_configure_without(GTest "GoogleTest not found, the unit tests are left out.*Configuring done")
 
+# an MPI without its headers, which ends CMake's FindMPI
+if(TARGET pn_subdivide AND UNIX)
+  foreach(wrapper open_mpi mpich)
+    foreach(choice default AUTO ON)
+      set(name configure_without_headers_of_${wrapper}_${choice})
+      set(option -DPN_SUBDIVISION_3_WITH_MPI=${choice})
+      set(expected "MPI is left out[^\n]*/no/such[^\n]* does not exist .Debian package libopenmpi-dev.*Configuring done")
+      if(choice STREQUAL "default")
+        set(option)
+        set(expected "Configuring done")
+      elseif(choice STREQUAL "ON")
+        set(expected "MPI is left out.*/no/such.*not[ \n]+exist.*libopenmpi-dev.*PN_SUBDIVISION_3_WITH_MPI is ON")
+      endif()
+      add_test(
+        NAME ${name}
+        COMMAND ${CMAKE_COMMAND} -S ${PN_subdivision_3_SOURCE_DIR} -B ${pn_consumer_dir}/${name}
+                -G ${CMAKE_GENERATOR} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                -DMPI_CXX_COMPILER=${CMAKE_CURRENT_SOURCE_DIR}/mpi_wrappers/${wrapper} ${option}
+                -DPN_SUBDIVISION_3_TESTS=OFF -DPN_SUBDIVISION_3_EXAMPLES=OFF
+                -DPN_SUBDIVISION_3_BENCHMARKS=OFF)
+      set_tests_properties(${name} PROPERTIES PASS_REGULAR_EXPRESSION "${expected}")
+    endforeach()
+  endforeach()
+endif()
+
 # --- as CGAL's test suite does: the folder of the tests by itself ---
 add_test(NAME tests_by_themselves
          COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR} -B ${pn_consumer_dir}/tests_by_themselves

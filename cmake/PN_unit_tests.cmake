@@ -120,10 +120,9 @@ foreach(unit_test ${unit_tests})
 endforeach()
 
 # ranks of mpirun, and VTK, for refinement in pieces
-if(TARGET test_pn_subdivide_pieces AND PN_SUBDIVISION_3_WITH_MPI)
+if(TARGET test_pn_subdivide_pieces AND PN_MPI_FOUND)
   find_program(PN_MPIRUN mpirun)
-  find_package(MPI QUIET COMPONENTS CXX)
-  if(PN_MPIRUN AND MPI_CXX_FOUND)
+  if(PN_MPIRUN)
     target_compile_definitions(test_pn_subdivide_pieces PRIVATE PN_TEST_MPIRUN="${PN_MPIRUN}")
   endif()
 endif()
