@@ -18,7 +18,7 @@ set -euo pipefail
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
           libgtest-dev)
 optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3
-          libopenmpi-dev openmpi-bin)
+          libopenmpi-dev openmpi-bin pkgconf)
 if [[ ${1:-} == --picture ]]; then
   optional+=(python3-vtk9 python3-numpy xvfb xauth)
 elif [[ ${1:-} == --page ]]; then
