@@ -68,7 +68,7 @@ pn_test_settings(pn_test_headers)
 
 # What of the reference implementations takes long to compile.
 file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
-if(TARGET Eigen3::Eigen)
+if(TARGET CGAL::PN_subdivision_3_Eigen)
   add_library(pn_test_references STATIC ${reference_sources})
   pn_test_settings(pn_test_references)
 endif()
