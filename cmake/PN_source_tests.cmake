@@ -12,7 +12,7 @@ if(Python3_FOUND)
       string(APPEND pn_compiler " -I${folder}")
     endif()
   endforeach()
-  if(TARGET Eigen3::Eigen)
+  if(TARGET CGAL::PN_subdivision_3_Eigen)
     get_target_property(pn_eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
     add_test(NAME sources_are_in_order
              COMMAND Python3::Interpreter -B ${pn_scripts}/check_sources.py

@@ -68,7 +68,7 @@ pn_test_settings(pn_test_headers)
 
 # What of the reference implementations takes long to compile.
 file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
-if(TARGET Eigen3::Eigen)
+if(TARGET CGAL::PN_subdivision_3_Eigen)
   add_library(pn_test_references STATIC ${reference_sources})
   pn_test_settings(pn_test_references)
 endif()
@@ -120,10 +120,9 @@ foreach(unit_test ${unit_tests})
 endforeach()
 
 # ranks of mpirun, and VTK, for refinement in pieces
-if(TARGET test_pn_subdivide_pieces AND PN_SUBDIVISION_3_WITH_MPI)
+if(TARGET test_pn_subdivide_pieces AND PN_MPI_FOUND)
   find_program(PN_MPIRUN mpirun)
-  find_package(MPI QUIET COMPONENTS CXX)
-  if(PN_MPIRUN AND MPI_CXX_FOUND)
+  if(PN_MPIRUN)
     target_compile_definitions(test_pn_subdivide_pieces PRIVATE PN_TEST_MPIRUN="${PN_MPIRUN}")
   endif()
 endif()

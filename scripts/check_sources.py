@@ -7,8 +7,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
-CGAL packages whose headers the package's headers include, directly or not, and that version.h and
-CMakeLists.txt name the same version.
+CGAL packages whose headers the package's headers include, directly or not, and that version.h,
+CMakeLists.txt, vcpkg.json, CHANGES.md and CITATION.cff agree on the version.
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -116,22 +116,34 @@ def check_dependencies(compiler: list[str], fix: bool) -> list[str]:
 
 
 def check_version() -> list[str]:
-    project = (ROOT / "CMakeLists.txt").read_text()
-    header = (ROOT / "include/CGAL" / NAME / "version.h").read_text()
-    vcpkg = (ROOT / "vcpkg.json").read_text()
-    version = re.search(r"VERSION (\d+)\.(\d+)\.(\d+)", project)
-    if not version:
-        return ["CMakeLists.txt names no version"]
-    text = ".".join(version.groups())
-    major, minor, patch = map(int, version.groups())
-    number = f"1{major:02}{minor:02}{patch:02}"
+    def named(file: str, pattern: str) -> list[tuple[str, ...]]:
+        return [m.groups() for m in re.finditer(pattern, (ROOT / file).read_text(), re.MULTILINE)]
+
+    version = r"(\d+\.\d+\.\d+)"
+    header = f"include/CGAL/{NAME}/version.h"
+    texts = [*named("CMakeLists.txt", rf"^ *VERSION {version}$")]
+    changes = named("CHANGES.md", rf"^## {version}( \(in development\))?$")
+    if not texts or not changes:
+        return ["CMakeLists.txt or the first section of CHANGES.md names no version"]
+    (text,), (top, in_development) = texts[0], changes[0]
+    number = "1" + "".join(f"{int(part):02}" for part in text.split("."))
+    shown = text + ("-dev" if in_development else "")
     wrong = []
-    if f'#define CGAL_PN_SUBDIVISION_3_VERSION "{text}"' not in header:
-        wrong.append(f"version.h does not define CGAL_PN_SUBDIVISION_3_VERSION as \"{text}\"")
-    if f"#define CGAL_PN_SUBDIVISION_3_VERSION_NR {number}\n" not in header:
-        wrong.append(f"version.h does not define CGAL_PN_SUBDIVISION_3_VERSION_NR as {number}")
-    if f'"version": "{text}"' not in vcpkg:
-        wrong.append(f"vcpkg.json does not name the version {text}")
+
+    def expect(file: str, pattern: str, value: str) -> None:
+        if [(value,)] != named(file, pattern):
+            wrong.append(f"{file} does not name the version {value} once")
+
+    expect(header, r'^#define CGAL_PN_SUBDIVISION_3_VERSION "(.*)"$', shown)
+    expect(header, r"^#define CGAL_PN_SUBDIVISION_3_VERSION_NR (\d+)$", number)
+    expect("vcpkg.json", r'^ *"version": "(.*)",$', text)
+    if top != text:
+        wrong.append(f"CHANGES.md begins with {top}, but CMakeLists.txt names {text}")
+    if any(later for _, later in changes[1:]):
+        wrong.append("CHANGES.md: only the section on top can be in development")
+    released = [closed for closed, later in changes if not later]
+    if released:
+        expect("CITATION.cff", r"^version: (.*)$", released[0])
     return wrong
 
 

@@ -17,7 +17,8 @@ set -euo pipefail
 
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
           libgtest-dev)
-optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3)
+optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3
+          libopenmpi-dev openmpi-bin pkgconf)
 if [[ ${1:-} == --picture ]]; then
   optional+=(python3-vtk9 python3-numpy xvfb xauth)
 elif [[ ${1:-} == --page ]]; then
@@ -42,6 +43,7 @@ This system is not Debian, so nothing is installed here. What PN_subdivision_3 n
   Eigen 3.3 or newer, GoogleTest
 and what it uses where it is found:
   TBB (threads), CLI11 (the command pn_subdivide), Google Benchmark, OpenMesh and OpenSubdiv (tests),
+  MPI (the command on several machines),
   Python 3.11 or newer (a test of data/), with VTK and NumPy (pictures)
 vcpkg.json names the same for vcpkg.
 TEXT

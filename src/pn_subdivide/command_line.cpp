@@ -14,6 +14,8 @@
 #include "io/Error.h"
 #include "io/mesh_io.h"
 
+#include <CGAL/PN_subdivision_3/version.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -284,7 +286,7 @@ Command parse_command_line(int argc, char** argv)
     "Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what they "
     "are",
     "pn_subdivide");
-  app.set_version_flag("--version", PN_SUBDIVIDE_VERSION);
+  app.set_version_flag("--version", CGAL_PN_SUBDIVISION_3_VERSION);
   app.require_subcommand(1);
   app.footer("Meshes: reads " + extensions(readable_formats()) + ", writes " +
              extensions(writable_formats()) + ".\n" + exit_codes);
