@@ -9,6 +9,10 @@ set(_pn_targets_global ${CMAKE_FIND_PACKAGE_TARGETS_GLOBAL})
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
 if(NOT TARGET CGAL::CGAL)
+  # CGAL 6.0 asks for Boost in the old way, of which CMake 3.30 and newer warn
+  if(NOT DEFINED CMAKE_POLICY_DEFAULT_CMP0167)
+    set(CMAKE_POLICY_DEFAULT_CMP0167 OLD)
+  endif()
   find_package(CGAL 5.5 QUIET)
 endif()
 if(NOT TARGET CGAL::CGAL)

@@ -54,8 +54,6 @@ add_library(pn_internal_headers_alone OBJECT ${internal})
 target_precompile_headers(pn_internal_headers_alone REUSE_FROM pn_headers_of_others)
 foreach(target pn_headers_alone pn_internal_headers_alone)
   pn_own_target(${target})
-  # an empty object file is left for the build tool to see
-  target_compile_options(${target} PRIVATE -fsyntax-only)
   set_target_properties(${target} PROPERTIES
                         CXX_COMPILER_LAUNCHER "${PN_subdivision_3_SOURCE_DIR}/cmake/PN_check_only.sh")
 endforeach()
