@@ -95,8 +95,11 @@ if [[ -n $file ]]; then
   name=$(basename "$file")
   name=${name%.*}
   "$program" -o "$results" "${subdivide_options[@]}" "$file"
+  control=$results/${name}_control.ply # whose edges would hide the surface if they were many
+  faces=$(sed -n 's/^element face //p;/^end_header/q' "$control")
+  [[ $faces -gt 600 ]] || render_options+=(--control "$control")
   draw "$results/$name.png" --columns 2 --same-view --shading split "${render_options[@]}" \
-    --control "$results/${name}_control.ply" --caption="$name, linear" --caption=point-normal \
+    --caption="$name, linear" --caption=point-normal \
     "$results/${name}_linear.ply" "$results/${name}_point_normal.ply"
   echo "Meshes:  $PWD/$results/${name}_linear.ply and ${name}_point_normal.ply"
   exit 0

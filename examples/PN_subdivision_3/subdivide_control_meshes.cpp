@@ -207,7 +207,7 @@ void subdivide(const std::filesystem::path& file, const std::filesystem::path& f
   const bool triangles = CGAL::is_triangle_mesh(input.mesh);
   const unsigned rounds = number_of_rounds(input.mesh);
   const std::string name = file.stem().string();
-  std::cout << std::left << std::setw(20) << name << std::setw(14)
+  std::cout << std::left << std::setw(19) << name << ' ' << std::setw(14)
             << (triangles ? "Loop" : "Catmull-Clark") << std::right << std::setw(7)
             << input.mesh.number_of_faces() << std::setw(7) << input.sharp_edges << std::flush;
   write(folder / (name + "_control.ply"), input.mesh);
