@@ -163,7 +163,7 @@ unsigned number_of_rounds(const Mesh& mesh)
 {
   constexpr std::size_t enough_corners = 100000;
   unsigned rounds = 1;
-  for (std::size_t n = mesh.number_of_halfedges(); rounds < 4 && 4 * n <= enough_corners; n *= 4)
+  for (std::size_t n = mesh.number_of_halfedges(); rounds < 5 && 4 * n <= enough_corners; n *= 4)
     ++rounds;
   return rounds;
 }

@@ -97,16 +97,16 @@ class Control_meshes(unittest.TestCase):
                 for kind in ("linear", "point_normal"):
                     vertices, faces = self.result(f"{stem}_{kind}.ply")
                     if name.endswith("stl"):
-                        self.assertEqual((2 * vertices - faces, faces), (4, 12 * 4 ** 4))
+                        self.assertEqual((2 * vertices - faces, faces), (4, 12 * 4 ** 5))
                     else:
-                        self.assertEqual((vertices - faces, faces), (2, 6 * 4 ** 4))
+                        self.assertEqual((vertices - faces, faces), (2, 6 * 4 ** 5))
 
     def test_edges_with_three_faces_are_cut(self) -> None:
         fin = off(CUBE + [(2, 2, 2)], triangles() + [(0, 1, 8)])
         done = self.run_on("fin.off", fin)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("non-manifold", done.stdout)
-        self.assertEqual(self.result("fin_linear.ply")[1], 13 * 4 ** 4)
+        self.assertEqual(self.result("fin_linear.ply")[1], 13 * 4 ** 5)
 
     def test_sharp_edges(self) -> None:
         for degrees, number in (("60", 12), ("95", 0), ("180", 0)):
