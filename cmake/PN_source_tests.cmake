@@ -19,6 +19,19 @@ if(Python3_FOUND)
                      "--compiler=${pn_compiler} -I${pn_eigen_folder}")
   endif()
 
+  # skipped, with the reason, where VTK is not installed
+  add_test(NAME render_draws
+           COMMAND Python3::Interpreter -B
+                   ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/pictures/test_render.py)
+  set_tests_properties(render_draws PROPERTIES SKIP_RETURN_CODE 77)
+
+  if(TARGET subdivide_control_meshes)
+    add_test(NAME control_meshes_of_any_origin
+             COMMAND Python3::Interpreter -B
+                     ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/pictures/test_control_meshes.py
+                     $<TARGET_FILE:subdivide_control_meshes>)
+  endif()
+
   # the drawings of the manual, against those that the examples have just written
   foreach(example_and_figure
           average_arcs curve_bottle curve_circle curve_normal_edit far_from_origin kernel_precision

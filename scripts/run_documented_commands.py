@@ -26,7 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # a pattern for the begin of a command, and what runs it
 ELSEWHERE = (
     (r"sudo apt-get install ", "scripts/install_dependencies.sh installs these packages"),
-    (r"\./scripts/(demo|test)\.sh$", ".ci/run, which is scripts/test.sh, and who releases a version"),
+    (r"(\./)?scripts/(demo|test)\.sh\b", ".ci/run, which is scripts/test.sh, and who releases a version"),
     (r"cmake --preset |cmake --build |ctest --preset ", "scripts/build.sh and scripts/test.sh"),
     (r"scripts/install_dependencies\.sh --manual", "who builds the manual"),
     (r"scripts/check_style\.sh", "who changes the sources"),
