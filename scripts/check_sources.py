@@ -7,8 +7,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
-CGAL packages whose headers the package's headers include, directly or not, and that version.h,
-CMakeLists.txt, vcpkg.json, CHANGES.md and CITATION.cff agree on the version.
+CGAL packages whose headers the package's headers include, directly or not, that version.h,
+CMakeLists.txt, vcpkg.json, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
+lead to files and headings that are there, and that the README is short.
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -37,6 +38,8 @@ FOLDERS = ("include", "src", "examples", "demo", "test", "benchmark", "scripts",
 COMMENTS = {".h": "//", ".cpp": "//", ".ts": "//", ".mjs": "//", ".py": "#", ".sh": "#"}
 # Folders of these names hold what is not the package's: interfaces that are only documented, libraries.
 NOT_OURS = {"Concepts", "node_modules"}
+# The README is the first visit; what needs more words has pages of its own in doc/.
+WORDS_OF_README = 700
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 
@@ -147,13 +150,43 @@ def check_version() -> list[str]:
     return wrong
 
 
+def headings(text: str) -> set[str]:
+    """The anchors that code hosts make of a page's headings."""
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+            for title in re.findall(r"(?m)^#+ +(.+?) *$", text)}
+
+
+def check_links() -> list[str]:
+    wrong = []
+    pages = [*ROOT.glob("*.md"), *(page for folder in (*FOLDERS, "data")
+                                   for page in sorted((ROOT / folder).rglob("*.md"))
+                                   if NOT_OURS.isdisjoint(page.parts))]
+    for page in pages:
+        text = re.sub(r"(?ms)^```.*?^```|`[^`\n]*`", "", page.read_text())
+        for target in re.findall(r"\]\(([^()\s]+)\)|(?:src|href)=\"([^\"]+)\"", text):
+            path, _, anchor = "".join(target).partition("#")
+            if re.match(r"\w+:", path):
+                continue
+            file = page.parent / path if path else page
+            if not file.exists():
+                wrong.append(f"{page.relative_to(ROOT)} links to {path}, which is not there")
+            elif anchor and anchor not in headings(file.read_text()):
+                wrong.append(f"{page.relative_to(ROOT)} links to #{anchor}, which {file.name} does not have")
+    return wrong
+
+
+def check_length_of_readme() -> list[str]:
+    words = len((ROOT / "README.md").read_text().split())
+    return [f"README.md has {words} words, more than {WORDS_OF_README}"] if words > WORDS_OF_README else []
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--compiler", default="c++ -I/usr/include/eigen3", type=shlex.split,
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
-    wrong = check_notices(arguments.fix) + check_version()
+    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_length_of_readme()
     wrong += check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)
