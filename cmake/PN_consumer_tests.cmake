@@ -60,7 +60,7 @@ function(pn_add_consumer_test name folder program)
       ${CMAKE_CTEST_COMMAND} --build-and-test ${folder} ${pn_consumer_dir}/${name}
       --build-generator ${CMAKE_GENERATOR} --build-target ${program} --build-options
       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      -DCMAKE_CXX_FLAGS_RELEASE=-O1 ${ARGN} --test-command ${program})
+      -DCMAKE_CXX_FLAGS_RELEASE=${PN_TEST_OPTIMIZATION} ${ARGN} --test-command ${program})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600)
 endfunction()
 
@@ -78,4 +78,6 @@ if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.24)
   pn_add_consumer_test(
     subdirectory_consumer ${CMAKE_CURRENT_SOURCE_DIR}/subdirectory_consumer readme_example
     -DREADME_EXAMPLE=${pn_readme_example} -DPACKAGE_DIR=${PN_subdivision_3_SOURCE_DIR})
+else()
+  pn_left_out(subdirectory_consumer "CMake 3.24 not found, the test of a package in a subfolder is left out")
 endif()

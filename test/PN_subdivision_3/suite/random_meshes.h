@@ -151,7 +151,7 @@ TYPED_TEST_P(Random_meshes, AreRefinedInParallelAsSequentially)
     EXPECT_TRUE(is_identical(sequential, parallel));
   });
 #else
-  GTEST_SKIP() << "without TBB";
+  GTEST_SKIP() << "left out: TBB not found (Debian package libtbb-dev)";
 #endif
 }
 

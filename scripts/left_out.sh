@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+#
+# Says what tests were left out because something is missing (cmake/PN_left_out.cmake): a line for each, and a
+# last one that counts and names them. With --strict the exit code is 1 if there are any but optional ones.
+#
+#   scripts/left_out.sh [--strict] BUILD_FOLDER...       folders in which ctest has run
+set -euo pipefail
+
+strict=no
+if [[ ${1:-} == --strict ]]; then
+  strict=yes
+  shift
+fi
+[[ $# -gt 0 ]] || { sed -n '/^#   scripts/p' "$0" >&2; exit 2; }
+
+logs=()
+for folder; do
+  log=$folder/Testing/Temporary/LastTest.log
+  [[ -s $log ]] || { echo "$log is not there: run ctest first" >&2; exit 2; }
+  logs+=("$log")
+done
+
+# In a log "7/12 Test: NAME" and the command precede the output of a test.
+awk -v strict=$strict '
+  /^[0-9]+\/[0-9]+ Test: / { test = $3; sub(/^left_out\./, "", test) }
+  /^Output:$/ { in_output = 1 }
+  /^<end of output>$/ { in_output = 0 }
+  in_output && /^left out(, as it may be)?: / {
+    optional = /^left out, as it may be: /
+    reason = $0
+    sub(/^[^:]*: /, "", reason)
+    if (seen[test, reason]++) next
+    print "left out: " test ": " reason
+    if (named[test]++) next
+    names = names (names == "" ? "" : ", ") test
+    ++count
+    needed += !optional
+  }
+  END {
+    if (count == 0) print "No test was left out."
+    else print count (count == 1 ? " test" : " tests") " left out, since something is missing: " names
+    exit strict == "yes" && needed > 0
+  }' "${logs[@]}"
