@@ -9,10 +9,10 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--picture | --tests | --manual | --page]
+#   scripts/install_dependencies.sh [--picture | --manual | --page]
 #
-#   --picture: also what scripts/render.py needs; --tests: also all that tests need, but for that of the page;
-#   --manual: also what the target doc needs; --page: only what the page needs
+#   --picture: also what scripts/render.py needs; --manual: also what the target doc needs;
+#   --page: only what the page needs
 set -euo pipefail
 
 required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
@@ -20,9 +20,6 @@ required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-de
 optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3)
 if [[ ${1:-} == --picture ]]; then
   optional+=(python3-vtk9 python3-numpy xvfb xauth)
-elif [[ ${1:-} == --tests ]]; then
-  # a compiler that is quicker, ranks, pictures, the manual
-  optional+=(clang libopenmpi-dev openmpi-bin python3-vtk9 python3-numpy xvfb xauth doxygen)
 elif [[ ${1:-} == --page ]]; then
   required=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libboost-dev)
   optional=(chromium) # its tests

@@ -29,20 +29,25 @@ done
 
 # In a log "7/12 Test: NAME" and the command precede the output of a test.
 awk -v strict=$strict '
-  /^[0-9]+\/[0-9]+ Test: / { test = $3; sub(/^left_out\./, "", test) }
-  /^Output:$/ { in_output = 1 }
-  /^<end of output>$/ { in_output = 0 }
-  in_output && /^left out(, as it may be)?: / {
-    optional = /^left out, as it may be: /
-    reason = $0
-    sub(/^[^:]*: /, "", reason)
-    if (seen[test, reason]++) next
+  function leave_out(reason, optional) {
+    if (seen[test, reason]++) return
     print "left out: " test ": " reason
-    if (named[test]++) next
+    if (named[test]++) return
     names = names (names == "" ? "" : ", ") test
     ++count
     needed += !optional
   }
+  /^[0-9]+\/[0-9]+ Test: / { test = $3; sub(/^left_out\./, "", test); said_why = 0 }
+  /^Output:$/ { in_output = 1 }
+  /^<end of output>$/ { in_output = 0 }
+  in_output && /^left out(, as it may be)?: / {
+    said_why = 1
+    reason = $0
+    sub(/^[^:]*: /, "", reason)
+    leave_out(reason, /^left out, as it may be: /)
+  }
+  in_output && /^does not apply: / { said_why = 1 }
+  /^Skip regular expression found in output/ && !said_why { leave_out("skipped, and does not say why", 0) }
   END {
     if (count == 0) print "No test was left out."
     else print count (count == 1 ? " test" : " tests") " left out, since something is missing: " names

@@ -29,7 +29,7 @@ for option; do
   esac
 done
 
-scripts/install_dependencies.sh --tests
+scripts/install_dependencies.sh --manual # which has tests, too
 for preset in "${presets[@]}"; do
   scripts/build.sh --preset "$preset"
 done

@@ -103,14 +103,14 @@ struct Shapes
 template <class K>
 class Exact_checks : public testing::Test
 {};
-using Kernels = In_full<
-  testing::Types<CGAL::Simple_cartesian<float>, CGAL::Simple_cartesian<long double>,
-                 CGAL::Simple_cartesian<CGAL::Gmpfr>, CGAL::Simple_cartesian<CGAL::Gmpq>,
-                 CGAL::Exact_predicates_inexact_constructions_kernel,
-                 CGAL::Exact_predicates_exact_constructions_kernel,
-                 CGAL::Simple_cartesian<CORE::Expr>, Rooted, Interval>,
-  testing::Types<CGAL::Exact_predicates_inexact_constructions_kernel,
-                 CGAL::Exact_predicates_exact_constructions_kernel, Interval>>;
+using Kernels =
+  In_full<testing::Types<CGAL::Simple_cartesian<float>, CGAL::Simple_cartesian<long double>,
+                         CGAL::Simple_cartesian<CGAL::Gmpfr>, CGAL::Simple_cartesian<CGAL::Gmpq>,
+                         CGAL::Exact_predicates_inexact_constructions_kernel,
+                         CGAL::Exact_predicates_exact_constructions_kernel,
+                         CGAL::Simple_cartesian<CORE::Expr>, Rooted, Interval>,
+          testing::Types<CGAL::Exact_predicates_inexact_constructions_kernel,
+                         CGAL::Exact_predicates_exact_constructions_kernel, Interval>>;
 TYPED_TEST_SUITE(Exact_checks, Kernels, );
 
 TYPED_TEST(Exact_checks, ShapesByHand)

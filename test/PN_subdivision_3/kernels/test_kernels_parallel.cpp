@@ -146,10 +146,9 @@ using Kernel_of = CGAL::Simple_cartesian<FT>;
 template <class FT>
 class Parallel : public testing::Test
 {};
-using Number_types =
-  In_full<testing::Types<float, double, CGAL::Gmpq, CGAL::Gmpfr, CGAL::Interval_nt<true>,
-                         CGAL::Interval_nt<false>>,
-          testing::Types<double, CGAL::Gmpq>>;
+using Number_types = In_full<testing::Types<float, double, CGAL::Gmpq, CGAL::Gmpfr,
+                                            CGAL::Interval_nt<true>, CGAL::Interval_nt<false>>,
+                             testing::Types<double, CGAL::Gmpq>>;
 TYPED_TEST_SUITE(Parallel, Number_types, );
 
 TYPED_TEST(Parallel, SurfaceMesh)
