@@ -2,7 +2,7 @@
 # to another folder, and builds a program there with the options that pkg-config tells.
 find_program(PKG_CONFIG pkg-config)
 if(NOT PKG_CONFIG)
-  message("Skipped: pkg-config is missing (Debian package pkgconf)")
+  message("left out: pkg-config is missing (Debian package pkgconf)")
   return()
 endif()
 function(run result)

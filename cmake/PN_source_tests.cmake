@@ -69,6 +69,6 @@ if(Python3_FOUND)
                      --build ${PN_subdivision_3_BINARY_DIR} --check 3 4 11 17)
   endif()
 else()
-  message(STATUS "PN_subdivision_3: Python 3.11 not found, the tests of data/ and of the sources'"
-                 " headers are left out (Debian package python3)")
+  pn_left_out(sources "Python 3.11 not found, the tests of data/, figures and documented commands are left out"
+              " (Debian package python3)")
 endif()

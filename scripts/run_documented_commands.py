@@ -95,7 +95,7 @@ def run(blocks: list[str], folder: Path, command: Path) -> list[str]:
                 # the options must be known; what is configured is not built
                 line = line.replace("cmake -B build", "cmake -B configured", 1) + " -Werror=dev"
             if "render.py" in line and not draw:
-                print(f"not run, since VTK or Xvfb is missing: {line}")
+                print(f"left out: VTK or Xvfb not found (Debian packages python3-vtk9, xvfb): {line}", flush=True)
                 continue
             done.add(line)
             print(f"$ {line}", flush=True)
