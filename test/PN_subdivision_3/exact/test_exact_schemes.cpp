@@ -25,7 +25,7 @@ using Rational_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<Rational>::Point
 template <class Description>
 class Exact_scheme : public testing::Test
 {};
-TYPED_TEST_SUITE(Exact_scheme, Schemes_elsewhere, Scheme_names);
+TYPED_TEST_SUITE(Exact_scheme, Schemes, Scheme_names);
 
 // uneven normals, and wild ones: missing, fading and opposite
 template <class Description>

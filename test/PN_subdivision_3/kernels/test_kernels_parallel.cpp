@@ -148,7 +148,7 @@ class Parallel : public testing::Test
 {};
 using Number_types = In_full<testing::Types<float, double, CGAL::Gmpq, CGAL::Gmpfr,
                                             CGAL::Interval_nt<true>, CGAL::Interval_nt<false>>,
-                             testing::Types<double, CGAL::Gmpq>>;
+                             testing::Types<CGAL::Gmpfr, CGAL::Interval_nt<true>>>;
 TYPED_TEST_SUITE(Parallel, Number_types, );
 
 TYPED_TEST(Parallel, SurfaceMesh)
