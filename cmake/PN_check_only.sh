@@ -6,9 +6,14 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-# PN_check_only.sh COMPILER ... -o OBJECT ...: runs a compiler that only checks (-fsyntax-only) and, if it
-# finds nothing, leaves an empty object file by which the build tool sees that this is done.
+#
+# PN_check_only.sh COMPILER ... -o OBJECT ...: lets a compiler only check, templates instantiated but no code
+# generated, and, if it finds nothing, leaves an empty object file by which the build tool sees that this is
+# done. Precompiled headers are made as ever.
 set -e
-"$@"
+for argument; do
+  if [ "$argument" = c++-header ]; then exec "$@"; fi
+done
+"$@" -fsyntax-only
 while [ "$1" != -o ]; do shift; done
 : > "$2"

@@ -23,7 +23,48 @@ function(pn_configure_without package expected)
 endfunction()
 pn_configure_without(CGAL "PN_subdivision_3 needs CGAL 5.5 or newer, which was not")
 pn_configure_without(Eigen3 "tests are left out: [^\n]*test_schemes.*Configuring done")
+pn_configure_without(TBB "TBB not found, Parallel_tag is left out.*Configuring done")
 pn_configure_without(GTest "GoogleTest not found, the unit tests are left out.*Configuring done")
+
+# --- what must be found, and is not ---
+foreach(name_and_package EIGEN=Eigen3=libeigen3-dev TBB=TBB=libtbb-dev)
+  string(REPLACE "=" ";" name_and_package ${name_and_package})
+  list(POP_FRONT name_and_package name package debian)
+  add_test(
+    NAME configure_with_missing_${package}
+    COMMAND ${CMAKE_COMMAND} -S ${PN_subdivision_3_SOURCE_DIR}
+            -B ${pn_consumer_dir}/configure_with_missing_${package} -G ${CMAKE_GENERATOR}
+            -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON
+            -DPN_SUBDIVISION_3_WITH_${name}=ON)
+  set_tests_properties(
+    configure_with_missing_${package}
+    PROPERTIES PASS_REGULAR_EXPRESSION "not found.*${debian}.*PN_SUBDIVISION_3_WITH_${name} is[ \n]+ON")
+endforeach()
+
+# an MPI without its headers, which ends CMake's FindMPI
+if(TARGET pn_subdivide AND UNIX)
+  foreach(wrapper open_mpi mpich)
+    foreach(choice default AUTO ON)
+      set(name configure_without_headers_of_${wrapper}_${choice})
+      set(option -DPN_SUBDIVISION_3_WITH_MPI=${choice})
+      set(expected "MPI is left out[^\n]*/no/such[^\n]* does not exist .Debian package libopenmpi-dev.*Configuring done")
+      if(choice STREQUAL "default")
+        set(option)
+        set(expected "Configuring done")
+      elseif(choice STREQUAL "ON")
+        set(expected "MPI is left out.*/no/such.*not[ \n]+exist.*libopenmpi-dev.*PN_SUBDIVISION_3_WITH_MPI is ON")
+      endif()
+      add_test(
+        NAME ${name}
+        COMMAND ${CMAKE_COMMAND} -S ${PN_subdivision_3_SOURCE_DIR} -B ${pn_consumer_dir}/${name}
+                -G ${CMAKE_GENERATOR} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                -DMPI_CXX_COMPILER=${CMAKE_CURRENT_SOURCE_DIR}/mpi_wrappers/${wrapper} ${option}
+                -DPN_SUBDIVISION_3_TESTS=OFF -DPN_SUBDIVISION_3_EXAMPLES=OFF
+                -DPN_SUBDIVISION_3_BENCHMARKS=OFF)
+      set_tests_properties(${name} PROPERTIES PASS_REGULAR_EXPRESSION "${expected}")
+    endforeach()
+  endforeach()
+endif()
 
 # --- as CGAL's test suite does: the folder of the tests by itself ---
 add_test(NAME tests_by_themselves
@@ -41,16 +82,13 @@ add_test(
           -P ${CMAKE_CURRENT_LIST_DIR}/PN_install_without_building.cmake)
 set_tests_properties(install_without_building PROPERTIES FIXTURES_SETUP pn_installed)
 
-set(pn_installed_components)
-foreach(component_and_target Eigen=Eigen3::Eigen TBB=CGAL::TBB_support)
-  string(REPLACE "=" ";" component_and_target ${component_and_target})
-  list(GET component_and_target 1 target)
-  if(TARGET ${target})
-    list(GET component_and_target 0 component)
-    list(APPEND pn_installed_components ${component})
+set(pn_components)
+foreach(component Eigen TBB)
+  if(TARGET CGAL::PN_subdivision_3_${component})
+    list(APPEND pn_components ${component})
   endif()
 endforeach()
-list(JOIN pn_installed_components "," pn_installed_components)
+list(JOIN pn_components "," pn_components)
 
 # pn_add_consumer_test(name folder program option...): configures a folder, builds a program and runs it.
 function(pn_add_consumer_test name folder program)
@@ -60,22 +98,41 @@ function(pn_add_consumer_test name folder program)
       ${CMAKE_CTEST_COMMAND} --build-and-test ${folder} ${pn_consumer_dir}/${name}
       --build-generator ${CMAKE_GENERATOR} --build-target ${program} --build-options
       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      -DCMAKE_CXX_FLAGS_RELEASE=-O1 ${ARGN} --test-command ${program})
+      -DCMAKE_CXX_FLAGS_RELEASE=${PN_TEST_OPTIMIZATION} ${ARGN} --test-command ${program})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600)
 endfunction()
 
 pn_add_consumer_test(
   install_consumer ${CMAKE_CURRENT_SOURCE_DIR}/install_consumer readme_example
   -DREADME_EXAMPLE=${pn_readme_example} -DCMAKE_PREFIX_PATH=${pn_prefix}
-  -DCOMPONENTS=${pn_installed_components})
+  -DCOMPONENTS=${pn_components})
 # an example that reads a mesh, without arguments and without the package's folder
 pn_add_consumer_test(
   installed_examples ${pn_prefix}/share/PN_subdivision_3/examples/PN_subdivision_3 polyhedron
   -DCMAKE_PREFIX_PATH=${pn_prefix})
+if(UNIX)
+  set(pn_cgal_flags)
+  get_target_property(pn_cgal_folders CGAL::CGAL INTERFACE_INCLUDE_DIRECTORIES)
+  foreach(folder ${pn_cgal_folders})
+    if(IS_DIRECTORY "${folder}" AND NOT folder STREQUAL "/usr/include")
+      list(APPEND pn_cgal_flags -I${folder})
+    endif()
+  endforeach()
+  add_test(
+    NAME pkg_config_consumer
+    COMMAND ${CMAKE_COMMAND} -DPREFIX=${pn_prefix} -DFOLDER=${pn_consumer_dir}/pkg_config_consumer
+            -DVERSION=${PN_subdivision_3_VERSION} -DCOMPILER=${CMAKE_CXX_COMPILER} "-DCGAL_FLAGS=${pn_cgal_flags}"
+            -DSOURCE=${pn_readme_example} -P ${CMAKE_CURRENT_LIST_DIR}/PN_pkg_config_test.cmake)
+  set_tests_properties(pkg_config_consumer PROPERTIES SKIP_REGULAR_EXPRESSION "^left out: "
+                                                      FIXTURES_REQUIRED pn_installed)
+endif()
 set_tests_properties(install_consumer installed_examples PROPERTIES FIXTURES_REQUIRED pn_installed)
 
 if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.24)
   pn_add_consumer_test(
     subdirectory_consumer ${CMAKE_CURRENT_SOURCE_DIR}/subdirectory_consumer readme_example
-    -DREADME_EXAMPLE=${pn_readme_example} -DPACKAGE_DIR=${PN_subdivision_3_SOURCE_DIR})
+    -DREADME_EXAMPLE=${pn_readme_example} -DPACKAGE_DIR=${PN_subdivision_3_SOURCE_DIR}
+    -DCOMPONENTS=${pn_components})
+else()
+  pn_left_out(subdirectory_consumer "CMake 3.24 not found, the test of a package in a subfolder is left out")
 endif()

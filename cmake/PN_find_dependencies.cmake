@@ -9,6 +9,10 @@ set(_pn_targets_global ${CMAKE_FIND_PACKAGE_TARGETS_GLOBAL})
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
 if(NOT TARGET CGAL::CGAL)
+  # CGAL 6.0 asks for Boost in the old way, of which CMake 3.30 and newer warn
+  if(NOT DEFINED CMAKE_POLICY_DEFAULT_CMP0167)
+    set(CMAKE_POLICY_DEFAULT_CMP0167 OLD)
+  endif()
   find_package(CGAL 5.5 QUIET)
 endif()
 if(NOT TARGET CGAL::CGAL)
@@ -16,12 +20,14 @@ if(NOT TARGET CGAL::CGAL)
                       " (Debian package libcgal-dev; -DCGAL_DIR=... names the folder of CGALConfig.cmake).")
 endif()
 
-if(NOT TARGET Eigen3::Eigen)
-  find_package(Eigen3 3.3 CONFIG QUIET)
-endif()
-if(NOT TARGET Eigen3::Eigen)
-  message(STATUS "PN_subdivision_3: Eigen not found, subdivision matrices and curvatures are left out"
-                 " (Debian package libeigen3-dev)")
+if(PN_SUBDIVISION_3_WITH_EIGEN)
+  if(NOT TARGET Eigen3::Eigen)
+    find_package(Eigen3 3.3 CONFIG QUIET)
+  endif()
+  if(NOT TARGET Eigen3::Eigen)
+    pn_missing(EIGEN "Eigen not found, subdivision matrices, curvatures and interpolation are left out\
+ (Debian package libeigen3-dev)")
+  endif()
 endif()
 
 if(PN_SUBDIVISION_3_WITH_TBB)
@@ -34,8 +40,7 @@ if(PN_SUBDIVISION_3_WITH_TBB)
     set_target_properties(CGAL::TBB_support PROPERTIES IMPORTED_GLOBAL TRUE)
   endif()
   if(NOT TARGET CGAL::TBB_support)
-    message(STATUS "PN_subdivision_3: TBB not found, Parallel_tag is left out"
-                   " (Debian package libtbb-dev)")
+    pn_missing(TBB "TBB not found, Parallel_tag is left out (Debian package libtbb-dev)")
   endif()
 endif()
 

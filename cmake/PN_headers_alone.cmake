@@ -1,5 +1,5 @@
-# Target pn_headers_alone: every header compiles alone; and all compile in the company of what
-# <windows.h> defines. The internal ones take the headers of others precompiled, which saves minutes: that
+# Target pn_headers_alone: all headers compile together, and in the company of what <windows.h> defines; with
+# PN_TEST_FULL every one alone, too. The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
 set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)
@@ -39,24 +39,23 @@ file(GENERATE OUTPUT ${generated}/beside_windows_h.cpp
 #define min(a, b) (((a) < (b)) ? (a) : (b))
 #define max(a, b) (((a) > (b)) ? (a) : (b))
 ${all_headers}")
-list(APPEND public ${generated}/beside_windows_h.cpp)
-# for scripts/check_style.sh
-if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
-  file(GENERATE OUTPUT ${generated}/all_headers.cpp CONTENT "${all_headers}")
-  list(APPEND public ${generated}/all_headers.cpp)
+file(GENERATE OUTPUT ${generated}/all_headers.cpp CONTENT "${all_headers}")
+set(together ${generated}/all_headers.cpp ${generated}/beside_windows_h.cpp)
+
+set(targets pn_headers_alone)
+if(PN_TEST_FULL)
+  pn_precompile(pn_headers_of_others ${external})
+  pn_own_target(pn_headers_of_others)
+  add_library(pn_headers_alone OBJECT ${together} ${public})
+  add_library(pn_internal_headers_alone OBJECT ${internal})
+  target_precompile_headers(pn_internal_headers_alone REUSE_FROM pn_headers_of_others)
+  add_dependencies(pn_headers_alone pn_internal_headers_alone)
+  list(APPEND targets pn_internal_headers_alone)
+else()
+  add_library(pn_headers_alone OBJECT ${together})
 endif()
-
-pn_precompile(pn_headers_of_others ${external})
-pn_own_target(pn_headers_of_others)
-
-add_library(pn_headers_alone OBJECT ${public})
-add_library(pn_internal_headers_alone OBJECT ${internal})
-target_precompile_headers(pn_internal_headers_alone REUSE_FROM pn_headers_of_others)
-foreach(target pn_headers_alone pn_internal_headers_alone)
+foreach(target ${targets})
   pn_own_target(${target})
-  # an empty object file is left for the build tool to see
-  target_compile_options(${target} PRIVATE -fsyntax-only)
   set_target_properties(${target} PROPERTIES
                         CXX_COMPILER_LAUNCHER "${PN_subdivision_3_SOURCE_DIR}/cmake/PN_check_only.sh")
 endforeach()
-add_dependencies(pn_headers_alone pn_internal_headers_alone)

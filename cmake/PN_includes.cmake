@@ -39,7 +39,7 @@ endfunction()
 # pn_leave_out_without_eigen(list what): removes from a list of sources those that need Eigen if it was
 # not found, and says so.
 function(pn_leave_out_without_eigen list what)
-  if(TARGET Eigen3::Eigen)
+  if(TARGET CGAL::PN_subdivision_3_Eigen)
     return()
   endif()
   set(left_out)

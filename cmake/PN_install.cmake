@@ -1,4 +1,4 @@
-# Installs the headers, the files that find_package(PN_subdivision_3 CONFIG) reads, the examples with
+# Installs the headers, the files that find_package(PN_subdivision_3 CONFIG) and pkg-config read, the examples with
 # their meshes, and the command. Components: PN_subdivision_3 (all that a program needs, with licenses),
 # PN_subdivision_3_examples, pn_subdivide.
 include(CMakePackageConfigHelpers)
@@ -17,6 +17,14 @@ install(EXPORT PN_subdivision_3Targets NAMESPACE CGAL:: DESTINATION ${pn_config_
 install(FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3Config.cmake
               ${PROJECT_BINARY_DIR}/PN_subdivision_3ConfigVersion.cmake
         DESTINATION ${pn_config_dir} ${pn_component})
+
+# found from its own place, so that the installed package can be moved
+file(RELATIVE_PATH pn_includedir_from_pc ${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig
+     ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/PN_subdivision_3.pc.in ${PROJECT_BINARY_DIR}/PN_subdivision_3.pc
+               @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/PN_subdivision_3.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig
+        ${pn_component})
 
 install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${pn_component})
 install(FILES LICENSE.LGPL LICENSE.GPL README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR}

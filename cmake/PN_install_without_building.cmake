@@ -15,6 +15,7 @@ run(${CMAKE_COMMAND} --install ${FOLDER}/install_without_building --prefix ${PRE
 foreach(file
         include/CGAL/PN_subdivision_3.h
         share/cmake/PN_subdivision_3/PN_subdivision_3Config.cmake
+        share/pkgconfig/PN_subdivision_3.pc
         share/doc/PN_subdivision_3/LICENSE.GPL
         share/doc/PN_subdivision_3/LICENSE.LGPL
         share/doc/PN_subdivision_3/README.md

@@ -13,9 +13,13 @@ if(PN_SUBDIVISION_3_DEVELOPER)
   target_compile_options(pn_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
 endif()
 
-# Links a program to the package and applies the package's rules on warnings.
+# Links a program to the package, with all that this build uses, and applies the package's rules on warnings.
 function(pn_own_target target)
-  target_link_libraries(${target} PRIVATE CGAL::PN_subdivision_3)
+  foreach(library PN_subdivision_3 PN_subdivision_3_Eigen PN_subdivision_3_TBB)
+    if(TARGET CGAL::${library})
+      target_link_libraries(${target} PRIVATE CGAL::${library})
+    endif()
+  endforeach()
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(TARGET pn_warnings)
     target_link_libraries(${target} PRIVATE pn_warnings)

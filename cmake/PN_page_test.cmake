@@ -10,6 +10,5 @@ if(PN_EMCMAKE AND PN_CHROMIUM AND PN_NODE AND PN_BASH AND TARGET pn_subdivide
                              --command $<TARGET_FILE:pn_subdivide>)
   set_tests_properties(page PROPERTIES TIMEOUT 3000 ENVIRONMENT "CHROMIUM=${PN_CHROMIUM}")
 else()
-  message(STATUS "PN_subdivision_3: the test of the page is left out"
-                 " (scripts/test_page.sh installs what it needs)")
+  pn_left_out(page "the tools of the page not found (scripts/test_page.sh installs them and tests it)" OPTIONAL)
 endif()

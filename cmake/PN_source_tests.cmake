@@ -12,11 +12,24 @@ if(Python3_FOUND)
       string(APPEND pn_compiler " -I${folder}")
     endif()
   endforeach()
-  if(TARGET Eigen3::Eigen)
+  if(TARGET CGAL::PN_subdivision_3_Eigen)
     get_target_property(pn_eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
     add_test(NAME sources_are_in_order
              COMMAND Python3::Interpreter -B ${pn_scripts}/check_sources.py
                      "--compiler=${pn_compiler} -I${pn_eigen_folder}")
+  endif()
+
+  # skipped, with the reason, where VTK is not installed
+  add_test(NAME render_draws
+           COMMAND Python3::Interpreter -B
+                   ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/pictures/test_render.py)
+  set_tests_properties(render_draws PROPERTIES SKIP_REGULAR_EXPRESSION "^left out: ")
+
+  if(TARGET subdivide_control_meshes)
+    add_test(NAME control_meshes_of_any_origin
+             COMMAND Python3::Interpreter -B
+                     ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/pictures/test_control_meshes.py
+                     $<TARGET_FILE:subdivide_control_meshes>)
   endif()
 
   # the drawings of the manual, against those that the examples have just written
@@ -56,6 +69,6 @@ if(Python3_FOUND)
                      --build ${PN_subdivision_3_BINARY_DIR} --check 3 4 11 17)
   endif()
 else()
-  message(STATUS "PN_subdivision_3: Python 3.11 not found, the tests of data/ and of the sources'"
-                 " headers are left out (Debian package python3)")
+  pn_left_out(sources "Python 3.11 not found, the tests of data/, figures and documented commands are left out"
+              " (Debian package python3)")
 endif()

@@ -17,8 +17,7 @@ function(pn_unpack_real_meshes)
             NO_DEFAULT_PATH
             DOC "Archive with CGAL's data/meshes")
   if(NOT PN_CGAL_DATA_ARCHIVE)
-    message(STATUS "PN_subdivision_3: CGAL's meshes not found, tests on them are skipped"
-                   " (Debian package libcgal-demo)")
+    pn_left_out(real_meshes "CGAL's meshes not found, tests on them are left out (Debian package libcgal-demo)")
   elseif(NOT EXISTS ${PN_TEST_REAL_MESH_DIR}/torus_quad.off)
     file(MAKE_DIRECTORY ${PN_subdivision_3_BINARY_DIR}/real_meshes)
     execute_process(
@@ -26,8 +25,7 @@ function(pn_unpack_real_meshes)
       WORKING_DIRECTORY ${PN_subdivision_3_BINARY_DIR}/real_meshes
       RESULT_VARIABLE failed)
     if(failed)
-      message(WARNING "PN_subdivision_3: ${PN_CGAL_DATA_ARCHIVE} could not be unpacked,"
-                      " tests on real meshes are skipped")
+      pn_left_out(real_meshes "${PN_CGAL_DATA_ARCHIVE} could not be unpacked, tests on its meshes are left out")
     endif()
   endif()
 endfunction()
@@ -36,8 +34,7 @@ pn_unpack_real_meshes()
 # --- what every test is built with; the precompiled headers demand that it is the same for all ---
 find_package(OpenMesh CONFIG QUIET)
 if(NOT TARGET OpenMeshCore)
-  message(STATUS "PN_subdivision_3: OpenMesh not found, tests on it are left out"
-                 " (Debian package libopenmesh-dev)")
+  pn_left_out(openmesh "OpenMesh not found, the tests on it are left out (Debian package libopenmesh-dev)")
 endif()
 
 function(pn_test_settings target)
@@ -57,6 +54,9 @@ function(pn_test_settings target)
   if(TARGET pn_subdivide)
     target_compile_definitions(${target} PRIVATE PN_SUBDIVIDE_COMMAND="$<TARGET_FILE:pn_subdivide>")
   endif()
+  if(PN_TEST_FULL)
+    target_compile_definitions(${target} PRIVATE PN_TEST_FULL)
+  endif()
   target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
 endfunction()
 
@@ -68,7 +68,7 @@ pn_test_settings(pn_test_headers)
 
 # What of the reference implementations takes long to compile.
 file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
-if(TARGET Eigen3::Eigen)
+if(TARGET CGAL::PN_subdivision_3_Eigen AND NOT PN_TEST_PART STREQUAL "others")
   add_library(pn_test_references STATIC ${reference_sources})
   pn_test_settings(pn_test_references)
 endif()
@@ -105,6 +105,9 @@ pn_leave_out_without_eigen(unit_tests "tests")
 foreach(unit_test ${unit_tests})
   get_filename_component(name ${unit_test} NAME_WE)
   if(NOT name MATCHES "^test_pn_subdivide")
+    if(PN_TEST_PART STREQUAL "others")
+      continue()
+    endif()
     # test_NAME.cpp may have further sources NAME_*.cpp
     get_filename_component(folder ${unit_test} DIRECTORY)
     string(REGEX REPLACE "^test_" "" subject ${name})
@@ -114,18 +117,19 @@ foreach(unit_test ${unit_tests})
     pn_add_test(${name} ${unit_test})
     target_link_libraries(${name} PRIVATE pn_subdivide_command nlohmann_json::nlohmann_json)
     target_compile_definitions(
-      ${name} PRIVATE PN_SUBDIVIDE_VERSION="${PN_subdivision_3_VERSION}"
-              PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
+      ${name} PRIVATE PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
     add_dependencies(${name} pn_subdivide)
   endif()
 endforeach()
 
 # ranks of mpirun, and VTK, for refinement in pieces
-if(TARGET test_pn_subdivide_pieces AND PN_SUBDIVISION_3_WITH_MPI)
+if(TARGET test_pn_subdivide_pieces AND NOT PN_SUBDIVISION_3_WITH_MPI STREQUAL "OFF")
   find_program(PN_MPIRUN mpirun)
-  find_package(MPI QUIET COMPONENTS CXX)
-  if(PN_MPIRUN AND MPI_CXX_FOUND)
+  if(PN_MPIRUN AND PN_MPI_FOUND)
     target_compile_definitions(test_pn_subdivide_pieces PRIVATE PN_TEST_MPIRUN="${PN_MPIRUN}")
+  else()
+    pn_left_out(ranks "MPI or mpirun not found, the tests of ranks are left out"
+                " (Debian packages libopenmpi-dev, openmpi-bin)")
   endif()
 endif()
 if(TARGET pn_subdivide)
@@ -136,8 +140,8 @@ if(TARGET pn_subdivide)
                     RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
   endif()
   if(failed)
-    message(STATUS "PN_subdivision_3: VTK not found, the test that reads .pvtp with it is left out"
-                   " (Debian package python3-vtk9)")
+    pn_left_out(pvtp_in_vtk "VTK not found, the tests that read .pvtp with it are left out"
+                " (Debian packages python3-vtk9, python3-numpy)")
   else()
     foreach(scheme catmull-clark doo-sabin)
       add_test(NAME pvtp_in_vtk_${scheme}
@@ -161,7 +165,7 @@ if(OPENSUBDIV_INCLUDE_DIR AND OPENSUBDIV_CPU_LIBRARY AND TARGET test_creases_ope
   target_include_directories(test_creases_opensubdiv SYSTEM PRIVATE ${OPENSUBDIV_INCLUDE_DIR})
   target_link_libraries(test_creases_opensubdiv PRIVATE ${OPENSUBDIV_CPU_LIBRARY})
   target_compile_definitions(test_creases_opensubdiv PRIVATE PN_TEST_WITH_OPENSUBDIV)
-else()
+elseif(TARGET test_creases_opensubdiv)
   message(STATUS "PN_subdivision_3: OpenSubdiv not found, the comparison with it is skipped"
                  " (Debian package libosd-dev)")
 endif()

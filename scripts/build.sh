@@ -7,21 +7,30 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Configures build/release and builds it, or only the targets named.
+# Configures build/release, or the folder of another preset, and builds it, or only the targets named.
 #
-#   scripts/build.sh [TARGET...]
+#   scripts/build.sh [--preset NAME] [TARGET...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-launcher=()
-if command -v ccache >/dev/null; then
-  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  export CCACHE_SLOPPINESS=pch_defines,time_macros # precompiled headers are cached only with these
+preset=release
+if [[ ${1:-} == --preset ]]; then
+  preset=$2
+  shift 2
 fi
 
-cmake --preset release "${launcher[@]}"
+options=()
+if command -v ccache >/dev/null; then
+  options=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  export CCACHE_SLOPPINESS=pch_defines,time_macros # precompiled headers are cached only with these
+fi
+if [[ $preset == units ]] && ! command -v clang++ >/dev/null; then
+  options+=(-DCMAKE_CXX_COMPILER=c++) # takes longer
+fi
+
+cmake --preset "$preset" "${options[@]}"
 targets=()
 if [[ $# -gt 0 ]]; then
   targets=(--target "$@")
 fi
-cmake --build --preset release "${targets[@]}"
+cmake --build --preset "$preset" "${targets[@]}"

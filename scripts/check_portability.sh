@@ -7,18 +7,20 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# The headers elsewhere: with C++20, with clang++, with CGAL 6, and cross compiled for aarch64, where a short program is
-# run by qemu and its results are compared with those of this machine, bit for bit. Three minutes of one processor.
+# The package elsewhere: its headers with C++20, with clang++ and with CGAL 6; everything with CGAL 6; and cross compiled
+# for aarch64, where a short program is run by qemu and its results are compared with those of this machine, bit for bit.
 #
 #   scripts/check_portability.sh [c++20|clang|cgal6|aarch64|all]
+#   scripts/check_portability.sh cgal6 REGEX      only the sources whose paths match, as 'src/|examples/'
 #
 # Debian packages: clang, g++-aarch64-linux-gnu, qemu-user (scripts/install_dependencies.sh does not install the
 # last two). The headers of CGAL 6 are fetched from Debian's mirror (scripts/fetch_cgal6_headers.sh), or CGAL6=FOLDER
-# has them in usr/include. Every header alone, with g++ and clang++: the targets pn_headers_alone of the presets.
+# has what that package unpacks. Every header alone, with g++ and clang++: the targets pn_headers_alone of the presets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 what=${1:-all}
+chosen=${2:-}
 folder=build/portability
 mkdir -p "$folder"
 headers=(include/CGAL/PN_subdivision_3.h include/CGAL/PN_subdivision_curve.h include/CGAL/PN_subdivision_3/*.h)
@@ -38,11 +40,53 @@ compile_headers()
   "$@" -fsyntax-only "${warnings[@]}" -frounding-math -DNOMINMAX -Iinclude -isystem /usr/include/eigen3 "$folder/headers.cpp"
 }
 
+# check_sources BUILD REGEX: what CMake compiles in that folder, but for paths that match, is checked, not translated
+check_sources()
+{
+  local objects
+  mapfile -t objects < <(ninja -C "$1" -t targets all | sed -n 's/\.o: CXX_COMPILER.*/.o/p' | grep -vE "$2" | grep -E "$chosen")
+  echo "== clang++: ${#objects[@]} sources of $1"
+  [[ ${#objects[@]} -eq 0 ]] || ninja -C "$1" -k 0 --quiet "${objects[@]}"
+}
+
+# What is compiled neither by CMake nor here, and CMake's reasons.
+name_what_is_left_out()
+{
+  grep -hE "left out|skipped \(" "$@" || true
+  find src examples test demo benchmark -name '*.cpp' | sort | while read -r source; do
+    [[ $source == */bits.cpp ]] || grep -qF "/$source\"" "${@/%.txt//compile_commands.json}" || echo "-- left out: $source"
+  done
+  echo "-- left out: demo/PN_subdivision_3/modeler/bindings.cpp, which needs emscripten"
+}
+
+# Command, examples, tests, benchmarks, fuzz targets and the page's module, as CMake compiles them where CGAL is 6.
+everything_with_cgal6()
+{
+  local build=$folder/everything modeler=$folder/modeler status=0
+  local check=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+               "-DCMAKE_CXX_COMPILER_LAUNCHER=$PWD/cmake/PN_check_only.sh"
+               "-DCMAKE_CXX_LINK_EXECUTABLE=<CMAKE_COMMAND> -E touch <TARGET>") # tests wait for the command
+  cmake -S . -B "$build" "${check[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON \
+    -DPN_SUBDIVISION_3_FUZZ=ON -DPN_SUBDIVISION_3_INSTALL=OFF -DPN_SUBDIVISION_3_WITH_MPI=AUTO >"$build.txt" || return 1
+  cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${check[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
+    "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1
+  name_what_is_left_out "$build.txt" "$modeler.txt"
+  check_sources "$build" '/headers_alone/|/empty\.cpp' || status=1
+  check_sources "$modeler" '/src/pn_subdivide/|/bindings\.cpp' || status=1
+  return $status
+}
+
 cgal6()
 {
-  local newer=${CGAL6:-$folder/cgal6}
-  [[ -e $newer/usr/include/CGAL/version.h ]] || scripts/fetch_cgal6_headers.sh "$newer"
-  for compiler in g++ clang++; do compile_headers "$compiler" -std=c++17 -isystem "$newer/usr/include"; done
+  local newer=${CGAL6:-$PWD/$folder/cgal6} status=0
+  [[ -e $newer/usr/include/CGAL/version.h ]] || scripts/fetch_cgal6_headers.sh "$newer" || return 1
+  if [[ -z $chosen ]]; then
+    for compiler in g++ clang++; do
+      compile_headers "$compiler" -std=c++17 -isystem "$newer/usr/include" test/PN_subdivision_3/portability/bits.cpp || status=1
+    done
+  fi
+  everything_with_cgal6 "$newer" || status=1
+  return $status
 }
 
 # Headers of libraries that are the same on every machine; those of GMP and MPFR are not.

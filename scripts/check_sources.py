@@ -7,8 +7,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
-CGAL packages whose headers the package's headers include, directly or not, and that version.h and
-CMakeLists.txt name the same version.
+CGAL packages whose headers the package's headers include, directly or not, that version.h,
+CMakeLists.txt, vcpkg.json, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
+lead to files and headings that are there, and that the README is short.
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
 something is wrong. Needs Python 3.11 and, for the dependencies, a C++ compiler and CGAL.
@@ -37,6 +38,8 @@ FOLDERS = ("include", "src", "examples", "demo", "test", "benchmark", "scripts",
 COMMENTS = {".h": "//", ".cpp": "//", ".ts": "//", ".mjs": "//", ".py": "#", ".sh": "#"}
 # Folders of these names hold what is not the package's: interfaces that are only documented, libraries.
 NOT_OURS = {"Concepts", "node_modules"}
+# The README is the first visit; what needs more words has pages of its own in doc/.
+WORDS_OF_README = 700
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 
@@ -116,23 +119,65 @@ def check_dependencies(compiler: list[str], fix: bool) -> list[str]:
 
 
 def check_version() -> list[str]:
-    project = (ROOT / "CMakeLists.txt").read_text()
-    header = (ROOT / "include/CGAL" / NAME / "version.h").read_text()
-    vcpkg = (ROOT / "vcpkg.json").read_text()
-    version = re.search(r"VERSION (\d+)\.(\d+)\.(\d+)", project)
-    if not version:
-        return ["CMakeLists.txt names no version"]
-    text = ".".join(version.groups())
-    major, minor, patch = map(int, version.groups())
-    number = f"1{major:02}{minor:02}{patch:02}"
+    def named(file: str, pattern: str) -> list[tuple[str, ...]]:
+        return [m.groups() for m in re.finditer(pattern, (ROOT / file).read_text(), re.MULTILINE)]
+
+    version = r"(\d+\.\d+\.\d+)"
+    header = f"include/CGAL/{NAME}/version.h"
+    texts = [*named("CMakeLists.txt", rf"^ *VERSION {version}$")]
+    changes = named("CHANGES.md", rf"^## {version}( \(in development\))?$")
+    if not texts or not changes:
+        return ["CMakeLists.txt or the first section of CHANGES.md names no version"]
+    (text,), (top, in_development) = texts[0], changes[0]
+    number = "1" + "".join(f"{int(part):02}" for part in text.split("."))
+    shown = text + ("-dev" if in_development else "")
     wrong = []
-    if f'#define CGAL_PN_SUBDIVISION_3_VERSION "{text}"' not in header:
-        wrong.append(f"version.h does not define CGAL_PN_SUBDIVISION_3_VERSION as \"{text}\"")
-    if f"#define CGAL_PN_SUBDIVISION_3_VERSION_NR {number}\n" not in header:
-        wrong.append(f"version.h does not define CGAL_PN_SUBDIVISION_3_VERSION_NR as {number}")
-    if f'"version": "{text}"' not in vcpkg:
-        wrong.append(f"vcpkg.json does not name the version {text}")
+
+    def expect(file: str, pattern: str, value: str) -> None:
+        if [(value,)] != named(file, pattern):
+            wrong.append(f"{file} does not name the version {value} once")
+
+    expect(header, r'^#define CGAL_PN_SUBDIVISION_3_VERSION "(.*)"$', shown)
+    expect(header, r"^#define CGAL_PN_SUBDIVISION_3_VERSION_NR (\d+)$", number)
+    expect("vcpkg.json", r'^ *"version": "(.*)",$', text)
+    if top != text:
+        wrong.append(f"CHANGES.md begins with {top}, but CMakeLists.txt names {text}")
+    if any(later for _, later in changes[1:]):
+        wrong.append("CHANGES.md: only the section on top can be in development")
+    released = [closed for closed, later in changes if not later]
+    if released:
+        expect("CITATION.cff", r"^version: (.*)$", released[0])
     return wrong
+
+
+def headings(text: str) -> set[str]:
+    """The anchors that code hosts make of a page's headings."""
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+            for title in re.findall(r"(?m)^#+ +(.+?) *$", text)}
+
+
+def check_links() -> list[str]:
+    wrong = []
+    pages = [*ROOT.glob("*.md"), *(page for folder in (*FOLDERS, "data")
+                                   for page in sorted((ROOT / folder).rglob("*.md"))
+                                   if NOT_OURS.isdisjoint(page.parts))]
+    for page in pages:
+        text = re.sub(r"(?ms)^```.*?^```|`[^`\n]*`", "", page.read_text())
+        for target in re.findall(r"\]\(([^()\s]+)\)|(?:src|href)=\"([^\"]+)\"", text):
+            path, _, anchor = "".join(target).partition("#")
+            if re.match(r"\w+:", path):
+                continue
+            file = page.parent / path if path else page
+            if not file.exists():
+                wrong.append(f"{page.relative_to(ROOT)} links to {path}, which is not there")
+            elif anchor and anchor not in headings(file.read_text()):
+                wrong.append(f"{page.relative_to(ROOT)} links to #{anchor}, which {file.name} does not have")
+    return wrong
+
+
+def check_length_of_readme() -> list[str]:
+    words = len((ROOT / "README.md").read_text().split())
+    return [f"README.md has {words} words, more than {WORDS_OF_README}"] if words > WORDS_OF_README else []
 
 
 def main() -> int:
@@ -141,7 +186,7 @@ def main() -> int:
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
-    wrong = check_notices(arguments.fix) + check_version()
+    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_length_of_readme()
     wrong += check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)

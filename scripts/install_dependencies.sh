@@ -9,25 +9,43 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--picture | --manual | --page]
+#   scripts/install_dependencies.sh [--compiler | --picture | --manual | --page]
 #
-#   --picture: also what scripts/render.py needs; --manual: also what the target doc needs;
-#   --page: only what the page needs
+#   --compiler: only what programs that use the package are compiled with; --picture: only what
+#   scripts/render.py needs; --manual: also what the target doc needs; --page: only what the page needs
 set -euo pipefail
 
-required=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libgmp-dev libmpfr-dev
-          libgtest-dev)
-optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3)
-if [[ ${1:-} == --picture ]]; then
-  optional+=(python3-vtk9 python3-numpy xvfb xauth)
-elif [[ ${1:-} == --page ]]; then
-  required=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libboost-dev)
-  optional=(chromium) # its tests
-  command -v node >/dev/null || required+=(nodejs)
-  command -v npm >/dev/null || required+=(npm)
-elif [[ ${1:-} == --manual ]]; then
-  optional+=(doxygen blahtexml)
-fi
+compiling=(g++ cmake ninja-build libcgal-dev)
+drawing=(python3-vtk9 python3-numpy xvfb)
+required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
+optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3
+          clang libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)
+with_archives=yes
+case ${1:-} in
+  --compiler)
+    required=("${compiling[@]}")
+    optional=()
+    with_archives=no
+    ;;
+  --picture)
+    required=()
+    optional=("${drawing[@]}")
+    with_archives=no
+    ;;
+  --page)
+    required=(emscripten cmake ninja-build libcgal-dev libeigen3-dev libboost-dev)
+    optional=(chromium) # its tests
+    with_archives=no
+    command -v node >/dev/null || required+=(nodejs)
+    command -v npm >/dev/null || required+=(npm)
+    ;;
+  --manual) optional+=(doxygen blahtexml) ;;
+  "") ;;
+  *)
+    echo "usage: scripts/install_dependencies.sh [--compiler | --picture | --manual | --page]" >&2
+    exit 2
+    ;;
+esac
 
 cd "$(dirname "$0")/.."
 
@@ -41,10 +59,12 @@ This system is not Debian, so nothing is installed here. What PN_subdivision_3 n
   a C++17 compiler, CMake 3.21 or newer, Ninja, CGAL 5.5 or newer (with Boost, GMP and MPFR),
   Eigen 3.3 or newer, GoogleTest
 and what it uses where it is found:
-  TBB (threads), CLI11 (the command pn_subdivide), Google Benchmark, OpenMesh and OpenSubdiv (tests),
+  TBB (threads), CLI11 and nlohmann-json (the command pn_subdivide), Google Benchmark, OpenMesh and OpenSubdiv (tests),
+  MPI (the command on several machines),
   Python 3.11 or newer (a test of data/), with VTK and NumPy (pictures)
 vcpkg.json names the same for vcpkg.
 TEXT
+  [[ ${#required[@]} -eq 0 ]] && exit 0
   command -v cmake >/dev/null && command -v ninja >/dev/null && exit 0
   echo "CMake or Ninja is missing: install the above and try again." >&2
   exit 1
@@ -67,6 +87,12 @@ apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600 "$@"
 }
 
+# by a call of this script a moment ago
+has_recent_lists() {
+  [[ -n $(find /var/lib/apt/lists -maxdepth 0 -mmin -15 2>/dev/null) &&
+    -n $(find /var/lib/apt/lists -maxdepth 1 -name '*_Packages*' -print -quit 2>/dev/null) ]]
+}
+
 install_packages() {
   apt install --no-install-recommends "$@" >"$log" 2>&1
 }
@@ -86,7 +112,8 @@ if [[ ${#missing[@]} -gt 0 || ${#missing_optional[@]} -gt 0 ]]; then
     exit 1
   fi
   echo "Installing: ${missing[*]} ${missing_optional[*]}"
-  apt update >"$log" 2>&1 || echo "The package lists could not be updated; trying those at hand." >&2
+  has_recent_lists || apt update >"$log" 2>&1 ||
+    echo "The package lists could not be updated; trying those at hand." >&2
 fi
 
 if [[ ${#missing[@]} -gt 0 ]] && ! install_packages "${missing[@]}"; then
@@ -101,7 +128,7 @@ if [[ ${#missing_optional[@]} -gt 0 ]] && ! install_packages "${missing_optional
   done
 fi
 
-if [[ ${1:-} != --page && ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
+if [[ $with_archives == yes && ! -e $archives/data.tar.gz && ! -e $own_archives/data.tar.gz ]]; then
   mkdir -p "$own_archives"
   (
     cd "$own_archives"

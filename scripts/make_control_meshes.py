@@ -117,6 +117,8 @@ ENTRIES = [
     Entry("mixed_borders.off", "triangles to hexagons, five components, an isolated vertex",
           make=shapes.mixed_polygons),
     Entry("cube.off", "the smallest closed quad mesh", make=shapes.cube),
+    Entry("cube_on_sphere.ply", "a cube with the normals of the sphere through its corners",
+          make=shapes.cube_on_sphere),
     Entry("wheel.off", "hub, five spokes and rim of quads, genus 6", make=lambda: shapes.wheel(5)),
     Entry("creature.obj", "a standing creature of quads, closed", make=models.creature),
     Entry("spoon.obj", "a spoon of quads, closed", make=models.spoon),

@@ -14,16 +14,18 @@ Needs the Debian packages python3-vtk9, python3-numpy and xvfb (--no-install-rec
   scripts/render.py -o pn.png --control data/meshes/creature.obj out/creature_5.ply
 
 Meshes with normals are shaded smoothly, others flat; insides (seen from behind) are orange, and
-vertices without a face are dots.
+vertices without a face are dots. The exit status is 69 if what draws is not installed.
 """
 
 import argparse
+import importlib.util
 import os
 import subprocess
 import sys
 from pathlib import Path
 
 WORKER = "PN_SUBDIVISION_RENDER_WORKER"
+NOT_INSTALLED = 69  # the exit status where what draws is missing, as in sysexits.h
 VIEWS = {"front": (0, 0), "right": (90, 0), "back": (180, 0), "left": (-90, 0),
          "top": (0, 90), "bottom": (0, -90)}
 
@@ -102,7 +104,7 @@ def run_under_xvfb() -> int:
              "-nolisten", "tcp"],
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     except FileNotFoundError:
-        sys.exit("render.py: Xvfb is missing; install the package xvfb")
+        return missing("Xvfb is missing; install the package xvfb")
     os.close(write_end)
     try:
         with os.fdopen(read_end) as pipe:
@@ -111,22 +113,32 @@ def run_under_xvfb() -> int:
             sys.exit("render.py: Xvfb did not start")
         environment = os.environ | {"DISPLAY": f":{display}", WORKER: "1"}
         command = ["/usr/bin/python3", __file__, *sys.argv[1:]]
-        return subprocess.run(command, env=environment).returncode
+        status = subprocess.run(command, env=environment).returncode
+        if status < 0:
+            sys.exit(f"render.py: VTK ended by signal {-status}; nothing was drawn")
+        return status
     finally:
         server.terminate()
         server.wait()
+
+
+def missing(what: str) -> int:
+    print(f"render.py: {what}", file=sys.stderr)
+    return NOT_INSTALLED
 
 
 def main() -> int:
     arguments = parse_arguments()
     if WORKER not in os.environ:
         return run_under_xvfb()
+    for module, package in (("vtkmodules", "python3-vtk9"), ("numpy", "python3-numpy")):
+        if importlib.util.find_spec(module) is None:
+            return missing(f"/usr/bin/python3 has no module {module}; install the package {package}")
     try:
         from mesh_pictures import sheet
-    except ImportError as error:
-        sys.exit(f"render.py: {error}; install the packages python3-vtk9 and python3-numpy")
-    try:
         sheet.draw(arguments, view_angles(arguments.view))
+    except (ImportError, RuntimeError) as error:
+        sys.exit(f"render.py: VTK is installed, but does not draw: {error}")
     except ValueError as error:
         sys.exit(f"render.py: {error}")
     return 0

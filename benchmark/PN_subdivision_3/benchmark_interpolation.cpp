@@ -37,7 +37,7 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
   PN::Limit_interpolation_report report;
   for ([[maybe_unused]] auto _ : state) {
     Mesh mesh = data;
-    const auto map = mesh.property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+    const auto map = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
     report =
       PN::interpolate_limit_points(mesh, scheme, options, CGAL::parameters::vertex_normal_map(map));
   }

@@ -37,7 +37,7 @@ Mesh level_3(Mesh mesh, const Scheme& scheme)
 
 Normal_map normals_of(Mesh& mesh)
 {
-  return mesh.property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  return mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
 }
 
 template <class Scheme>

@@ -42,6 +42,13 @@ struct Part
   std::vector<Surface> surfaces;
 };
 
+// All edges between two surfaces are sharp, also where these are tangent.
+inline bool is_between_surfaces(const Part& part, Mesh::Edge_index e)
+{
+  const auto h = part.mesh.halfedge(e), opposite = part.mesh.opposite(h);
+  return part.groups[part.mesh.face(h)] != part.groups[part.mesh.face(opposite)];
+}
+
 inline bool read_surface(std::istream& in, Part& part)
 {
   std::string word, is, shape;

@@ -37,7 +37,7 @@ template <class Scheme>
 bool show(const std::string& title, const std::string& file, const Shape& shape, Mesh mesh,
           const Scheme& scheme, const PN::Limit_interpolation_report& report)
 {
-  const Normals normals = mesh.property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   PN::subdivide(mesh, scheme, params::number_of_iterations(2).vertex_normal_map(normals));
   using Limit = PN::Limit_point<Kernel>;
   const auto limits = mesh.add_property_map<Mesh::Vertex_index, Limit>("v:limit").first;
@@ -72,7 +72,7 @@ bool interpolate(const Shape& shape, const std::string& folder)
   PN::Limit_interpolation_options<> options;
   const auto run = [&](const std::string& title, const std::string& name, const auto& s) {
     Mesh net = samples;
-    const Normals map = net.property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+    const Normals map = net.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
     const auto report =
       PN::interpolate_limit_points(net, s, options, params::vertex_normal_map(map));
     return show(title, folder + "/" + shape.name + "_" + name + ".vtp", shape, net, s, report);

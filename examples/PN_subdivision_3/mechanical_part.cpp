@@ -88,14 +88,11 @@ std::vector<double> deviations(const Part& part, const std::vector<int>& groups)
   return result;
 }
 
-// All edges between two surfaces are sharp, also where these are tangent.
 auto mark_creases(Part& part)
 {
   auto sharp = part.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
-  for (const Mesh::Edge_index e : part.mesh.edges()) {
-    const auto h = part.mesh.halfedge(e);
-    sharp[e] = part.groups[part.mesh.face(h)] != part.groups[part.mesh.face(part.mesh.opposite(h))];
-  }
+  for (const Mesh::Edge_index e : part.mesh.edges())
+    sharp[e] = part_file::is_between_surfaces(part, e);
   return sharp;
 }
 

@@ -83,7 +83,7 @@ struct Design
   bool write(const std::string& file) const
   {
     Design fine = *this;
-    const Normals map = fine.mesh.property_map<Vertex, Vector>("v:normal").first;
+    const Normals map = fine.mesh.add_property_map<Vertex, Vector>("v:normal").first;
     PN::subdivide(fine.mesh, scheme, params::number_of_iterations(4).vertex_normal_map(map));
     PN::Limit_options options;
     options.surface_normals = true;

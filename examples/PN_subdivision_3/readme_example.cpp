@@ -12,8 +12,6 @@
 #include <CGAL/boost/graph/generators.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -22,23 +20,18 @@ using Mesh = CGAL::Surface_mesh<Point>;
 
 int main()
 {
-  // A cube whose control normals point away from its center ...
-  Mesh mesh;
+  Mesh mesh; // a cube, with control normals away from its center, ...
   CGAL::make_hexahedron(Point(-1, -1, -1), Point(1, -1, -1), Point(1, 1, -1), Point(-1, 1, -1),
                         Point(-1, 1, 1), Point(-1, -1, 1), Point(1, -1, 1), Point(1, 1, 1), mesh);
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
   for (Mesh::Vertex_index v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
 
-  // ... becomes the sphere through its eight vertices.
   CGAL::PN_subdivision_3::CatmullClark_subdivision(
     mesh, CGAL::parameters::number_of_iterations(5).vertex_normal_map(normals));
 
-  double deviation = 0;
+  double deviation = 0; // ... becomes the sphere through its vertices
   for (const Point& p : mesh.points())
     deviation = (std::max)(deviation, std::abs((p - CGAL::ORIGIN).squared_length() - 3));
-  std::cout << mesh.number_of_faces() << " faces, squared radius 3 up to " << deviation << "\n";
-
-  std::ofstream file("sphere.ply");
-  CGAL::IO::write_PLY(file, mesh);
-  return file && deviation < 1e-13 ? EXIT_SUCCESS : EXIT_FAILURE;
+  std::cout << mesh.number_of_faces() << " faces, squared radius 3 +- " << deviation << "\n";
+  return deviation < 1e-13 ? 0 : 1;
 }

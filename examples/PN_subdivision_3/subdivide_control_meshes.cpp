@@ -6,28 +6,33 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Subdivides control meshes, those of the package or all of a folder, triangle meshes by PN-Loop and all others by
-// PN-Catmull-Clark, and writes the results as PLY with normals. A comment line `sphere X Y Z R` or
-// `cylinder X Y Z DX DY DZ R` in a PLY file names the surface that the control data lies on; the
-// largest distance of the result from it is printed in units of 2^-52 times the radius.
+// Subdivides control meshes of any origin by the linear and by the point-normal scheme, triangle meshes
+// by Loop and all others by Catmull-Clark, and writes control mesh and results as PLY, which
+// scripts/render.py draws side by side.
 //
-//   subdivide_control_meshes [FOLDER [OUTPUT_FOLDER [ROUNDS]]]
+//   subdivide_control_meshes [-o FOLDER] [--sharp DEGREES] [FILE...]
+//
+// Edges at which faces meet at more than DEGREES are kept sharp. Without it they are, at 40 degrees, where
+// a file without normals looks like a part made of surfaces with edges between them; those of
+// data/meshes/parts tell themselves where. A comment line `sphere X Y Z R` or
+// `cylinder X Y Z DX DY DZ R` in a PLY file names the surface that the control data lies on; the
+// largest distances of the results from it are printed in units of 2^-52 times the radius.
+
+#include "Control_mesh_file.h"
+#include "Part_file.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -35,9 +40,9 @@
 #include <variant>
 #include <vector>
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Vector_3>;
+using control_mesh_file::Control_mesh;
+using control_mesh_file::Kernel;
+using control_mesh_file::Mesh;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -70,97 +75,206 @@ std::optional<Round_surface> surface_in_comments(const std::string& comments)
   return std::nullopt;
 }
 
-bool read(const std::filesystem::path& file, Mesh& mesh, std::string& comments)
+// The maps by name, because those of a copy are others. They are not written to files: what the rounds
+// leave in the normals are control normals, and viewers shade better by the faces.
+auto sharp_edges(Mesh& mesh)
 {
-  if (file.extension() != ".ply") return CGAL::IO::read_polygon_mesh(file.string(), mesh);
-  std::ifstream in(file, std::ios::binary);
-  return CGAL::IO::read_PLY(in, mesh, comments);
+  return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+}
+auto corner_normals(Mesh& mesh)
+{
+  return mesh
+    .add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal", CGAL::NULL_VECTOR)
+    .first;
+}
+auto vertex_normals(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR)
+    .first;
+}
+void remove_maps(Mesh& mesh)
+{
+  auto sharp = sharp_edges(mesh);
+  auto of_corners = corner_normals(mesh);
+  auto of_vertices = vertex_normals(mesh);
+  mesh.remove_property_map(sharp);
+  mesh.remove_property_map(of_corners);
+  mesh.remove_property_map(of_vertices);
 }
 
-// the normals of the file, or estimated ones
-Normal_map control_normals(Mesh& mesh)
+// Parts have some sharp edges and hardly any that are nearly so. Of the control mesh of a smooth shape, and
+// of a scan, that is not true.
+std::size_t find_sharp_edges(Mesh& mesh, bool has_normals, std::optional<double> degrees)
 {
-  const auto [normals, is_new] =
-    mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR);
-  if (is_new) PN::estimate_control_normals(mesh, normals);
-  return normals;
+  constexpr double sharp_angle = 40, smooth_angle = 20;
+  const auto edges = sharp_edges(mesh);
+  if (degrees) return PN::detect_creases(mesh, *degrees, edges);
+  if (has_normals) return 0;
+  const std::size_t not_smooth = PN::detect_creases(mesh, smooth_angle, edges);
+  const std::size_t sharp = PN::detect_creases(mesh, sharp_angle, edges);
+  if (2 * sharp <= mesh.number_of_edges() && 4 * (not_smooth - sharp) <= sharp) return sharp;
+  for (const Mesh::Edge_index e : mesh.edges()) edges[e] = false;
+  return 0;
+}
+
+struct Input
+{
+  Mesh mesh; // with the maps above
+  std::size_t sharp_edges = 0;
+  std::optional<Round_surface> surface;
+  std::string repairs;
+};
+
+Input input_of_part(const part_file::Part& part)
+{
+  Input input;
+  input.mesh = part.mesh;
+  const auto edges = sharp_edges(input.mesh);
+  for (const Mesh::Edge_index e : input.mesh.edges()) {
+    edges[e] = part_file::is_between_surfaces(part, e);
+    input.sharp_edges += edges[e];
+  }
+  return input;
+}
+
+Input read(const std::filesystem::path& file, std::optional<double> degrees)
+{
+  if (part_file::Part part; !degrees && part_file::read(file.string(), part))
+    return input_of_part(part);
+  Control_mesh control = control_mesh_file::read(file);
+  Input input;
+  input.mesh = std::move(control.mesh);
+  input.repairs = control.repairs;
+  input.surface = surface_in_comments(control.comments);
+  input.sharp_edges = find_sharp_edges(input.mesh, control.has_normals, degrees);
+  const auto corners = corner_normals(input.mesh);
+  if (!control.has_normals || input.sharp_edges > 0)
+    PN::estimate_corner_normals(input.mesh, sharp_edges(input.mesh), corners);
+  else {
+    const auto normals = vertex_normals(input.mesh);
+    for (const Mesh::Halfedge_index h : input.mesh.halfedges())
+      corners[h] = normals[input.mesh.target(h)];
+  }
+  return input;
+}
+
+// As many as show a smooth surface without making a heavy file; the first splits n-gons n-fold.
+unsigned number_of_rounds(const Mesh& mesh)
+{
+  constexpr std::size_t enough_corners = 100000;
+  unsigned rounds = 1;
+  for (std::size_t n = mesh.number_of_halfedges(); rounds < 5 && 4 * n <= enough_corners; n *= 4)
+    ++rounds;
+  return rounds;
+}
+
+template <class Scheme>
+double subdivide(Mesh& mesh, const Scheme& scheme, bool with_normals, unsigned rounds)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto np = params::number_of_iterations(rounds).edge_is_constrained_map(sharp_edges(mesh));
+  if (with_normals)
+    PN::subdivide(mesh, scheme, np.vertex_normal_map(corner_normals(mesh)));
+  else
+    PN::subdivide(mesh, PN::linear(scheme), np);
+  return timer.time() * 1e3;
+}
+
+void write(const std::filesystem::path& file, Mesh mesh)
+{
+  remove_maps(mesh);
+  std::ofstream out(file, std::ios::binary);
+  CGAL::IO::set_binary_mode(out);
+  if (!CGAL::IO::write_PLY(out, mesh) || !out.flush())
+    throw std::runtime_error("the result " + file.string() + " cannot be written");
+}
+
+void print_distance(const Mesh& mesh, const std::optional<Round_surface>& surface)
+{
+  if (!surface) return;
+  const double distance =
+    std::visit([&](const auto& shape) { return PN::mesh_deviation(mesh, shape).distance.sup(); },
+               surface->shape);
+  std::cout << std::defaultfloat << std::setprecision(3) << std::setw(11)
+            << distance / surface->radius * 0x1p52;
 }
 
 void subdivide(const std::filesystem::path& file, const std::filesystem::path& folder,
-               unsigned rounds)
+               std::optional<double> degrees)
 {
-  Mesh mesh;
-  std::string comments;
-  if (!read(file, mesh, comments)) throw std::runtime_error("cannot be read");
-  const std::size_t control_faces = mesh.number_of_faces();
-  const bool triangles = CGAL::is_triangle_mesh(mesh);
-  const Normal_map normals = control_normals(mesh);
+  Input input = read(file, degrees);
+  const bool triangles = CGAL::is_triangle_mesh(input.mesh);
+  const unsigned rounds = number_of_rounds(input.mesh);
+  const std::string name = file.stem().string();
+  std::cout << std::left << std::setw(19) << name << ' ' << std::setw(14)
+            << (triangles ? "Loop" : "Catmull-Clark") << std::right << std::setw(7)
+            << input.mesh.number_of_faces() << std::setw(7) << input.sharp_edges << std::flush;
+  write(folder / (name + "_control.ply"), input.mesh);
 
-  CGAL::Real_timer timer;
-  timer.start();
-  const auto np = params::number_of_iterations(rounds).vertex_normal_map(normals);
-  if (triangles)
-    PN::Loop_subdivision(mesh, np);
-  else
-    PN::CatmullClark_subdivision(mesh, np);
-  timer.stop();
-
-  std::cout << std::left << std::setw(26) << file.filename().string() << std::setw(18)
-            << (triangles ? "PN-Loop" : "PN-Catmull-Clark") << std::right << std::setw(7)
-            << control_faces << std::setw(10) << mesh.number_of_faces() << std::setw(10)
-            << mesh.number_of_vertices() << std::fixed << std::setprecision(2) << std::setw(9)
-            << timer.time() * 1e3 << " ms";
-  if (const auto surface = surface_in_comments(comments)) {
-    const double distance =
-      std::visit([&](const auto& shape) { return PN::mesh_deviation(mesh, shape).distance.sup(); },
-                 surface->shape);
-    std::cout << std::setprecision(2) << std::setw(9) << distance / surface->radius * 0x1p52;
+  Mesh linear = input.mesh, point_normal = input.mesh;
+  for (const bool with_normals : {false, true}) {
+    Mesh& mesh = with_normals ? point_normal : linear;
+    const double time = triangles
+                          ? subdivide(mesh, PN::Loop_scheme(), with_normals, rounds)
+                          : subdivide(mesh, PN::CatmullClark_scheme(), with_normals, rounds);
+    if (!with_normals) std::cout << std::setw(9) << mesh.number_of_faces();
+    std::cout << std::fixed << std::setprecision(1) << std::setw(9) << time << " ms" << std::flush;
   }
+  print_distance(linear, input.surface);
+  print_distance(point_normal, input.surface);
   std::cout << '\n';
-
-  const std::filesystem::path output = folder / file.filename().replace_extension(".ply");
-  std::ofstream out(output, std::ios::binary);
-  CGAL::IO::set_binary_mode(out);
-  if (!CGAL::IO::write_PLY(out, mesh))
-    throw std::runtime_error(output.string() + " is not writable");
+  if (!input.repairs.empty()) std::cout << "  repaired: " << input.repairs << '\n';
+  write(folder / (name + "_linear.ply"), std::move(linear));
+  write(folder / (name + "_point_normal.ply"), std::move(point_normal));
 }
 
-std::vector<std::filesystem::path> control_meshes_of_the_package()
+struct Arguments
 {
+  std::filesystem::path output = "subdivided";
+  std::optional<double> degrees;
   std::vector<std::filesystem::path> files;
-  for (const char* name :
-       {"cylinder_quads.ply", "cylinder_triangles.ply", "sphere_mixed.ply", "sphere_quads.ply",
-        "sphere_triangles.ply", "torus_quads.ply", "creature.obj", "head.obj", "spoon.obj"})
-    files.push_back(CGAL::data_file_path("meshes/" + std::string(name)));
-  return files;
-}
+};
 
-std::vector<std::filesystem::path> control_meshes_of(const std::filesystem::path& folder)
+Arguments parse(int argc, char** argv)
 {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    for (const char* extension : {".ply", ".off", ".obj"})
-      if (entry.path().extension() == extension) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+  Arguments arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "-o" && i + 1 < argc)
+      arguments.output = argv[++i];
+    else if (word == "--sharp" && i + 1 < argc)
+      arguments.degrees = std::atof(argv[++i]);
+    else
+      arguments.files.emplace_back(word);
+  }
+  if (arguments.files.empty())
+    for (const char* name :
+         {"parts/bearing_housing.obj", "head.obj", "cube_on_sphere.ply", "creature.obj"})
+      arguments.files.push_back(CGAL::data_file_path("meshes/" + std::string(name)));
+  return arguments;
 }
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::filesystem::path> files =
-    argc > 1 ? control_meshes_of(argv[1]) : control_meshes_of_the_package();
-  const std::filesystem::path output = argc > 2 ? argv[2] : "subdivided";
-  const unsigned rounds = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 4;
-  std::filesystem::create_directories(output);
-
-  std::cout << "control mesh              scheme            control     faces  vertices        time"
-               "  deviation/R in 2^-52\n";
+  const Arguments arguments = parse(argc, argv);
+  std::filesystem::create_directories(arguments.output);
+  std::cout
+    << "control mesh        scheme          faces  sharp   result  linear, and  point-normal"
+       "  distance/R in 2^-52\n";
   int result = EXIT_SUCCESS;
-  for (const std::filesystem::path& file : files) try {
-      subdivide(file, output, rounds);
+  for (const std::filesystem::path& file : arguments.files) {
+    std::string error;
+    try {
+      subdivide(file, arguments.output, arguments.degrees);
+    } catch (const std::bad_alloc&) {
+      error = "there is not enough memory for it";
     } catch (const std::exception& e) {
-      std::cerr << file.string() << ": " << e.what() << '\n';
-      result = EXIT_FAILURE;
+      error = e.what();
     }
-  return files.empty() ? EXIT_FAILURE : result;
+    if (error.empty()) continue;
+    std::cerr << file.string() << ": " << error << std::endl;
+    result = EXIT_FAILURE;
+  }
+  return result;
 }

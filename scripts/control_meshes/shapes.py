@@ -32,6 +32,13 @@ def cube() -> Mesh:
     return block((2.0, 2.0, 2.0), (1, 1, 1))[0]
 
 
+def cube_on_sphere() -> Mesh:
+    """With the normals of the unit sphere through its corners."""
+    corners = cube()
+    points = [with_length(p) for p in corners.points]
+    return Mesh(points, corners.faces, list(points), ["sphere 0 0 0 1"])
+
+
 def creased(size: Vec, cells: Cell) -> Mesh:
     """A box whose vertices all carry the normal of one side, also those on edges and corners:
     the top and the bottom win, then front and back. So normals turn by 90 degrees along one edge

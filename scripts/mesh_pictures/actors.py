@@ -11,9 +11,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
                                          vtkProperty, vtkTexture)
+
+try:
+    from vtkmodules.vtkFiltersCore import vtkExtractEdges  # since VTK 9.2
+except ImportError:
+    from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 
 from .files import (averaged_normals, normals_of, points_of, set_normals, vertices_without_face,
                     with_split_normals)

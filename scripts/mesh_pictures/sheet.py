@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (text)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger, vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
@@ -26,10 +27,13 @@ from .scale_bar import add_scale_bar
 
 GAP = 0.004
 BAR_HEIGHT = 0.17  # of a tile's
+SMALLEST_CAPTION = 9
+ELLIPSIS = "\u2026"
 
 
 def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
     vtkObject.GlobalWarningDisplayOff()  # every failure has a line of its own
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what newer versions print besides
     meshes = [read_mesh(path, options.checker is not None) for path in options.meshes]
     controls = [None if str(path) == "none" else read_mesh(path) for path in options.control]
     if len(controls) == 1:
@@ -58,9 +62,9 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
             renderer.AddActor(actors.control_edges(control))
             if options.control_normals:
                 renderer.AddActor(actors.normal_needles(control))
-        renderer.AddViewProp(caption(i, mesh, options))
         view.apply(renderer)
         window.AddRenderer(renderer)
+        renderer.AddViewProp(caption(i, mesh, options, renderer))
     if options.scalars:
         strip = vtkRenderer()
         strip.SetViewport(0, 0, 1, bar / height)
@@ -108,16 +112,34 @@ def add_mesh(renderer: vtkRenderer, mesh: vtkPolyData, options: Namespace, limit
         renderer.AddActor(actors.normal_needles(mesh))
 
 
-def caption(i: int, mesh: vtkPolyData, options: Namespace) -> vtkTextActor:
+def caption(i: int, mesh: vtkPolyData, options: Namespace, renderer: vtkRenderer) -> vtkTextActor:
+    """In smaller letters where it is wider than the tile, and shortened where they become too small."""
     count = mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips()
     text = vtkTextActor()
     text.SetInput(options.caption[i] if options.caption
                   else f"{options.meshes[i].name}, {count} faces")
-    text.SetPosition(0.03 * options.tile, 0.025 * options.tile)
+    margin = 0.03 * options.tile
+    text.SetPosition(margin, 0.025 * options.tile)
     style = text.GetTextProperty()
-    style.SetFontSize(caption_size(options))
     style.SetColor(0.1, 0.1, 0.1)
+    size = caption_size(options)
+    style.SetFontSize(size)
+    room = options.tile - 2 * margin
+    while width_of(text, renderer) > room and size > SMALLEST_CAPTION:
+        size -= 1
+        style.SetFontSize(size)
+    words = text.GetInput()
+    for kept in range(len(words) - 1, 0, -1):
+        if width_of(text, renderer) <= room:
+            break
+        text.SetInput(words[:kept - kept // 2] + ELLIPSIS + words[len(words) - kept // 2:])
     return text
+
+
+def width_of(text: vtkTextActor, renderer: vtkRenderer) -> float:
+    box = [0.0] * 4
+    text.GetBoundingBox(renderer, box)
+    return box[1] - box[0]
 
 
 def caption_size(options: Namespace) -> int:
@@ -130,4 +152,7 @@ def save(window: vtkRenderWindow, path: Path) -> None:
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
     grab.Update()
-    write_png(path, grab.GetOutput())
+    image = grab.GetOutput()
+    if not vtk_to_numpy(image.GetPointData().GetScalars()).any():
+        raise RuntimeError("VTK drew nothing; does the virtual screen know OpenGL?")
+    write_png(path, image)

@@ -16,6 +16,8 @@
 #include "io/mesh_io.h"
 #include "io/near_miss.h"
 
+#include <CGAL/PN_subdivision_3/version.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -307,7 +309,7 @@ Command parse_command_line(int argc, char** argv)
                "OUTPUT [OPTIONS]\n",
                "pn_subdivide");
   app.formatter(std::make_shared<Command_help>());
-  app.set_version_flag("--version", "pn_subdivide " PN_SUBDIVIDE_VERSION);
+  app.set_version_flag("--version", "pn_subdivide " CGAL_PN_SUBDIVISION_3_VERSION);
   app.require_subcommand(1);
   app.footer(top_level_footer());
 

@@ -12,6 +12,7 @@
 #include "Refinement.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/boost/graph/iterator.h>
 
 namespace pn_demo {
@@ -26,8 +27,7 @@ public:
     , rounds_(rounds)
   {
     const Surface refined = subdivide(mesh);
-    const auto is_sharp =
-      refined.template property_map<Surface::Edge_index, double>("e:sharpness").first;
+    const auto is_sharp = sharpness_of(refined);
     const Wedges wedges(refined, [&](Surface::Edge_index e) { return is_sharp[e] > 0; });
     for (const auto v : wedges.vertex) cut_vertices_.push_back(Index(v));
     for (const auto f : refined.faces()) {
@@ -57,20 +57,27 @@ public:
   const std::vector<Index>& cut_vertices() const override { return cut_vertices_; }
 
 private:
+  static auto sharpness_of(const Surface& surface)
+  {
+    namespace PN = CGAL::PN_subdivision_3;
+    return PN::internal::find_property_map<Surface::Edge_index, double>(surface, "e:sharpness")
+      .value();
+  }
+
   Surface subdivide(const Control_mesh& mesh)
   {
     namespace PN = CGAL::PN_subdivision_3;
     using Halfedge = Surface::Halfedge_index;
     Surface surface = mesh.surface();
-    const auto sharpness =
-      surface.template property_map<Surface::Edge_index, double>("e:sharpness").first;
+    const auto sharpness = sharpness_of(surface);
     const auto attributes = PN::attributes(PN::edge_attribute(sharpness));
     const auto np =
       CGAL::parameters::number_of_iterations(rounds_).edge_is_constrained_map(sharpness);
     if constexpr (is_linear)
       PN::subdivide(surface, scheme_, np, attributes);
     else {
-      const auto normals = surface.template property_map<Halfedge, Vector_3>("h:normal").first;
+      const auto normals =
+        PN::internal::find_property_map<Halfedge, Vector_3>(surface, "h:normal").value();
       PN::subdivide(surface, scheme_, np.vertex_normal_map(normals), attributes);
       normals_.assign(surface.number_of_vertices(), CGAL::NULL_VECTOR);
       for (const Halfedge h : surface.halfedges())

@@ -50,7 +50,8 @@ prescribed_at([[maybe_unused]] const Access& access, [[maybe_unused]] const Map&
               [[maybe_unused]] Level_connectivity::Index v, [[maybe_unused]] const char* what)
 {
   if constexpr (!std::is_same_v<Map, Nothing_prescribed>) {
-    const auto& value = get(map, access.vertex(v));
+    const auto vertex = access.vertex(v);
+    const auto& value = get(map, vertex);
     if (value) {
       const Eigen_vector<3> x(close_double(value->x()), close_double(value->y()),
                               close_double(value->z()));
@@ -87,8 +88,9 @@ std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
                                                    const Curvatures& curvatures)
 {
   std::vector<Prescribed_form> all;
-  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-    if (const auto& value = get(curvatures, access.vertex(v))) {
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
+    const auto vertex = access.vertex(v);
+    if (const auto& value = get(curvatures, vertex)) {
       const auto& d = value->direction;
       Prescribed_form f;
       f.vertex = v;
@@ -101,6 +103,7 @@ std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
                                     " is not finite: give it finite numbers");
       all.push_back(f);
     }
+  }
   return all;
 }
 

@@ -15,11 +15,11 @@ The version of the package, as `CGAL/version.h` gives CGAL's.
 */
 
 /// \ingroup PkgPNSubdivision3Ref
-/// The version as a text, `"major.minor.patch"`.
-#define CGAL_PN_SUBDIVISION_3_VERSION "0.1.0"
+/// The version as a text, `"major.minor.patch"`; before the release of that version with `"-dev"`.
+#define CGAL_PN_SUBDIVISION_3_VERSION "0.2.0-dev"
 
 /// \ingroup PkgPNSubdivision3Ref
 /// The version as a number that can be compared: 1 followed by two digits each for major, minor and patch.
-#define CGAL_PN_SUBDIVISION_3_VERSION_NR 1000100
+#define CGAL_PN_SUBDIVISION_3_VERSION_NR 1000200
 
 #endif // CGAL_PN_SUBDIVISION_3_VERSION_H

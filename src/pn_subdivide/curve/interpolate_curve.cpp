@@ -10,7 +10,9 @@
 
 #include "io/Error.h"
 
-#include <CGAL/PN_subdivision_3/interpolate_curve.h>
+#if __has_include(<Eigen/Core>)
+#  include <CGAL/PN_subdivision_3/interpolate_curve.h>
+#endif
 
 #include <algorithm>
 #include <type_traits>
@@ -35,6 +37,7 @@ void require_interpolation(const std::string& scheme, const Curve_rule& rule)
                       "does not pass through them");
 }
 
+#if __has_include(<Eigen/Core>)
 Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule,
                                        Interpolation_mode mode)
 {
@@ -53,6 +56,12 @@ Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule
     },
     curve.points);
 }
+#else // parse_interpolation() has refused
+Interpolation_report interpolate_curve(Curve_data&, const Curve_rule&, Interpolation_mode)
+{
+  return {};
+}
+#endif
 
 Interpolation_report joined(const Interpolation_report& a, const Interpolation_report& b)
 {

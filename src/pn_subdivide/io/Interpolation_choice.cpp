@@ -17,6 +17,9 @@ namespace pn_subdivide {
 std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::string>& text)
 {
   if (!text) return std::nullopt;
+#if !__has_include(<Eigen/Core>)
+  throw Usage_error("--interpolate: this program was built without Eigen");
+#endif
   if (*text == "slide") return Interpolation_mode::slide;
   if (*text == "points") return Interpolation_mode::limit_points;
   throw Usage_error("--interpolate '" + *text + "': it takes slide or points");

@@ -12,6 +12,8 @@
 #include "pieces/Piece_count.h"
 #include "pieces/Ranks.h"
 
+#include <CGAL/PN_subdivision_3/version.h>
+
 #include <boost/crc.hpp>
 
 #include <cstdio>
@@ -41,7 +43,8 @@ std::string name_of(const Mesh_data& mesh, const Surface_options& options,
     crc.process_bytes(mesh.face(f).begin(), mesh.face(f).size() * sizeof(Mesh_data::Index));
   std::ostringstream text;
   text.precision(17);
-  text << PN_SUBDIVIDE_VERSION << ' ' << scheme.scheme << ' ' << scheme.normal_scheme.value_or("-");
+  text << CGAL_PN_SUBDIVISION_3_VERSION << ' ' << scheme.scheme << ' '
+       << scheme.normal_scheme.value_or("-");
   for (const auto& [parameter, value] : scheme.parameters) text << ' ' << parameter << ' ' << value;
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
   text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();

@@ -11,6 +11,7 @@
 #include "io/Error.h"
 #include "io/corner_normals.h"
 
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 namespace pn_subdivide {
 namespace {
 
+using CGAL::PN_subdivision_3::internal::find_property_map;
 using Index = Mesh_data::Index;
 using Vertex = Surface::Vertex_index;
 using Halfedge = Surface::Halfedge_index;
@@ -181,9 +183,7 @@ Surface make_surface(const Mesh_data& mesh)
 
 std::optional<Normal_map> normals_of(const Surface& surface)
 {
-  const auto [normals, found] = surface.property_map<Vertex, Vector_3>(normals_name);
-  if (!found) return std::nullopt;
-  return normals;
+  return find_property_map<Vertex, Vector_3>(surface, normals_name);
 }
 
 Normal_map add_normals(Surface& surface)
@@ -193,9 +193,7 @@ Normal_map add_normals(Surface& surface)
 
 std::optional<Corner_normal_map> corner_normals_of(const Surface& surface)
 {
-  const auto [normals, found] = surface.property_map<Halfedge, Vector_3>(corner_normals_name);
-  if (!found) return std::nullopt;
-  return normals;
+  return find_property_map<Halfedge, Vector_3>(surface, corner_normals_name);
 }
 
 Corner_normal_map add_corner_normals(Surface& surface)

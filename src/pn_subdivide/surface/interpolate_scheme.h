@@ -11,9 +11,10 @@
 
 #include "surface/interpolate.h"
 
-#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+// The definitions of Interpolating_scheme, for the sources that instantiate it; without Eigen there are none.
+#if __has_include(<Eigen/Core>)
 
-// The definitions of Interpolating_scheme, for the sources that instantiate it.
+#  include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 
 namespace pn_subdivide {
 
@@ -42,5 +43,7 @@ Interpolation_report Interpolating_scheme<S>::linearly(Surface& surface, const S
 }
 
 } // namespace pn_subdivide
+
+#endif // __has_include(<Eigen/Core>)
 
 #endif // PN_SUBDIVIDE_INTERPOLATE_SCHEME_H

@@ -35,13 +35,14 @@ void require_interpolation(const Scheme_choice& choice)
       "scheme of points and normals");
 }
 
+#if __has_include(<Eigen/Core>)
 Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,
                                          const Interpolation& interpolation)
 {
-#ifdef CGAL_LINKED_WITH_TBB
+#  ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   interpolation.threads);
-#endif
+#  endif
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const std::optional<Normal_map> normals = normals_of(surface);
   return std::visit(
@@ -55,5 +56,11 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
     },
     scheme);
 }
+#else // parse_interpolation() has refused
+Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, const Interpolation&)
+{
+  return {};
+}
+#endif
 
 } // namespace pn_subdivide

@@ -13,6 +13,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -651,7 +652,7 @@ TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
     EXPECT_EQ(points(mesh), points(before));
     EXPECT_EQ(faces_of(mesh), faces_of(before));
     for (auto v : mesh.vertices()) EXPECT_EQ(scalar[v], scalar_of(v));
-    auto uv_before = before.property_map<H, Uv>("uv").first;
+    auto uv_before = PN::internal::find_property_map<H, Uv>(before, "uv").value();
     for (auto h : mesh.halfedges()) EXPECT_EQ(uv[h], uv_before[h]);
   }
 }

@@ -200,14 +200,16 @@ bool differs_by_design()
 
 TYPED_TEST(PN_average_block, OfWideRegistersHasTheBitsOfTheNarrowOne)
 {
-  if (differs_by_design<TypeParam>()) GTEST_SKIP() << "no wide registers, or fused operations";
+  if (differs_by_design<TypeParam>())
+    GTEST_SKIP() << "does not apply: no wide registers, or fused operations";
   expect_same_bits<TypeParam, 2>(0);
   expect_same_bits<TypeParam, 3>(0);
 }
 
 TYPED_TEST(PN_average_block, OfWideRegistersHasTheBitsOfTheNarrowOneWithOppositeAndMissingNormals)
 {
-  if (differs_by_design<TypeParam>()) GTEST_SKIP() << "no wide registers, or fused operations";
+  if (differs_by_design<TypeParam>())
+    GTEST_SKIP() << "does not apply: no wide registers, or fused operations";
   expect_same_bits<TypeParam, 2>(6);
   expect_same_bits<TypeParam, 3>(6);
 }

@@ -74,7 +74,7 @@ TEST(PN_mask_3_custom, MaskOfCGALsManual)
     EXPECT_EQ(largest_distance(pn.points(), linear.points()), 0);
   }
 #else
-  GTEST_SKIP() << "CGAL's examples were not found (Debian: examples.tar.gz of libcgal-dev)";
+  GTEST_SKIP() << "left out: CGAL's examples not found (Debian: examples.tar.gz of libcgal-dev)";
 #endif
 }
 

@@ -994,7 +994,7 @@ TEST_F(Pn_subdivide_carries, CurvatureTakesThePlaceOfColors)
   const std::string input = folder.file("patch.ply"), output = folder.file("b.ply");
   write_mesh(input, marked_patch(false, true), Encoding::binary);
   const Outcome outcome = surface(input, output, "--quiet --curvature mean");
-  if (outcome.code == 2) GTEST_SKIP() << outcome.err; // built without Eigen
+  if (outcome.code == 2) GTEST_SKIP() << "left out: " << outcome.err; // without Eigen
   EXPECT_EQ(outcome.err, "warning: " + output +
                            ": the file's colors or values of vertices give way to those of the "
                            "curvature\n");

@@ -11,6 +11,7 @@
 #include "Command_test.h"
 
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
+#include <CGAL/PN_subdivision_3/version.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -148,7 +149,7 @@ TEST_F(Pn_subdivide_habits, DrawingsAreSvg)
 
 TEST_F(Pn_subdivide_habits, TheVersionHasTheName)
 {
-  EXPECT_EQ(run("--version").out, "pn_subdivide " PN_SUBDIVIDE_VERSION "\n");
+  EXPECT_EQ(run("--version").out, "pn_subdivide " CGAL_PN_SUBDIVISION_3_VERSION "\n");
 }
 
 TEST_F(Pn_subdivide_habits, HelpFitsIntoAHundredColumns)

@@ -577,7 +577,7 @@ TEST_F(Mesh_io, LinksAreFollowed)
 
 TEST_F(Mesh_io, FullDeviceIsAnError)
 {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "does not apply: no /dev/full";
   std::filesystem::create_symlink("/dev/full", folder.file("full.ply"));
   EXPECT_THROW(write_mesh(folder.file("full.ply"), awkward_mesh(true), Encoding::binary), Error);
   EXPECT_TRUE(std::filesystem::is_symlink(folder.file("full.ply")));

@@ -166,7 +166,7 @@ TEST_F(Verify, BeyondTheToleranceTheExitCodeIs3AndTheFileIsThere)
 // A script that reads the deviation must not take silence for success.
 TEST_F(Verify, DeviationThatCannotBePrintedIsAnError)
 {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "does not apply: no /dev/full";
   const std::string file = folder.write("box.off", box), err = work.file("message");
   const std::string command = "'" PN_SUBDIVIDE_COMMAND "' ";
   for (const std::string& arguments : {surface(file, "--verify sphere:0,0,0,1"),

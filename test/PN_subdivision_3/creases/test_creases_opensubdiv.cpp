@@ -184,7 +184,7 @@ TEST(OpenSubdiv, Semi_sharp)
 
 TEST(OpenSubdiv, Sharp)
 {
-  GTEST_SKIP() << "without OpenSubdiv (Debian package libosd-dev)";
+  GTEST_SKIP() << "left out: OpenSubdiv not found (Debian package libosd-dev)";
 }
 
 #endif

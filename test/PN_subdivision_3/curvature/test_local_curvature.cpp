@@ -154,7 +154,7 @@ TEST_P(Local_curvature, NetIsThatOfTheFile)
 // relative error of G^2/2 / (1 - lambda^2), and the Gaussian curvature is of degree two in slopes.
 TEST_P(Local_curvature, OfPNModifiedIsNearThatOfTheSampledSurface)
 {
-  if (!GetParam().gaussian_curvature) GTEST_SKIP() << "no surface";
+  if (!GetParam().gaussian_curvature) GTEST_SKIP() << "does not apply: no surface";
   const modified_CatmullClark_scheme scheme;
   const auto normals = local_examples::normal_map(mesh);
   const Mesh::Vertex_index middle(0);
@@ -182,7 +182,7 @@ TEST_P(Local_curvature, OfLinearModifiedVanishes)
 
 TEST_P(Local_curvature, OfThePlainSchemesDoesNotSettle)
 {
-  if (valence < 5) GTEST_SKIP() << "only from valence 5 on";
+  if (valence < 5) GTEST_SKIP() << "does not apply: only from valence 5 on";
   const modified_CatmullClark_scheme scheme;
   const CatmullClark_scheme plain;
   // by rates of more than 1.05 against less than 0.7 twelve times, which is 129 at equal amplitudes

@@ -112,7 +112,7 @@ public:
 private:
   std::size_t vertices_ = 0;
 };
-TYPED_TEST_SUITE(Certificate, Schemes, Scheme_names);
+TYPED_TEST_SUITE(Certificate, Schemes_elsewhere, Scheme_names);
 
 TYPED_TEST(Certificate, OneRoundKeepsSpheresAndCylindersExactly)
 {

@@ -132,7 +132,7 @@ std::vector<std::pair<Shape, Control_mesh>> control_data()
 template <class Description>
 class Interval_certificate : public testing::Test
 {};
-TYPED_TEST_SUITE(Interval_certificate, Schemes, Scheme_names);
+TYPED_TEST_SUITE(Interval_certificate, Schemes_elsewhere, Scheme_names);
 
 // p = q + h n, where h has the differences p_j - q: three widths of points make one new one, more
 // where weights are negative.

@@ -68,7 +68,8 @@ Vector rotated(const Vector& v, int w, int x, int y, int z, int factor = 1)
 
 TYPED_TEST(Exact_scheme, CommutesWithRationalSimilarities)
 {
-  if (!TypeParam::takes_intervals) GTEST_SKIP() << "transferred curvature is rounded to double";
+  if (!TypeParam::takes_intervals)
+    GTEST_SKIP() << "does not apply: transferred curvature is rounded to double";
   const Vector shift(Number(Rational(1, 3)), -2, Number(Rational(5, 7)));
   const Number scale(Rational(11, 3));
   for (int factor : {1, -1}) {
@@ -89,7 +90,8 @@ TYPED_TEST(Exact_scheme, CommutesWithRationalSimilarities)
 
 TYPED_TEST(Exact_scheme, ReversedNormalsGiveTheSamePoints)
 {
-  if (!TypeParam::takes_intervals) GTEST_SKIP() << "transferred curvature is rounded to double";
+  if (!TypeParam::takes_intervals)
+    GTEST_SKIP() << "does not apply: transferred curvature is rounded to double";
   const auto same = [](const Point& p) { return p; };
   const auto reversed = [](const Vector& n) { return -n; };
   for (const Control_mesh& control : control_meshes<TypeParam>()) {
@@ -131,7 +133,8 @@ void refine_linearly_by(Mesh& mesh, unsigned rounds = 1)
 // Two rounds: with equal normals, or none, all numbers remain rational.
 TYPED_TEST(Exact_scheme, EqualOrNoNormalsReduceToTheLinearScheme)
 {
-  if (!TypeParam::is_linear_for_equal_normals) GTEST_SKIP() << "it keeps the curvature of points";
+  if (!TypeParam::is_linear_for_equal_normals)
+    GTEST_SKIP() << "does not apply: it keeps the curvature of points";
   const Number third(Rational(1, 3));
   for (const Vector& normal : {Vector(2 * third, -2 * third, third), Vector(0, 0, 0)})
     for (const Control_mesh& control : meshes_for<TypeParam>()) {
@@ -218,7 +221,7 @@ TYPED_TEST(Exact_scheme, LinearTwinEqualsCgalWhereWeightsAreRational)
     std::cout << equal << " vertices equal, " << close << " within 1e-15\n";
     EXPECT_GT(equal, 0u);
   } else
-    GTEST_SKIP() << "CGAL has no such function";
+    GTEST_SKIP() << "does not apply: CGAL has no such function";
 }
 
 // --- rows that sum to 1 ---

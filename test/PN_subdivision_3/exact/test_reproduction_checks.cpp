@@ -8,6 +8,7 @@
 
 // Deviations from shapes, against values found by hand, in every kind of kernel.
 
+#include "Extent.h"
 #include "One_root_number.h"
 
 #include <CGAL/CORE_Expr.h>
@@ -103,11 +104,13 @@ template <class K>
 class Exact_checks : public testing::Test
 {};
 using Kernels =
-  testing::Types<CGAL::Simple_cartesian<float>, CGAL::Simple_cartesian<long double>,
-                 CGAL::Simple_cartesian<CGAL::Gmpfr>, CGAL::Simple_cartesian<CGAL::Gmpq>,
-                 CGAL::Exact_predicates_inexact_constructions_kernel,
-                 CGAL::Exact_predicates_exact_constructions_kernel,
-                 CGAL::Simple_cartesian<CORE::Expr>, Rooted, Interval>;
+  In_full<testing::Types<CGAL::Simple_cartesian<float>, CGAL::Simple_cartesian<long double>,
+                         CGAL::Simple_cartesian<CGAL::Gmpfr>, CGAL::Simple_cartesian<CGAL::Gmpq>,
+                         CGAL::Exact_predicates_inexact_constructions_kernel,
+                         CGAL::Exact_predicates_exact_constructions_kernel,
+                         CGAL::Simple_cartesian<CORE::Expr>, Rooted, Interval>,
+          testing::Types<CGAL::Exact_predicates_inexact_constructions_kernel,
+                         CGAL::Exact_predicates_exact_constructions_kernel, Interval>>;
 TYPED_TEST_SUITE(Exact_checks, Kernels, );
 
 TYPED_TEST(Exact_checks, ShapesByHand)

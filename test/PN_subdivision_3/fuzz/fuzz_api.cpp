@@ -10,6 +10,7 @@
 // mesh is as it was. Sanitizers watch the rest.
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -103,10 +104,15 @@ bool is_same(const Vector& a, const Vector& b)
   return is_equal(a.x(), b.x()) && is_equal(a.y(), b.y()) && is_equal(a.z(), b.z());
 }
 
+auto normals_of(const Mesh& mesh)
+{
+  return PN::internal::find_property_map<Vertex, Vector>(mesh, "v:normal").value();
+}
+
 void require_untouched(const Mesh& a, const Mesh& b)
 {
-  const auto na = a.property_map<Vertex, Vector>("v:normal").first;
-  const auto nb = b.property_map<Vertex, Vector>("v:normal").first;
+  const auto na = normals_of(a);
+  const auto nb = normals_of(b);
   if (a.num_vertices() != b.num_vertices() || a.num_halfedges() != b.num_halfedges() ||
       a.num_faces() != b.num_faces())
     fail("elements were added to a mesh that was refused");
@@ -121,7 +127,7 @@ void require_untouched(const Mesh& a, const Mesh& b)
 
 void require_valid(const Mesh& mesh, bool has_normals)
 {
-  const auto normals = mesh.property_map<Vertex, Vector>("v:normal").first;
+  const auto normals = normals_of(mesh);
   if (!mesh.is_valid(false)) fail("the result is no valid mesh");
   for (Vertex v : mesh.vertices()) {
     const Point& p = mesh.point(v);
@@ -137,8 +143,9 @@ template <class Scheme>
 void subdivide(const Input& in, const Scheme& scheme, unsigned how)
 {
   Mesh mesh = in.mesh;
-  const auto normals = mesh.property_map<Vertex, Vector>("v:normal").first;
-  const auto creases = mesh.property_map<Mesh::Edge_index, double>("e:crease").first;
+  const auto normals = normals_of(mesh);
+  const auto creases =
+    PN::internal::find_property_map<Mesh::Edge_index, double>(mesh, "e:crease").value();
   const unsigned rounds = 1 + how / 4 % 2;
   try {
     const auto iterations = np::number_of_iterations(rounds);

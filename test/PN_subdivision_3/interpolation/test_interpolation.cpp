@@ -11,6 +11,8 @@
 
 #include "Interpolation_cases.h"
 
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -321,7 +323,8 @@ TEST(Interpolation, SomeVertices)
       options.free =
         smooth ? PN::Limit_interpolation_free::smooth : PN::Limit_interpolation_free::fixed;
       Surface_mesh net = mesh;
-      options.vertices = net.property_map<Surface_mesh::Vertex_index, bool>("v:chosen").first;
+      options.vertices =
+        PN::internal::find_property_map<Surface_mesh::Vertex_index, bool>(net, "v:chosen").value();
       const Report report = Further_interpolation_runs<PN::modified_CatmullClark_scheme>::some(
         net, quad_scheme, options);
       EXPECT_TRUE(report.is_within_tolerance()) << report.residual;

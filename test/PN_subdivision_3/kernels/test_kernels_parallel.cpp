@@ -9,6 +9,8 @@
 // Several threads give what one gives, bit for bit: number types with settings of the thread
 // (rounding, precision) and without, on every kind of mesh.
 
+#include "Extent.h"
+
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -144,8 +146,9 @@ using Kernel_of = CGAL::Simple_cartesian<FT>;
 template <class FT>
 class Parallel : public testing::Test
 {};
-using Number_types = testing::Types<float, double, CGAL::Gmpq, CGAL::Gmpfr, CGAL::Interval_nt<true>,
-                                    CGAL::Interval_nt<false>>;
+using Number_types = In_full<testing::Types<float, double, CGAL::Gmpq, CGAL::Gmpfr,
+                                            CGAL::Interval_nt<true>, CGAL::Interval_nt<false>>,
+                             testing::Types<CGAL::Gmpfr, CGAL::Interval_nt<true>>>;
 TYPED_TEST_SUITE(Parallel, Number_types, );
 
 TYPED_TEST(Parallel, SurfaceMesh)

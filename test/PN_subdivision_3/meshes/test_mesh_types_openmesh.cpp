@@ -162,7 +162,7 @@ TEST(OpenMesh_types, WithFloatPoints)
 
 TEST(OpenMesh_types, OpenMeshIsNotInstalled)
 {
-  GTEST_SKIP() << "Debian package libopenmesh-dev";
+  GTEST_SKIP() << "left out: OpenMesh not found (Debian package libopenmesh-dev)";
 }
 
 #endif // PN_TEST_WITH_OPENMESH

@@ -9,6 +9,7 @@
 // No library is linked, so that it can be cross compiled: scripts/check_portability.sh.
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -80,7 +81,7 @@ template <class Scheme>
 std::uint64_t digest(int n, bool triangles)
 {
   Mesh mesh = poles(n, triangles);
-  const auto normals = mesh.property_map<Vertex, Vector>("v:normal").first;
+  const auto normals = PN::internal::find_property_map<Vertex, Vector>(mesh, "v:normal").value();
   PN::subdivide(mesh, Scheme(),
                 CGAL::parameters::number_of_iterations(2).vertex_normal_map(normals));
   Digest digest;

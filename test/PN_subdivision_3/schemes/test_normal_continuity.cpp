@@ -12,6 +12,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -156,7 +157,7 @@ void crop(Net& net, std::set<Face> faces, int rings)
     CGAL::Euler::add_face(corners, small.mesh);
   }
   net.mesh = small.mesh;
-  net.normals = net.mesh.property_map<Vertex, Vector>("n").first;
+  net.normals = PN::internal::find_property_map<Vertex, Vector>(net.mesh, "n").value();
 }
 
 Vector area_vector(const Mesh& mesh, Face f)

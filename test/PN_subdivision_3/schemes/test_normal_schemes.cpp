@@ -73,7 +73,8 @@ TYPED_TEST(Normal_scheme, EqualsReference)
 
 TYPED_TEST(Normal_scheme, KeepsOldNormalsBitForBitIfTheirSchemeInterpolates)
 {
-  if (!TypeParam::Normals::is_interpolatory) GTEST_SKIP() << "the normals are not interpolated";
+  if (!TypeParam::Normals::is_interpolatory)
+    GTEST_SKIP() << "does not apply: the normals are not interpolated";
   for (const Control_mesh& control : meshes<TypeParam>()) {
     Surface_mesh mesh = to_surface_mesh(control);
     Surface_mesh old = mesh;

@@ -166,7 +166,8 @@ TYPED_TEST(Scheme_property, WithoutNormalsIsLinearBitForBit)
 
 TYPED_TEST(Scheme_property, WithEqualNormalsIsLinear)
 {
-  if (!TypeParam::is_linear_for_equal_normals) GTEST_SKIP() << "it keeps the curvature of points";
+  if (!TypeParam::is_linear_for_equal_normals)
+    GTEST_SKIP() << "does not apply: it keeps the curvature of points";
   const Triple normal{2. / 3, -2. / 3, 1. / 3};
   for (Control_mesh control : meshes_for<TypeParam>()) {
     Result expected = linearly_refined<TypeParam>(control);
@@ -182,7 +183,8 @@ TYPED_TEST(Scheme_property, WithEqualNormalsIsLinear)
 
 TYPED_TEST(Scheme_property, SingleRoundsGiveBitForBitWhatOneCallGives)
 {
-  if (!TypeParam::composes_single_rounds) GTEST_SKIP() << "rounds are counted within one call";
+  if (!TypeParam::composes_single_rounds)
+    GTEST_SKIP() << "does not apply: rounds are counted within one call";
   for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
     Surface_mesh once = to_surface_mesh(control), thrice = once;
     refine<TypeParam>(once, 3);
@@ -400,7 +402,7 @@ TYPED_TEST(Scheme_property, RowsOfOneEntryCopyBitForBit)
 
 TYPED_TEST(Scheme_property, KeepsOldVerticesIfInterpolatory)
 {
-  if (!TypeParam::is_interpolatory) GTEST_SKIP() << "approximates";
+  if (!TypeParam::is_interpolatory) GTEST_SKIP() << "does not apply: approximates";
   for (const Control_mesh& control : meshes_with_wild_normals<TypeParam>()) {
     Surface_mesh old = to_surface_mesh(control), mesh = old;
     refine<TypeParam>(mesh, 3);

@@ -56,7 +56,7 @@ TYPED_TEST(Scheme, LinearTwinEqualsCgal)
       }
     std::cout << "largest difference " << largest << '\n';
   } else
-    GTEST_SKIP() << "CGAL has no such function";
+    GTEST_SKIP() << "does not apply: CGAL has no such function";
 }
 
 TYPED_TEST(Scheme, PnEqualsMaskInCgalHost)
@@ -77,7 +77,7 @@ TYPED_TEST(Scheme, PnEqualsMaskInCgalHost)
       }
     std::cout << "largest difference " << largest << '\n';
   } else
-    GTEST_SKIP() << "CGAL has no such mask";
+    GTEST_SKIP() << "does not apply: CGAL has no such mask";
 }
 
 // The meshes of data/, and real ones where they are found; estimated normals where a file has none.
@@ -105,7 +105,7 @@ TYPED_TEST(Scheme, AgreesWithCgalOnMeshFiles)
     }
     EXPECT_GE(files, 4u);
   } else
-    GTEST_SKIP() << "CGAL has no such mask";
+    GTEST_SKIP() << "does not apply: CGAL has no such mask";
 }
 
 // The order of vertices is CGAL's own. (CGAL's Doo-Sabin has another one.)
@@ -123,7 +123,7 @@ TYPED_TEST(Scheme, NumbersVerticesAsCgalDoes)
           << control.name << ", vertex " << i;
     }
   } else
-    GTEST_SKIP() << "CGAL has no such function";
+    GTEST_SKIP() << "does not apply: CGAL has no such function";
 }
 
 // One round, vertex by vertex in the documented order.

@@ -307,7 +307,7 @@ TYPED_TEST_P(Named_shapes, EqualPnMasksInHostsOfCgal)
       EXPECT_TRUE(is_within(d, 1e-12));
     });
   } else
-    GTEST_SKIP() << "CGAL has no such mask";
+    GTEST_SKIP() << "does not apply: CGAL has no such mask";
 }
 
 // Creases change values, not faces; a mesh whose tags are all 0 is a mesh without tags.
@@ -345,7 +345,7 @@ TYPED_TEST_P(Named_shapes, WithCreasesAreRefinedAsWithoutThem)
     });
     EXPECT_GE(changed, 10u);
   } else
-    GTEST_SKIP() << "has no rules for creases";
+    GTEST_SKIP() << "does not apply: has no rules for creases";
 }
 
 // Shapes that a scheme cannot take are refused and stay as they were.

@@ -127,7 +127,8 @@ TYPED_TEST_P(Random_meshes, WithZeroOrEqualNormalsAreRefinedLinearly)
 
 TYPED_TEST_P(Random_meshes, AreRefinedBySingleRoundsAsAtOnce)
 {
-  if (!TypeParam::composes_single_rounds) GTEST_SKIP() << "rounds are counted within one call";
+  if (!TypeParam::composes_single_rounds)
+    GTEST_SKIP() << "does not apply: rounds are counted within one call";
   for_each_seed<TypeParam>([](Control_mesh mesh, std::mt19937& generator) {
     if (generator() % 2 == 0) set_wild_normals(mesh, unsigned(generator()));
     Surface_mesh once = to_surface_mesh(mesh), singly = once;
@@ -151,7 +152,7 @@ TYPED_TEST_P(Random_meshes, AreRefinedInParallelAsSequentially)
     EXPECT_TRUE(is_identical(sequential, parallel));
   });
 #else
-  GTEST_SKIP() << "without TBB";
+  GTEST_SKIP() << "left out: TBB not found (Debian package libtbb-dev)";
 #endif
 }
 

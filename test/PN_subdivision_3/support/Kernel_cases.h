@@ -271,7 +271,7 @@ void expect_curve_functions(double tolerance)
 template <class K>
 void expect_everything(double tolerance, double unit)
 {
-  expect_schemes<typename K::FT>(Schemes(), tolerance, unit);
+  expect_schemes<typename K::FT>(Schemes_elsewhere(), tolerance, unit);
   expect_mesh_functions<K>(tolerance, unit);
   expect_masks<K>(tolerance);
   expect_curve_functions<K>(tolerance);

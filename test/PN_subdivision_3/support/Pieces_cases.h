@@ -12,6 +12,7 @@
 #include "Mesh_cases.h"
 #include "Random_meshes.h"
 
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
@@ -66,7 +67,7 @@ struct Control
       PN::subdivide(result, scheme, np);
     else {
       const Normals map =
-        result.template property_map<typename Mesh::Vertex_index, Vector>("n").first;
+        PN::internal::find_property_map<typename Mesh::Vertex_index, Vector>(result, "n").value();
       PN::subdivide(result, scheme, np.vertex_normal_map(map));
       for (const auto v : result.vertices()) refined_normals.push_back(map[v]);
     }

@@ -12,6 +12,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_SCHEMES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_SCHEMES_H
 
+#include "Extent.h"
 #include "PN_mask_3_cases.h"
 #include "Test_meshes.h"
 #include "reference/Butterfly.h"
@@ -183,6 +184,11 @@ using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSa
                                Sqrt3_description, Butterfly_description, Kobbelt_description,
                                Modified_CatmullClark_description, Modified_Loop_description,
                                Ct_CatmullClark_description, Ct_Loop_description>;
+
+// Those that are tested with other number types than double and other meshes than Surface_mesh: one of quads
+// and the one of triangles that has all that a scheme can have.
+using Schemes_elsewhere =
+  In_full<Schemes, testing::Types<CatmullClark_description, Ct_Loop_description>>;
 
 // A scheme that is shipped has a description, and one alone has its name.
 template <class Scheme, class... Descriptions>

@@ -12,6 +12,7 @@
 #include "Mesh_cases.h"
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -117,7 +118,7 @@ void expect_as_subdivide(const Soup& soup, const Scheme& scheme, unsigned rounds
     }
     const auto changed = refiner.update();
     Mesh refined = control;
-    auto refined_normals = refined.property_map<Vertex, Vector>("n").first;
+    auto refined_normals = PN::internal::find_property_map<Vertex, Vector>(refined, "n").value();
     PN::subdivide(refined, scheme,
                   params::number_of_iterations(rounds).vertex_normal_map(refined_normals));
     ASSERT_EQ(refiner.number_of_vertices(), refined.number_of_vertices());
