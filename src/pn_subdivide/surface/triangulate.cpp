@@ -56,8 +56,8 @@ Halfedge cut_corner_off(Surface& surface, Halfedge before)
 {
   const Halfedge corner = surface.next(before), behind = surface.next(corner);
   const Surface::Face_index rest = surface.face(before), triangle = surface.add_face();
-  const Halfedge inside = surface.add_edge(surface.target(behind), surface.target(before));
-  const Halfedge diagonal = surface.opposite(inside);
+  const Halfedge diagonal = surface.add_edge(surface.target(before), surface.target(behind));
+  const Halfedge inside = surface.opposite(diagonal);
   surface.set_next(diagonal, surface.next(behind));
   surface.set_next(before, diagonal);
   surface.set_next(behind, inside);
@@ -113,7 +113,7 @@ private:
     if (is_edge_(std::uint32_t(i), std::uint32_t(i + 2)) &&
         !is_edge_(std::uint32_t(1 - i), std::uint32_t(3 - i)))
       i = 1 - i;
-    return i + 2;
+    return i;
   }
 
   Surface& surface_;
