@@ -68,11 +68,14 @@ public:
   bool owns_vertex(Index v) const { return vertices_.is_owned(v); }
 
   /// the points of the vertices.
-  const std::vector<Point_3>& points() const { return points_; }
+  const std::vector<Point_3>& points() const& { return points_; }
+  const std::vector<Point_3>& points() const&& = delete; // of a piece that is gone
   /// the control normals of the vertices; none with a linear scheme.
-  const std::vector<Vector_3>& normals() const { return normals_; }
+  const std::vector<Vector_3>& normals() const& { return normals_; }
+  const std::vector<Vector_3>& normals() const&& = delete; // of a piece that is gone
   /// the faces, as flat arrays. The first half-edge of a face is that of the whole surface.
-  const Level_connectivity& connectivity() const { return connectivity_; }
+  const Level_connectivity& connectivity() const& { return connectivity_; }
+  const Level_connectivity& connectivity() const&& = delete; // of a piece that is gone
 
   /*!
   makes a mesh of the piece, with the same numbers of vertices and faces.
