@@ -139,11 +139,13 @@ void add_scheme_options(CLI::App& command, Scheme_choice& choice)
 
 void add_crease_options(CLI::App& command, Crease_options& options)
 {
-  command.add_option("--sharp", options.sharp,
-                     "Edges that are creases: auto (default; those of file, unless they are more "
-                     "than half of the inner edges), none, file (where the file's normals of two "
-                     "faces differ by more than 0.1 degrees), angle:DEG (where the faces meet at a "
-                     "greater angle) or a selection file of CGAL (.selection.txt)");
+  command.add_option(
+    "--sharp", options.sharp,
+    "Edges that are creases: auto (default; those of file, but of normals for flat "
+    "shading only if there are at most 6 different ones or one for 20 faces), "
+    "none, file (where the file's normals of two faces differ by more than 0.1 "
+    "degrees), angle:DEG (where the faces meet at an angle greater by 0.1 degrees "
+    "and more) or a selection file of CGAL (.selection.txt)");
   command.add_option("--sharpness", options.sharpness,
                      "Of these edges: the number of rounds for which they are sharp; default inf");
   command.add_option(
@@ -156,11 +158,17 @@ void add_crease_options(CLI::App& command, Crease_options& options)
 void add_repair_options(CLI::App& command, Surface_options& options)
 {
   command.add_flag("--merge-points", options.merge_points,
-                   "Merge vertices with equal points; of different normals the normalized sum");
+                   "Merge vertices with equal points; different normals become those of corners");
+  command.add_option("--merge-distance", options.merge_distance,
+                     "Merge vertices at borders within this distance, but never two of one face: "
+                     "a length, or P% of the box's diagonal. Default: 0, of STL files 4 units in "
+                     "the last place of the largest coordinate as a float. Includes "
+                     "--merge-points");
   command.add_flag(
     "--repair", options.repair,
-    "Orient the faces, split or remove faces that visit a vertex twice, remove "
-    "duplicate faces, duplicate non-manifold edges and vertices; say what was changed");
+    "Orient the faces, what is closed outwards and cavities the other way; split or remove faces "
+    "that visit a vertex twice, remove duplicate faces, duplicate non-manifold edges and vertices; "
+    "say what was changed");
   command.add_flag("--triangulate", options.triangulate,
                    "Split faces with more than three vertices before anything else");
 }
@@ -210,10 +218,12 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   add_scheme_options(surface, options.scheme);
   add_levels(surface, options.levels);
   add_linear(surface, options.linear);
-  surface.add_option("--normals", options.normals,
-                     "Control normals: auto (the file's if it has any, else estimated), file, "
-                     "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
-                     "cylinder:X,Y,Z,DX,DY,DZ");
+  surface.add_option(
+    "--normals", options.normals,
+    "Control normals: auto (the file's if it has any that are not zero or those of the "
+    "faces, else estimated), file, "
+    "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
+    "cylinder:X,Y,Z,DX,DY,DZ");
   add_crease_options(surface, options.creases);
   add_interpolate(surface, options.interpolate, "The limit surface");
   add_limit_options(surface, options.limit, "vertices");

@@ -12,6 +12,7 @@
 #include "io/Report.h"
 #include "io/file_references.h"
 #include "io/mesh_io.h"
+#include "io/normals_of_file.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
 #include "surface/Bounding_box.h"
@@ -85,6 +86,7 @@ Plan make_plan(const Surface_options& options)
             std::nullopt,
             1};
   require_consistent(options);
+  if (options.merge_distance) parse_merge_distance(*options.merge_distance);
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
@@ -100,6 +102,19 @@ Plan make_plan(const Surface_options& options)
   return plan;
 }
 
+void warn_of_opposing_normals(const Opposing_normals& opposing, const std::string& input,
+                              Report& report)
+{
+  if (opposing.number == 0) return;
+  report.warn(input + ": " + std::to_string(opposing.number) + " of " +
+              std::to_string(opposing.of) +
+              (opposing.number == 1 ? " normals points" : " normals point") +
+              " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
+              (opposing.number == opposing.of
+                 ? "), as if these were inside out"
+                 : "), and the surface may tear there; --normals estimate takes none of the file"));
+}
+
 // How it came to its normals, for the closing line.
 std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& creases, Report& report)
 {
@@ -108,12 +123,17 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
   const bool from_file =
     source == Source::file || (source == Source::automatic && mesh.has_normals());
   const std::string input = plan.input.title("standard input");
+  const Opposing_normals opposing = from_file ? find_opposing_normals(mesh) : Opposing_normals();
   if (from_file && mesh.vertices_with_several_normals > 0 && !creases.any())
     report.warn(input + ": " + std::to_string(mesh.vertices_with_several_normals) +
                 (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
                 " several normals; their normalized sum is taken");
   set_control_normals(mesh, plan.normals, creases, input, report);
-  if (from_file) return "normals of the file";
+  if (from_file) {
+    if (are_all_zero(mesh)) return "no normals, those of the file are zero";
+    warn_of_opposing_normals(opposing, input, report);
+    return "normals of the file";
+  }
   if (source == Source::none) return "no normals";
   const bool is_shape = source == Source::sphere || source == Source::cylinder;
   return is_shape ? "normals of the given shape" : "estimated normals";
@@ -365,6 +385,8 @@ void run_surface_command(const Surface_options& options)
     require_limit_of_vertices(scheme.scheme, options.limit);
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
+    const bool can_be_sharp = scheme_without_creases(scheme).empty();
+    settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, options.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases);
