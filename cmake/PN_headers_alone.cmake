@@ -1,4 +1,4 @@
-# Target pn_headers_alone: every header compiles alone, those with a documented name where they are used
+# Target pn_headers_alone: every header compiles alone, some of those with a documented name where they are used
 # (test/PN_subdivision_3/headers); and all compile in the company of what <windows.h> defines. The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
