@@ -19,7 +19,8 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // What a member returns that need not be called.
-struct Not_visited {};
+struct Not_visited
+{};
 
 } // namespace internal
 
@@ -32,25 +33,26 @@ something: a member that hides one of these is called, the others cost nothing.
 \cgalModels{PNSubdivisionVisitor_3}
 \sa `Control_element`
 */
-struct Default_visitor {
+struct Default_visitor
+{
   /// is called after a round.
   internal::Not_visited round_done(unsigned, std::size_t) const { return {}; }
   /// is called for every vertex of the refined mesh.
   template <class Vertex>
-  internal::Not_visited vertex_created(const Vertex &,
-                                       const Control_element &) const {
+  internal::Not_visited vertex_created(const Vertex&, const Control_element&) const
+  {
     return {};
   }
   /// is called for every edge of the refined mesh.
   template <class Edge>
-  internal::Not_visited edge_created(const Edge &,
-                                     const Control_element &) const {
+  internal::Not_visited edge_created(const Edge&, const Control_element&) const
+  {
     return {};
   }
   /// is called for every face of the refined mesh.
   template <class Face>
-  internal::Not_visited face_created(const Face &,
-                                     const Control_element &) const {
+  internal::Not_visited face_created(const Face&, const Control_element&) const
+  {
     return {};
   }
 };
