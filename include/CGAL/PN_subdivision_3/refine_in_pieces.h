@@ -131,7 +131,7 @@ into pieces with about equally many corners. A piece is refined together with `S
 faces around it: as many as the scheme needs so that a round leaves as many right. The last level's are cut
 off.
 
-<b>Memory.</b> The level that is divided, about 170 bytes a face, as long as the object lives. A call of
+<b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
 are the result. With \f$ \sqrt{3} \f$ and Doo-Sabin subdivision, whose numbers depend on the border, 8 to 24
 bytes for each border edge of all levels.

@@ -29,6 +29,12 @@ struct Error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+// With what is to be written, and says so.
+struct Output_error : Error
+{
+  using Error::Error;
+};
+
 // Something is wrong with the command line itself.
 struct Usage_error : std::runtime_error
 {

@@ -72,7 +72,8 @@ void note_what_is_dropped(const Ply_header& header, Mesh_data& mesh)
     if (element.size == 0) continue;
     const bool is_face = element.name == "face";
     if (!is_face && element.name != "vertex") {
-      mesh.drop("the element '" + Text_reader::printable(element.name) + "'");
+      // their names differ: drop() need not look for them
+      mesh.dropped.push_back("the element '" + Text_reader::printable(element.name) + "'");
       continue;
     }
     for (const Ply_property& p : element.properties)

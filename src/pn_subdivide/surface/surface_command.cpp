@@ -352,7 +352,7 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
   if (size.faces >= faces_worth_a_report)
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
-  write_pieces(job, plan.output, plan.threads, report);
+  write_pieces(job, plan.output.name, plan.threads, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals + ", " + pieces +
@@ -393,7 +393,7 @@ void run_surface_command(const Surface_options& options)
     const bool has_file_normals = mesh.has_normals();
     normals = set_normals(mesh, plan, creases, report);
     if (in_pieces)
-      pieces = make_pieces_job(std::move(mesh), options, scheme);
+      pieces = make_pieces_job(std::move(mesh), options, scheme, plan.output);
     else {
       const Bounding_box control(mesh.points);
       process(mesh, plan, options, scheme, creases, has_file_normals, report);
@@ -401,6 +401,8 @@ void run_surface_command(const Surface_options& options)
       if (plan.verification) plan.verification->measure(mesh.points);
     }
   } catch (const Usage_error&) {
+    throw;
+  } catch (const Output_error&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw Error(input + ": not enough memory for " + std::to_string(options.levels) + " rounds");
