@@ -1,5 +1,5 @@
-# Target pn_headers_alone: all headers compile together, and in the company of what <windows.h> defines; with
-# PN_TEST_FULL every one alone, too, those with a documented name where they are used
+# Target pn_headers_alone: all headers compile in the company of what <windows.h> defines; with PN_TEST_FULL
+# together without it and every one alone, too, those with a documented name where they are used
 # (test/PN_subdivision_3/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
@@ -58,7 +58,7 @@ if(PN_TEST_FULL)
   add_dependencies(pn_headers_alone pn_internal_headers_alone)
   list(APPEND targets pn_internal_headers_alone)
 else()
-  add_library(pn_headers_alone OBJECT ${together})
+  add_library(pn_headers_alone OBJECT ${generated}/beside_windows_h.cpp)
 endif()
 foreach(target ${targets})
   pn_own_target(${target})
