@@ -1,5 +1,6 @@
-# Target pn_headers_alone: all headers compile together, and in the company of what <windows.h> defines; with
-# PN_TEST_FULL every one alone, too. The internal ones take the headers of others precompiled, which saves minutes: that
+# Target pn_headers_alone: all headers compile in the company of what <windows.h> defines; with PN_TEST_FULL
+# together without it and every one alone, too, those with a documented name where they are used
+# (test/PN_subdivision_3/headers). The internal ones take the headers of others precompiled, which saves minutes: that
 # they include those themselves is seen where precompiled headers are off (build preset clang-headers).
 # Only checked, not translated: no code is generated.
 set(include_dir ${PN_subdivision_3_SOURCE_DIR}/include)
@@ -13,8 +14,13 @@ set(all_headers "")
 foreach(header ${headers})
   file(RELATIVE_PATH relative ${include_dir} ${header})
   string(MAKE_C_IDENTIFIER ${relative} name)
+  set(in_use "")
+  string(REGEX REPLACE "^CGAL/PN_subdivision_3/(.*)\\.h$" "\\1" short ${relative})
+  if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/../test/PN_subdivision_3/headers/${short}.cpp)
+    set(in_use "#include \"${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/headers/${short}.cpp\"\n")
+  endif()
   file(GENERATE OUTPUT ${generated}/${name}.cpp
-       CONTENT "#include <${relative}>\n#include <${relative}>\n")
+       CONTENT "#include <${relative}>\n#include <${relative}>\n${in_use}")
   if(relative MATCHES "/internal/")
     list(APPEND internal ${generated}/${name}.cpp)
   else()
@@ -52,7 +58,7 @@ if(PN_TEST_FULL)
   add_dependencies(pn_headers_alone pn_internal_headers_alone)
   list(APPEND targets pn_internal_headers_alone)
 else()
-  add_library(pn_headers_alone OBJECT ${together})
+  add_library(pn_headers_alone OBJECT ${generated}/beside_windows_h.cpp)
 endif()
 foreach(target ${targets})
   pn_own_target(${target})

@@ -73,6 +73,11 @@ if(TARGET CGAL::PN_subdivision_3_Eigen AND NOT PN_TEST_PART STREQUAL "others")
   pn_test_settings(pn_test_references)
 endif()
 
+# Programs that run for longer without optimization than it takes to compile.
+set(pn_computing_tests
+    test_creases_shapes test_estimate_curvature test_exact_schemes test_extraordinary_curvature
+    test_extraordinary_measure test_interpolation test_reproduction)
+
 # pn_add_test(name source... [WHOLE]): a GoogleTest program. Each of its tests is an entry of its own
 # in ctest; with WHOLE the program is one entry (for costly set-up that its tests share).
 function(pn_add_test name)
@@ -84,7 +89,11 @@ function(pn_add_test name)
   if(TARGET pn_test_references)
     target_link_libraries(${name} PRIVATE pn_test_references)
   endif()
-  target_precompile_headers(${name} REUSE_FROM pn_test_headers)
+  if(name IN_LIST pn_computing_tests AND PN_TEST_OPTIMIZATION STREQUAL "-O0")
+    target_compile_options(${name} PRIVATE -O1) # the precompiled headers are not
+  else()
+    target_precompile_headers(${name} REUSE_FROM pn_test_headers)
+  endif()
   if(arg_WHOLE)
     add_test(NAME ${name} COMMAND ${name})
   else()
@@ -102,6 +111,10 @@ set_source_files_properties(
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
 pn_leave_out_without_eigen(unit_tests "tests")
+# What other tests have in part: every number type that rounds, other number types of these masks.
+if(NOT PN_TEST_FULL)
+  list(FILTER unit_tests EXCLUDE REGEX "/test_(kernels_floating|modified_schemes_numbers|PN_mask_3_numbers)\\.cpp$")
+endif()
 foreach(unit_test ${unit_tests})
   get_filename_component(name ${unit_test} NAME_WE)
   if(NOT name MATCHES "^test_pn_subdivide")
@@ -115,7 +128,7 @@ foreach(unit_test ${unit_tests})
     pn_add_test(${name} ${unit_test} ${further})
   elseif(TARGET pn_subdivide)
     pn_add_test(${name} ${unit_test})
-    target_link_libraries(${name} PRIVATE pn_subdivide_command)
+    target_link_libraries(${name} PRIVATE pn_subdivide_command nlohmann_json::nlohmann_json)
     target_compile_definitions(
       ${name} PRIVATE PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
     add_dependencies(${name} pn_subdivide)

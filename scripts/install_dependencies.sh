@@ -18,7 +18,7 @@ set -euo pipefail
 compiling=(g++ cmake ninja-build libcgal-dev)
 drawing=(python3-vtk9 python3-numpy xvfb)
 required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
-optional=(libtbb-dev libcli11-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3
+optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3
           clang libopenmpi-dev openmpi-bin pkgconf "${drawing[@]}" xauth)
 with_archives=yes
 case ${1:-} in
@@ -59,7 +59,7 @@ This system is not Debian, so nothing is installed here. What PN_subdivision_3 n
   a C++17 compiler, CMake 3.21 or newer, Ninja, CGAL 5.5 or newer (with Boost, GMP and MPFR),
   Eigen 3.3 or newer, GoogleTest
 and what it uses where it is found:
-  TBB (threads), CLI11 (the command pn_subdivide), Google Benchmark, OpenMesh and OpenSubdiv (tests),
+  TBB (threads), CLI11 and nlohmann-json (the command pn_subdivide), Google Benchmark, OpenMesh and OpenSubdiv (tests),
   MPI (the command on several machines),
   Python 3.11 or newer (a test of data/), with VTK and NumPy (pictures)
 vcpkg.json names the same for vcpkg.

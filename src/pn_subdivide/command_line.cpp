@@ -10,34 +10,25 @@
 
 #include "command_line.h"
 
+#include "command_help.h"
 #include "curve/curve_scheme_names.h"
 #include "io/Error.h"
 #include "io/mesh_io.h"
+#include "io/near_miss.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
-
-const char* const exit_codes =
-  "Exit code: 0 success, 1 failure, 2 wrong command line; a failure prints one line on standard\n"
-  "error and leaves OUTPUT as it was. 3 the deviation exceeds --tolerance; OUTPUT is written.";
-
-const char* const surface_footer =
-  "Messages count vertices and faces from 0. The normals in OUTPUT are the control normals for a\n"
-  "further round. They are not those of the surface, from which they may be far off (up to 70\n"
-  "degrees on coarse meshes).\n";
-
-const char* const curve_footer =
-  "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
-  "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here. "
-  "Missing\nnormals are estimated. Messages count lines from 1.\n";
 
 // Alone CLI11 takes an empty word, as of a shell variable that is not set, for 0, and words that
 // begin with 0 for octal or hexadecimal numbers.
@@ -80,9 +71,14 @@ void add_linear(CLI::App& command, bool& linear)
   command.add_flag("--linear", linear, "The linear scheme, without normals");
 }
 
-void add_quiet(CLI::App& command, bool& quiet)
+void add_report_options(CLI::App& command, Report_options& options)
 {
-  command.add_flag("--quiet", quiet, "No progress and no closing line; warnings are still printed");
+  command.add_flag("--quiet", options.quiet,
+                   "No progress and no closing line; warnings are still printed");
+  command.add_flag("--strict", options.strict,
+                   "Any warning makes the exit code 4; OUTPUT is written all the same");
+  command.add_option("--report", options.file,
+                     "Write what was read, done, mended, dropped and warned of into this JSON file");
 }
 
 void add_verify_options(CLI::App& command, Verify_options& options, const std::string& shapes)
@@ -143,11 +139,13 @@ void add_scheme_options(CLI::App& command, Scheme_choice& choice)
 
 void add_crease_options(CLI::App& command, Crease_options& options)
 {
-  command.add_option("--sharp", options.sharp,
-                     "Edges that are creases: auto (default; those of file, unless they are more "
-                     "than half of the inner edges), none, file (where the file's normals of two "
-                     "faces differ by more than 0.1 degrees), angle:DEG (where the faces meet at a "
-                     "greater angle) or a selection file of CGAL (.selection.txt)");
+  command.add_option(
+    "--sharp", options.sharp,
+    "Edges that are creases: auto (default; those of file, but of normals for flat "
+    "shading only if there are at most 6 different ones or one for 20 faces), "
+    "none, file (where the file's normals of two faces differ by more than 0.1 "
+    "degrees), angle:DEG (where the faces meet at an angle greater by 0.1 degrees "
+    "and more) or a selection file of CGAL (.selection.txt)");
   command.add_option("--sharpness", options.sharpness,
                      "Of these edges: the number of rounds for which they are sharp; default inf");
   command.add_option(
@@ -160,11 +158,17 @@ void add_crease_options(CLI::App& command, Crease_options& options)
 void add_repair_options(CLI::App& command, Surface_options& options)
 {
   command.add_flag("--merge-points", options.merge_points,
-                   "Merge vertices with equal points; of different normals the normalized sum");
+                   "Merge vertices with equal points; different normals become those of corners");
+  command.add_option("--merge-distance", options.merge_distance,
+                     "Merge vertices at borders within this distance, but never two of one face: "
+                     "a length, or P% of the box's diagonal. Default: 0, of STL files 4 units in "
+                     "the last place of the largest coordinate as a float. Includes "
+                     "--merge-points");
   command.add_flag(
     "--repair", options.repair,
-    "Orient the faces, split or remove faces that visit a vertex twice, remove "
-    "duplicate faces, duplicate non-manifold edges and vertices; say what was changed");
+    "Orient the faces, what is closed outwards and cavities the other way; split or remove faces "
+    "that visit a vertex twice, remove duplicate faces, duplicate non-manifold edges and vertices; "
+    "say what was changed");
   command.add_flag("--triangulate", options.triangulate,
                    "Split faces with more than three vertices before anything else");
 }
@@ -205,7 +209,7 @@ void add_interpolate(CLI::App& command, std::optional<std::string>& mode, const 
 void add_surface_command(CLI::App& app, Surface_options& options)
 {
   CLI::App& surface = *app.add_subcommand("surface", "Subdivide a mesh");
-  surface.footer(std::string(surface_footer) + exit_codes);
+  surface.footer(surface_footer());
   surface.add_option("INPUT", options.input, "Control mesh; - for standard input")->required();
   surface.add_option("OUTPUT", options.output, "Refined mesh; - for standard output")->required();
   surface.add_option("--format", options.format,
@@ -214,10 +218,12 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   add_scheme_options(surface, options.scheme);
   add_levels(surface, options.levels);
   add_linear(surface, options.linear);
-  surface.add_option("--normals", options.normals,
-                     "Control normals: auto (the file's if it has any, else estimated), file, "
-                     "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
-                     "cylinder:X,Y,Z,DX,DY,DZ");
+  surface.add_option(
+    "--normals", options.normals,
+    "Control normals: auto (the file's if it has any that are not zero or those of the "
+    "faces, else estimated), file, "
+    "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
+    "cylinder:X,Y,Z,DX,DY,DZ");
   add_crease_options(surface, options.creases);
   add_interpolate(surface, options.interpolate, "The limit surface");
   add_limit_options(surface, options.limit, "vertices");
@@ -234,7 +240,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                    "Points, faces and normals only: texture coordinates, colors, materials, groups "
                    "and other properties are not read");
   surface.add_flag("--ascii", options.ascii, "PLY and VTP as text");
-  add_quiet(surface, options.quiet);
+  add_report_options(surface, options.report);
 }
 
 // --- curve ---
@@ -242,10 +248,10 @@ void add_surface_command(CLI::App& app, Surface_options& options)
 void add_curve_command(CLI::App& app, Curve_options& options)
 {
   CLI::App& curve = *app.add_subcommand("curve", "Subdivide a polygon in the plane or in space");
-  curve.footer(std::string(curve_footer) + exit_codes);
+  curve.footer(curve_footer());
   curve.add_option("INPUT", options.input, "Control polygon; - for standard input")->required();
   curve.add_option("OUTPUT", options.output, "Refined curve; - for standard output")->required();
-  curve.add_option("--scheme", options.scheme, curve_scheme_names())->required();
+  curve.add_option("--scheme", options.scheme, curve_scheme_names())->capture_default_str();
   curve.add_option("--normal-scheme", options.normal_scheme,
                    "Another scheme for the normals; both primal (odd degrees, N-point) or both "
                    "dual (even degrees)");
@@ -267,39 +273,71 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   add_verify_options(curve, options.verify,
                      "circle:X,Y,R or, in space, circle:X,Y,Z,NX,NY,NZ,R, sphere:X,Y,Z,R or "
                      "cylinder:X,Y,Z,DX,DY,DZ,R");
-  add_quiet(curve, options.quiet);
+  add_report_options(curve, options.report);
 }
 
-// A dot before each name: ".ply .off".
-std::string extensions(std::string formats)
+// `pn_subdivide INPUT OUTPUT ...` means a surface. A file of the name of a command is ./surface.
+std::vector<std::string> with_command(int argc, char** argv)
 {
-  for (std::size_t i = 0; i < formats.size(); ++i)
-    if (i == 0 || formats[i - 1] == ' ') formats.insert(i++, ".");
-  return formats;
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const auto is_known = [](const std::string& word) {
+    return word == "surface" || word == "curve" || word == "--help" || word == "-h" || word == "--version";
+  };
+  if (!words.empty() && !is_known(words.front())) words.insert(words.begin(), "surface");
+  return words;
+}
+
+std::vector<std::string> option_names(const CLI::App& command)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// What CLI11 says of words that it does not know, and what was probably meant.
+std::string unexpected(const CLI::App& app)
+{
+  const std::vector<std::string> words = app.remaining(true);
+  const auto option = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+    return word.rfind("--", 0) == 0 && word.size() > 2;
+  });
+  if (option == words.end())
+    return "'" + (words.empty() ? "" : words.front()) + "' is one argument too many";
+  const std::string name = option->substr(0, option->find('='));
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return "there is no option " + name +
+         (commands.empty() ? "" : did_you_mean(name, option_names(*commands.front())));
 }
 
 } // namespace
 
 Command parse_command_line(int argc, char** argv)
 {
-  CLI::App app(
-    "Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what they "
-    "are",
-    "pn_subdivide");
-  app.set_version_flag("--version", CGAL_PN_SUBDIVISION_3_VERSION);
+  CLI::App app("Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what "
+               "they are.\n\n  pn_subdivide INPUT OUTPUT [OPTIONS]   is   pn_subdivide surface INPUT "
+               "OUTPUT [OPTIONS]\n",
+               "pn_subdivide");
+  app.formatter(std::make_shared<Command_help>());
+  app.set_version_flag("--version", "pn_subdivide " CGAL_PN_SUBDIVISION_3_VERSION);
   app.require_subcommand(1);
-  app.footer("Meshes: reads " + extensions(readable_formats()) + ", writes " +
-             extensions(writable_formats()) + ".\n" + exit_codes);
+  app.footer(top_level_footer());
 
   Surface_options surface;
   add_surface_command(app, surface);
   Curve_options curve;
   add_curve_command(app, curve);
+  std::vector<std::string> words = with_command(argc, argv);
+  std::reverse(words.begin(), words.end()); // as CLI11 takes them
+  const std::string help = " (see pn_subdivide --help)";
   try {
-    app.parse(argc, argv);
+    if (words.empty()) throw Usage_error("INPUT and OUTPUT are missing" + help);
+    app.parse(std::move(words));
+  } catch (const CLI::ExtrasError&) {
+    throw Usage_error(unexpected(app) + help);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
-      throw Usage_error(std::string(e.what()) + " (see pn_subdivide --help)");
+      throw Usage_error(e.what() + help);
     app.exit(e);
     return {};
   }

@@ -15,7 +15,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <new>
 #include <string>
 
 using namespace pn_subdivide;
@@ -49,10 +48,10 @@ int run_and_report(int argc, char** argv)
     return report(e.what(), exit_usage);
   } catch (const Tolerance_error& e) {
     return report(e.what(), exit_tolerance);
-  } catch (const std::bad_alloc&) {
-    return report("not enough memory", exit_failure);
+  } catch (const Strict_error& e) {
+    return report(e.what(), exit_warnings);
   } catch (const std::exception& e) {
-    return report(e.what(), exit_failure);
+    return report(message_of(e), exit_failure);
   }
 }
 

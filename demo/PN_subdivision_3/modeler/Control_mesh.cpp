@@ -11,6 +11,8 @@
 #include "io/Error.h"
 #include "io/corner_normals.h"
 #include "io/formats.h"
+#include "io/near_points.h"
+#include "io/normals_of_file.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
 
@@ -58,6 +60,15 @@ void require_manifold(const Mesh_data& mesh)
   if (!defects.none()) throw Error("this is no oriented manifold: " + defects.description());
 }
 
+// As the command does without --normals.
+void drop_normals_that_say_nothing(Mesh_data& mesh)
+{
+  const pn_subdivide::Flat_shading flat = pn_subdivide::find_flat_shading(mesh);
+  if (!pn_subdivide::are_all_zero(mesh) && (!flat.is_there() || flat.makes_creases())) return;
+  mesh.normals.clear();
+  mesh.corner_normals.clear();
+}
+
 // Cuts off ears, those with the shortest diagonals first.
 void add_triangles(std::vector<std::uint32_t> face, const std::vector<double>& points,
                    Mesh_state& result)
@@ -94,8 +105,10 @@ Control_mesh Control_mesh::read(const std::string& content, const std::string& f
   Mesh_data mesh = read_format(content, format);
   pn_subdivide::require_finite_elements(mesh);
   // the triangles of STL share no vertices
-  if (format == "stl") pn_subdivide::merge_equal_points(mesh);
+  if (format == "stl")
+    pn_subdivide::merge_near_points(mesh, pn_subdivide::rounding_of_floats(mesh.points));
   require_manifold(mesh);
+  drop_normals_that_say_nothing(mesh);
   Control_mesh result;
   result.fill(mesh);
   if (mesh.has_corner_normals()) result.mark_edges_where_normals_differ();
@@ -154,17 +167,11 @@ void Control_mesh::mark_edges_where_normals_differ()
            pn_subdivide::directions_differ(pn_subdivide::to_triple(normals_[h]),
                                            pn_subdivide::to_triple(normals_[g]));
   };
-  std::size_t inner = 0, marked = 0;
   for (const Edge e : surface_.edges()) {
     if (surface_.is_border(e)) continue;
     const Halfedge h = surface_.halfedge(e), g = surface_.opposite(h);
-    ++inner;
-    if (!differ(h, surface_.prev(g)) && !differ(g, surface_.prev(h))) continue;
-    sharpness_[e] = sharp_for_ever;
-    ++marked;
+    if (differ(h, surface_.prev(g)) || differ(g, surface_.prev(h))) sharpness_[e] = sharp_for_ever;
   }
-  if (2 * marked > inner) // as in files for flat shading
-    for (const Edge e : surface_.edges()) sharpness_[e] = 0;
 }
 
 Mesh_state Control_mesh::state() const

@@ -51,6 +51,7 @@ the cylinder through its points, and of its flat ends.
   face at the target. If it throws, some normals may have been written.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_is_constrained_map` and `geom_traits` as in `subdivide()`
+\param estimate which estimate, see `estimate_control_normals()`
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not
   finite, or a sharpness is negative or not a number; nothing has been written then
@@ -59,7 +60,8 @@ the cylinder through its points, and of its flat ends.
 template <class PolygonMesh, class EdgeMap, class HalfedgeNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
 void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, HalfedgeNormalMap normals,
-                             const NamedParameters& np = parameters::default_values())
+                             const NamedParameters& np = parameters::default_values(),
+                             Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
 {
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   using FT = typename Parameters::FT;
@@ -90,8 +92,8 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
       values[slot] = {
         internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]),
         internal::zero_vector<FT, 3>()};
-    internal::Control_creases<FT>(level, creases, values,
-                                  std::vector<bool>(values.size(), false))();
+    internal::Control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
+                                  estimate)();
     const internal::Cut_level<FT> cut(level, creases);
     static_assert(internal::is_of_halfedges_v<Access, HalfedgeNormalMap>,
                   "PN_subdivision_3: the normal map is no property map of the mesh's half-edges");

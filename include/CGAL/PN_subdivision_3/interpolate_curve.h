@@ -212,13 +212,17 @@ auto interpolate_curve(
     const bool slides = options.mode == Limit_interpolation_mode::slide;
     if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);
     internal::Interpolation_data<dimension> data = internal::curve_data<dimension>(result);
+    internal::divide_by_size(data);
     internal::set_curve_surroundings(end == Curve_end::closed, data);
     data.takes_normals = !is_linear;
     data.tolerance = options.tolerance * internal::box_size(data.points);
     data.max_depth = (std::max)(1u, options.max_depth);
     data.max_steps = options.max_steps;
-    const auto solution = internal::interpolate_polygon(end == Curve_end::closed, options, data);
+    auto solution = internal::interpolate_polygon(end == Curve_end::closed, options, data);
     report = solution.report;
+    internal::multiply_by_size(data.exponent, report);
+    internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, data.points);
+    internal::multiply_by_size<typename Points::FT, dimension>(data.exponent, solution.points);
     for (std::size_t i = 0; i < result.size(); ++i) {
       if (solution.points[i] != data.points[i])
         result[i].first = Points::template make<typename Points::Point>(

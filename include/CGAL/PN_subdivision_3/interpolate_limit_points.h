@@ -126,9 +126,12 @@ Limit_interpolation_report interpolate_limit_points(
     const internal::Vectors<3> old_normals = data.normals;
     internal::Mesh_limit_functionals<Scheme> source(scheme, level,
                                                     internal::For_chunks::with(Concurrency_tag()));
-    const auto result =
+    auto result =
       internal::interpolate_mesh(level, internal::normal_estimate(scheme), options, data, source);
     report = result.report;
+    internal::multiply_by_size(data.exponent, report);
+    internal::multiply_by_size<FT, 3>(data.exponent, data.points);
+    internal::multiply_by_size<FT, 3>(data.exponent, result.points);
     report.normal_angle = internal::largest_normal_angle(level, data.normals);
     if constexpr (internal::is_pn_v<Scheme>)
       internal::write_control_net<FT>(access, points, Parameters::normal_map(np), data.points,

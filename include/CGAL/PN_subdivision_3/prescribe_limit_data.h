@@ -68,7 +68,7 @@ prescribed_at([[maybe_unused]] const Access& access, [[maybe_unused]] const Map&
 template <class Access, class Prescribed_points, class Prescribed_normals>
 std::vector<Prescribed_vertex>
 read_prescribed(const Access& access, const Level_connectivity& level,
-                const Prescribed_points& points, const Prescribed_normals& normals)
+                const Prescribed_points& points, const Prescribed_normals& normals, int exponent)
 {
   std::vector<Prescribed_vertex> all;
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
@@ -76,6 +76,8 @@ read_prescribed(const Access& access, const Level_connectivity& level,
     p.vertex = v;
     p.point = prescribed_at(access, points, v, "limit point");
     p.normal = prescribed_at(access, normals, v, "normal");
+    if (p.point)
+      for (double& x : *p.point) x = std::ldexp(x, -exponent);
     if (p.normal) p.normal = prescribed_unit(*p.normal, [&] { return access.vertex_name(v); });
     if (p.point || p.normal) all.push_back(p);
   }
@@ -85,7 +87,7 @@ read_prescribed(const Access& access, const Level_connectivity& level,
 template <class Access, class Curvatures>
 std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
                                                    const Level_connectivity& level,
-                                                   const Curvatures& curvatures)
+                                                   const Curvatures& curvatures, int exponent)
 {
   std::vector<Prescribed_form> all;
   for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
@@ -94,8 +96,8 @@ std::vector<Prescribed_form> read_prescribed_forms(const Access& access,
       const auto& d = value->direction;
       Prescribed_form f;
       f.vertex = v;
-      f.along = value->along;
-      f.across = value->across;
+      f.along = std::ldexp(value->along, exponent);
+      f.across = std::ldexp(value->across, exponent);
       f.direction = {close_double(d.x()), close_double(d.y()), close_double(d.z())};
       if (!std::isfinite(f.along) || !std::isfinite(f.across) || !f.direction.allFinite())
         throw std::invalid_argument("PN_subdivision_3: the curvature that is prescribed at " +
@@ -119,7 +121,7 @@ prescribe(const Access& access, const Level_connectivity& level, const Interpola
       "PN_subdivision_3: a normal is prescribed at " + access.vertex_name(*v) +
       ", where the scheme tells of no tangent plane: prescribe none there");
   if constexpr (!std::is_same_v<Curvatures, Nothing_prescribed>) {
-    const auto forms = read_prescribed_forms(access, level, curvatures);
+    const auto forms = read_prescribed_forms(access, level, curvatures, data.exponent);
     const double size = box_size(data.points);
     if (!forms.empty())
       return Curvature_prescription(
@@ -228,10 +230,14 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPo
     data.max_steps = (std::numeric_limits<unsigned>::max)();
     internal::Mesh_limit_functionals<Scheme> source(scheme, level,
                                                     internal::For_chunks::with(Concurrency_tag()));
-    const auto result = internal::prescribe(
-      access, level, data, source, internal::read_prescribed(access, level, points, normals),
-      curvatures, options);
+    auto result =
+      internal::prescribe(access, level, data, source,
+                          internal::read_prescribed(access, level, points, normals, data.exponent),
+                          curvatures, options);
     report = result.report;
+    internal::multiply_by_size(data.exponent, report);
+    internal::multiply_by_size<FT, 3>(data.exponent, data.points);
+    internal::multiply_by_size<FT, 3>(data.exponent, result.points);
     const auto write = [&](auto normal_map) {
       internal::write_control_net<FT>(access, point_map, normal_map, data.points, result.points,
                                       data.normals, result.normals);

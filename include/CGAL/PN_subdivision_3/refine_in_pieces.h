@@ -68,11 +68,14 @@ public:
   bool owns_vertex(Index v) const { return vertices_.is_owned(v); }
 
   /// the points of the vertices.
-  const std::vector<Point_3>& points() const { return points_; }
+  const std::vector<Point_3>& points() const& { return points_; }
+  const std::vector<Point_3>& points() const&& = delete; // of a piece that is gone
   /// the control normals of the vertices; none with a linear scheme.
-  const std::vector<Vector_3>& normals() const { return normals_; }
+  const std::vector<Vector_3>& normals() const& { return normals_; }
+  const std::vector<Vector_3>& normals() const&& = delete; // of a piece that is gone
   /// the faces, as flat arrays. The first half-edge of a face is that of the whole surface.
-  const Level_connectivity& connectivity() const { return connectivity_; }
+  const Level_connectivity& connectivity() const& { return connectivity_; }
+  const Level_connectivity& connectivity() const&& = delete; // of a piece that is gone
 
   /*!
   makes a mesh of the piece, with the same numbers of vertices and faces.
@@ -128,7 +131,7 @@ into pieces with about equally many corners. A piece is refined together with `S
 faces around it: as many as the scheme needs so that a round leaves as many right. The last level's are cut
 off.
 
-<b>Memory.</b> The level that is divided, about 170 bytes a face, as long as the object lives. A call of
+<b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
 are the result. With \f$ \sqrt{3} \f$ and Doo-Sabin subdivision, whose numbers depend on the border, 8 to 24
 bytes for each border edge of all levels.

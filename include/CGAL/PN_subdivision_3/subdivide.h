@@ -172,7 +172,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<PolygonMesh>::%edge_descriptor` as key type and as value type
                    `bool` (`true` is infinitely sharp) or a number type (a sharpness that is not
-                   negative)}
+                   negative; the largest value of a built-in integer type is infinitely sharp)}
     \cgalParamDefault{no edge is sharp}
     \cgalParamExtra{A sharp border edge is infinitely sharp, and a border vertex with a sharp edge that
                     is not on the border is a corner. Butterfly, Kobbelt's scheme and
@@ -193,14 +193,10 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object with any of the following members. `round_done(unsigned k, std::size_t number_of_faces)`
-                          is called after the k-th round is computed, also of a mesh without faces; an exception of it cancels the
-                          subdivision. It must not look at the mesh, which is being written, and with
-                          `Parallel_tag` it may be called from another thread. `vertex_created(v, origin)`, then
-                          `edge_created(e, origin)`, then `face_created(f, parent)` are called for all elements of the
-                          refined mesh in their order, those with an old descriptor included, when the mesh is complete;
-                          `origin` and `parent` are `Control_element`s.}
-    \cgalParamType{a copyable class, or a `std::reference_wrapper` to one}
+    \cgalParamDescription{an object that is told of the rounds and of where the elements of the refined mesh come
+                          from. A member that cannot be called with what it is to be given is refused when the
+                          call is compiled. With `Parallel_tag` it may be called from another thread.}
+    \cgalParamType{a copyable model of `PNSubdivisionVisitor_3`, or a `std::reference_wrapper` to one}
     \cgalParamDefault{no visitor}
   \cgalParamNEnd
 \cgalNamedParamsEnd

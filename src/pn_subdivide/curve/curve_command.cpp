@@ -20,10 +20,11 @@
 #include "pieces/Ranks.h"
 #include "surface/verification.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <new>
 
@@ -81,20 +82,15 @@ std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
   return mode;
 }
 
-bool same_file(const std::string& a, const std::string& b)
-{
-  std::error_code error;
-  const auto place = [&error](const std::string& file) {
-    return std::filesystem::weakly_canonical(file, error);
-  };
-  return place(a) == place(b);
-}
-
 void require_writable_places(const Curve_options& options)
 {
   require_writable_place(options.output);
+  require_report_place(options.report, {options.input, options.output, options.comb.value_or(""),
+                                        options.sharp.value_or("")});
   if (!options.comb) return;
   require_writable_place(*options.comb);
+  if (!boost::algorithm::iends_with(*options.comb, ".svg"))
+    throw Usage_error("--comb " + *options.comb + ": the drawing is an SVG file, whose name ends in .svg");
   if (same_file(*options.comb, options.output) || same_file(*options.comb, options.input))
     throw Usage_error("--comb " + *options.comb + ": the drawing needs a file of its own");
 }
@@ -164,6 +160,7 @@ void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule,
   Limit_summary whole;
   for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, choice));
   report.note(whole.description(choice));
+  report.set_limit(whole.numbers(choice));
   const std::string text = whole.warning();
   if (!text.empty()) report.warn(title + ": " + text);
 }
@@ -215,7 +212,7 @@ auto naming(const std::string& file, const Function& function)
   } catch (const std::bad_alloc&) {
     throw Error(file + ": not enough memory");
   } catch (const std::exception& e) {
-    throw Error(file + ": " + e.what());
+    throw Error(file + ": " + message_of(e));
   }
 }
 
@@ -254,7 +251,7 @@ void run_curve_command(const Curve_options& options)
 {
   if (ranks().number() > 1)
     throw Usage_error("curves are not shared among ranks: leave mpirun out");
-  Report report(options.quiet);
+  Report report(options.report);
   const Curve_rule rule = parse_rule(options);
   const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
   require_consistent(options.limit);
@@ -297,8 +294,10 @@ void run_curve_command(const Curve_options& options)
   write_files(options, rule, polygon, refined);
   report.note(closing_line(options, rule, curve, normals, report));
   report.print_warnings();
+  report.write_file({options.input, options.output, curve.size(), 0, options.levels});
   if (verification) verification->require_tolerance();
   report.print_notes();
+  report.require_no_warnings();
 }
 
 } // namespace pn_subdivide

@@ -10,6 +10,7 @@
 #define PN_SUBDIVIDE_CURVE_COMMAND_H
 
 #include "io/Limit_choice.h"
+#include "io/Report.h"
 #include "surface/Verify_options.h"
 
 #include <optional>
@@ -19,12 +20,14 @@ namespace pn_subdivide {
 
 struct Curve_options
 {
-  std::string input, output, scheme; // "-": standard input, output
+  std::string input, output; // "-": standard input, output
+  std::string scheme = "bspline:3";
   std::optional<std::string> normal_scheme, end, comb, sharp, interpolate;
   Limit_choice limit{"curve", false, false, std::nullopt};
   Verify_options verify;
   unsigned levels = 1;
-  bool closed = false, linear = false, quiet = false;
+  bool closed = false, linear = false;
+  Report_options report;
 };
 
 // The command `pn_subdivide curve`. Throws Usage_error, Error or what the library throws; the files

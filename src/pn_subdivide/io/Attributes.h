@@ -19,6 +19,9 @@
 
 namespace pn_subdivide {
 
+// Behind what is wrong with an attribute.
+inline const char* const reading_without_it = "; --drop-attributes reads the file without it";
+
 // The last number is 0 in the plane. Where there is none, all three are NaN.
 using Texture_point = std::array<double, 3>;
 

@@ -10,16 +10,29 @@
 #define PN_SUBDIVIDE_ERROR_H
 
 #include <stdexcept>
+#include <string>
 
 namespace pn_subdivide {
 
 // What the process returns; documented in --help, so these numbers stay.
-enum Exit_code { exit_ok = 0, exit_failure = 1, exit_usage = 2, exit_tolerance = 3 };
+enum Exit_code {
+  exit_ok = 0,
+  exit_failure = 1,
+  exit_usage = 2,
+  exit_tolerance = 3,
+  exit_warnings = 4
+};
 
 // Something is wrong with a file or with what is in it.
 struct Error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
+};
+
+// With what is to be written, and says so.
+struct Output_error : Error
+{
+  using Error::Error;
 };
 
 // Something is wrong with the command line itself.
@@ -33,6 +46,15 @@ struct Tolerance_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+// There are warnings, and --strict is given; the result has been written.
+struct Strict_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// What people read of an exception: without the name of the library, and nothing of allocators.
+std::string message_of(const std::exception& e);
 
 } // namespace pn_subdivide
 

@@ -68,6 +68,16 @@ std::string Limit_summary::description(const Limit_choice& choice) const
   return s;
 }
 
+std::vector<Report::Number> Limit_summary::numbers(const Limit_choice& choice) const
+{
+  std::vector<Report::Number> numbers;
+  if (choice.points) numbers = {{"error", error}, {"tolerance", tolerance}};
+  if (choice.normals) numbers.emplace_back("normal_error_in_degrees", normal_error * degrees);
+  numbers.emplace_back("vertices_without_limit_normal", double(stand_ins));
+  numbers.emplace_back("vertices_that_miss_the_tolerance", double(misses));
+  return numbers;
+}
+
 std::string Limit_summary::warning() const
 {
   if (misses == 0) return {};

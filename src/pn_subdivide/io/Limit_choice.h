@@ -9,11 +9,14 @@
 #ifndef PN_SUBDIVIDE_LIMIT_CHOICE_H
 #define PN_SUBDIVIDE_LIMIT_CHOICE_H
 
+#include "io/Report.h"
+
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -44,6 +47,8 @@ struct Limit_summary
   void add(const Limit_summary& other);
 
   std::string description(const Limit_choice& choice) const;
+  // the same for --report
+  std::vector<Report::Number> numbers(const Limit_choice& choice) const;
   // empty if all is well
   std::string warning() const;
 };

@@ -26,6 +26,16 @@ namespace pn_subdivide {
 using Triple = std::array<double, 3>; // a point or a vector; a kernel's would cost compile time
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
 
+// Of normals that are those of the faces: how many different ones there are, on how many faces. With few, or
+// with large faces, their edges are meant to be seen; with many they are there for want of better ones.
+struct Flat_shading
+{
+  std::size_t normals = 0, faces = 0; // 0: no flat shading
+
+  bool is_there() const { return normals > 0; }
+  bool makes_creases() const { return normals <= 6 || faces >= 20 * normals; }
+};
+
 // A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
 // `normals` is empty or has one vector per point, zero where a point has no control normal.
 // `corner_normals` is empty but where corners of one vertex have different normals; then it has one
@@ -46,6 +56,7 @@ public:
   // Vertices that the file gives normals in clearly different directions; they have the normalized
   // sum.
   std::size_t vertices_with_several_normals = 0;
+  Flat_shading flat_shading;
 
   // What the numbers of vertices in the file have become: those of the vertices that they were merged
   // into (empty: their own), and for the last vertices those of which these are copies.

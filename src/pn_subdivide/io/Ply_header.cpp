@@ -8,6 +8,8 @@
 
 #include "io/Ply_header.h"
 
+#include <unordered_set>
+
 namespace pn_subdivide {
 namespace {
 
@@ -30,13 +32,12 @@ Ply_format read_format(Text_reader& in)
   in.fail("not a PLY format: '" + Text_reader::printable(word) + "'");
 }
 
-Ply_element read_element(Text_reader& in, const std::vector<Ply_element>& others)
+Ply_element read_element(Text_reader& in, std::unordered_set<std::string>& names)
 {
   Ply_element element;
   element.name = in.word();
-  for (const Ply_element& other : others)
-    if (other.name == element.name)
-      in.fail("a second element '" + Text_reader::printable(element.name) + "'");
+  if (!names.insert(element.name).second)
+    in.fail("a second element '" + Text_reader::printable(element.name) + "'");
   const std::int64_t size = in.integer("the number of elements");
   if (size < 0) in.fail("the number of elements is negative");
   element.size = static_cast<std::size_t>(size);
@@ -76,13 +77,14 @@ Ply_header read_ply_header(Text_reader& in)
     in.fail("not a PLY file: it does not begin with 'ply'");
 
   bool has_format = false;
+  std::unordered_set<std::string> names; // of the elements
   while (in.next_line()) {
     const std::string_view keyword = in.word();
     if (keyword == "format") {
       header.format = read_format(in);
       has_format = true;
     } else if (keyword == "element") {
-      header.elements.push_back(read_element(in, header.elements));
+      header.elements.push_back(read_element(in, names));
     } else if (keyword == "property") {
       if (header.elements.empty()) in.fail("a property before the first element");
       header.elements.back().properties.push_back(read_property(in));

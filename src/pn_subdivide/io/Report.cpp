@@ -8,7 +8,14 @@
 
 #include "io/Report.h"
 
+#include "io/Error.h"
+#include "io/Output_file.h"
+#include "io/mesh_io.h"
+
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
+#include <utility>
 
 namespace pn_subdivide {
 
@@ -20,6 +27,14 @@ std::string enumeration(const std::vector<std::string>& names)
   return list;
 }
 
+Report::Report(Report_options options, bool silent)
+  : options_(std::move(options))
+  , silent_(silent)
+  , start_(std::chrono::steady_clock::now())
+{
+  if (silent_) options_.quiet = true;
+}
+
 double Report::seconds() const
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -27,7 +42,18 @@ double Report::seconds() const
 
 void Report::progress(const std::string& text) const
 {
-  if (!quiet_) std::fprintf(stderr, "%s, %.2f s\n", text.c_str(), seconds());
+  if (!options_.quiet) std::fprintf(stderr, "%s, %.2f s\n", text.c_str(), seconds());
+}
+
+void Report::warn_of_dropped(const std::string& text, const std::vector<std::string>& names)
+{
+  warn(text + enumeration(names));
+  dropped_.insert(dropped_.end(), names.begin(), names.end());
+}
+
+void Report::add_repair(const std::string& what, std::size_t number)
+{
+  if (number > 0) repaired_.emplace_back(what, number);
 }
 
 void Report::print_warnings() const
@@ -38,8 +64,55 @@ void Report::print_warnings() const
 
 void Report::print_notes() const
 {
-  if (quiet_) return;
+  if (options_.quiet) return;
   for (const std::string& n : notes_) std::fprintf(stderr, "%s\n", n.c_str());
+}
+
+void Report::write_file(const Result& result) const
+{
+  if (silent_ || !options_.file) return;
+  using Json = nlohmann::ordered_json; // the keys stay in this order
+  const auto object = [](const auto& pairs) {
+    Json json = Json::object();
+    for (const auto& [key, value] : pairs) json[key] = value;
+    return json;
+  };
+  Json json;
+  json["input"] = result.input;
+  json["output"] = result.output;
+  json["vertices"] = result.vertices;
+  json["faces"] = result.faces;
+  json["rounds"] = result.rounds;
+  json["warnings"] = warnings_;
+  json["dropped"] = dropped_;
+  json["repaired"] = object(repaired_);
+  json["limit"] = object(limit_);
+  try {
+    Output_file file(*options_.file);
+    // what is no UTF-8 in a file's name is replaced
+    file.text(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    file.commit();
+  } catch (const Error& e) {
+    throw Error(*options_.file + ": " + e.what() + "; " + result.output + " is written");
+  }
+}
+
+void Report::require_no_warnings() const
+{
+  if (!options_.strict || warnings_.empty()) return;
+  throw Strict_error("--strict: " + std::to_string(warnings_.size()) +
+                     (warnings_.size() == 1 ? " warning" : " warnings") + "; the result is written");
+}
+
+void require_report_place(const Report_options& options, const std::vector<std::string>& others)
+{
+  if (!options.file) return;
+  if (options.file->empty() || *options.file == "-")
+    throw Usage_error("--report '" + *options.file + "': it takes the name of a file");
+  require_writable_place(*options.file);
+  for (const std::string& other : others)
+    if (!other.empty() && other != "-" && same_file(*options.file, other))
+      throw Usage_error("--report " + *options.file + ": the report needs a file of its own");
 }
 
 } // namespace pn_subdivide

@@ -10,7 +10,10 @@
 #define PN_SUBDIVIDE_REPORT_H
 
 #include <chrono>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
@@ -18,36 +21,63 @@ namespace pn_subdivide {
 // "groups, materials and colors"
 std::string enumeration(const std::vector<std::string>& names);
 
+struct Report_options
+{
+  bool quiet = false, strict = false;
+  std::optional<std::string> file; // --report
+};
+
 // What a run says on standard error besides errors: progress at once, warnings and notes when the output
-// is complete, so that a run that fails under --quiet says one line only.
+// is complete, so that a run that fails under --quiet says one line only. And what --report writes.
 class Report
 {
 public:
-  // One that is silent prints no warnings either: other processes do.
-  explicit Report(bool quiet, bool silent = false)
-    : quiet_(quiet || silent)
-    , silent_(silent)
-    , start_(std::chrono::steady_clock::now())
-  {}
+  // What has been made of what.
+  struct Result
+  {
+    std::string input, output;
+    std::size_t vertices, faces;
+    unsigned rounds;
+  };
+  using Number = std::pair<std::string, double>;
 
-  bool is_quiet() const { return quiet_; }
+  // One that is silent says nothing and writes no file: another process does.
+  explicit Report(Report_options options, bool silent = false);
+
+  bool is_quiet() const { return options_.quiet; }
   double seconds() const;
 
   // The time since the start is put behind. Not with --quiet.
   void progress(const std::string& text) const;
   void warn(const std::string& text) { warnings_.push_back(text); }
+  // a warning that `names` of the user's are not in the result
+  void warn_of_dropped(const std::string& text, const std::vector<std::string>& names);
   // Not with --quiet.
   void note(const std::string& text) { notes_.push_back(text); }
 
-  // To be called once each, when the output is complete.
+  // For --report only: how many of what --repair and merging of points have changed, and what is known of limits.
+  void add_repair(const std::string& what, std::size_t number);
+  void set_limit(std::vector<Number> numbers) { limit_ = std::move(numbers); }
+
+  // To be called once each in this order, when the output is complete.
   void print_warnings() const;
+  void write_file(const Result& result) const;
   void print_notes() const;
+  // Throws Strict_error.
+  void require_no_warnings() const;
 
 private:
-  bool quiet_, silent_;
+  Report_options options_;
+  bool silent_;
   std::chrono::steady_clock::time_point start_;
-  std::vector<std::string> warnings_, notes_;
+  std::vector<std::string> warnings_, notes_, dropped_;
+  std::vector<std::pair<std::string, std::size_t>> repaired_;
+  std::vector<Number> limit_;
 };
+
+// Throws Usage_error or Error if the file of --report cannot be one: it is none of `others`, in which
+// empty words and "-" do not count.
+void require_report_place(const Report_options& options, const std::vector<std::string>& others);
 
 } // namespace pn_subdivide
 

@@ -22,6 +22,14 @@ bool is_blank(char c)
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
+// A byte order mark, or a first letter of ASCII in two bytes.
+bool is_utf_16(const std::string& text)
+{
+  if (text.size() < 2) return false;
+  if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0) return true;
+  return (text[0] == '\0') != (text[1] == '\0');
+}
+
 } // namespace
 
 Text_reader::Text_reader(const std::string& text, char comment_sign)
@@ -30,6 +38,8 @@ Text_reader::Text_reader(const std::string& text, char comment_sign)
 {
   const std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors put it in front
   if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0) next_ = byte_order_mark.size();
+  if (is_utf_16(text))
+    throw Error("the text is in UTF-16: save it as UTF-8, for instance with iconv -f UTF-16 -t UTF-8");
 }
 
 std::string Text_reader::printable(std::string_view word)

@@ -21,7 +21,8 @@ namespace pn_subdivide {
 class Text_reader
 {
 public:
-  // What follows `comment_sign` in a line is skipped; '\0' if there are no comments.
+  // What follows `comment_sign` in a line is skipped; '\0' if there are no comments. Throws Error if the
+  // text is in UTF-16.
   Text_reader(const std::string& text, char comment_sign);
 
   // Goes to the next line that is not blank; false at the end of the text. Throws Error if the lines

@@ -12,10 +12,8 @@
 #include "io/Attributes.h"
 #include "io/mesh_io.h"
 #include "io/write_text.h"
+#include "io/xml_text.h"
 
-#include <boost/algorithm/string/replace.hpp>
-
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -32,18 +30,6 @@ public:
     : out_(out)
     , encoding_(encoding)
   {}
-
-  // As XML wants names in quotes.
-  static std::string escaped(const std::string& name)
-  {
-    std::string s = name;
-    std::replace_if(
-      s.begin(), s.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
-    boost::algorithm::replace_all(s, "&", "&amp;");
-    boost::algorithm::replace_all(s, "<", "&lt;");
-    boost::algorithm::replace_all(s, "\"", "&quot;");
-    return s;
-  }
 
   void begin()
   {
@@ -109,7 +95,7 @@ public:
   {
     std::size_t bytes = 0;
     for (const std::string& word : values) bytes += word.size() + 1;
-    out_.text("<Array type=\"String\" Name=\"" + escaped(name) + "\" NumberOfTuples=\"" +
+    out_.text("<Array type=\"String\" Name=\"" + xml_text(name) + "\" NumberOfTuples=\"" +
               std::to_string(values.size()) + "\" format=\"");
     array_content("Array", bytes, [this, &values] {
       for (const std::string& word : values)
@@ -171,7 +157,7 @@ private:
   void array_tag(const char* type, const std::string& name, std::size_t components,
                  std::size_t bytes, std::function<void()> put)
   {
-    out_.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + escaped(name) +
+    out_.text(std::string("<DataArray type=\"") + type + "\" Name=\"" + xml_text(name) +
               "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"");
     array_content("DataArray", bytes, std::move(put));
   }

@@ -35,4 +35,19 @@ void set_vertex_normals(Mesh_data& mesh)
   if (all_same) mesh.corner_normals.clear();
 }
 
+std::size_t vertices_with_several_normals(const Mesh_data& mesh)
+{
+  std::vector<Triple> first(mesh.points.size(), Triple{0, 0, 0});
+  std::vector<bool> has_several(mesh.points.size(), false);
+  std::size_t corner = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      const Triple& n = mesh.corner_normals[corner++];
+      if (normalized(n) == Triple{0, 0, 0}) continue;
+      if (first[v] == Triple{0, 0, 0}) first[v] = n;
+      if (directions_differ(first[v], n)) has_several[v] = true;
+    }
+  return static_cast<std::size_t>(std::count(has_several.begin(), has_several.end(), true));
+}
+
 } // namespace pn_subdivide

@@ -34,6 +34,9 @@ inline bool directions_differ(const Triple& m, const Triple& n)
 // the corners if they are the same at every vertex.
 void set_vertex_normals(Mesh_data& mesh);
 
+// Vertices whose corners have normals in clearly different directions.
+std::size_t vertices_with_several_normals(const Mesh_data& mesh);
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_CORNER_NORMALS_H

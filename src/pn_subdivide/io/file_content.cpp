@@ -16,6 +16,11 @@
 #include <filesystem>
 #include <memory>
 
+#if __has_include(<unistd.h>)
+#  include <sys/stat.h>
+#  include <unistd.h>
+#endif
+
 namespace pn_subdivide {
 
 namespace {
@@ -23,6 +28,18 @@ namespace {
 void close_unless_stdin(std::FILE* file)
 {
   if (file != stdin) std::fclose(file);
+}
+
+// Devices such as /dev/zero have no end; the input at a terminal has.
+bool is_endless([[maybe_unused]] std::FILE* file)
+{
+#if __has_include(<unistd.h>)
+  struct stat status;
+  const int descriptor = ::fileno(file);
+  return ::fstat(descriptor, &status) == 0 && S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0;
+#else
+  return false;
+#endif
 }
 
 } // namespace
@@ -39,8 +56,10 @@ std::string file_content(const std::string& file)
 
   std::string content;
   std::string block(1 << 20, '\0');
-  while (const std::size_t n = std::fread(&block[0], 1, block.size(), in.get()))
+  while (const std::size_t n = std::fread(&block[0], 1, block.size(), in.get())) {
+    if (is_endless(in.get())) throw Error("this is a device without end, not a file to read");
     content.append(block, 0, n);
+  }
   if (std::ferror(in.get())) throw Error(std::string("cannot be read: ") + std::strerror(errno));
   if (content.empty()) throw Error(file == "-" ? "nothing came in" : "the file is empty");
   return content;

@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/corner_normals.h"
+#include "io/near_points.h"
 #include "io/soup_repair.h"
 
 #include <algorithm>
@@ -34,22 +35,33 @@ std::vector<Index> first_equal(const std::vector<Triple>& points)
   return first;
 }
 
-// The sum of unit normals, where there is more than one; a single one stays as it is.
-std::vector<Triple> merged_normals(const Mesh_data& mesh, const std::vector<Index>& first)
+bool is_zero(const Triple& n)
 {
-  std::vector<Triple> sums(mesh.normals);
-  std::vector<bool> is_sum(mesh.normals.size(), false);
+  return n[0] == 0 && n[1] == 0 && n[2] == 0;
+}
+
+// Different normals of vertices that are merged become those of corners: the copies of vertices were there for a
+// hard edge. Where only one of them has a normal it is that of all.
+void merge_normals(Mesh_data& mesh, const std::vector<Index>& first)
+{
+  if (!mesh.has_normals() || mesh.has_corner_normals()) return;
+  bool differ = false;
+  std::vector<bool> has_several(first.size(), false);
+  std::vector<Triple> of_first(mesh.normals);
   for (std::size_t v = 0; v < first.size(); ++v) {
-    const Index to = first[v];
-    if (to == v || mesh.normals[v] == mesh.normals[to]) continue;
-    if (!is_sum[to]) sums[to] = normalized(sums[to]);
-    const Triple n = normalized(mesh.normals[v]);
-    for (std::size_t i = 0; i < 3; ++i) sums[to][i] += n[i];
-    is_sum[to] = true;
+    const Triple &n = mesh.normals[v], &m = of_first[first[v]];
+    if (is_zero(n) || n == m) continue;
+    if (is_zero(m))
+      of_first[first[v]] = n;
+    else
+      has_several[first[v]] = differ = true;
   }
-  for (std::size_t v = 0; v < sums.size(); ++v)
-    if (is_sum[v]) sums[v] = normalized(sums[v]);
-  return sums;
+  if (differ)
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (const Index v : mesh.face(f))
+        mesh.corner_normals.push_back(has_several[first[v]] ? normalized(mesh.normals[v])
+                                                            : of_first[first[v]]);
+  mesh.normals = std::move(of_first);
 }
 
 template <class T>
@@ -90,21 +102,18 @@ void move_texture_to_corners(Mesh_data& mesh, const std::vector<Index>& first)
   all.erase(std::remove_if(all.begin(), all.end(), is_moved), all.end());
 }
 
-} // namespace
-
-Point_merge merge_equal_points(Mesh_data& mesh)
+// Vertex v goes into first[v], the first of those with which it is merged.
+std::size_t merge(Mesh_data& mesh, const std::vector<Index>& first, Point_merge& result)
 {
-  const std::vector<Index> first = first_equal(mesh.points);
-  Point_merge result;
   move_texture_to_corners(mesh, first);
   for (Column& column : mesh.attributes.of_vertices) {
-    if (differ(column, first)) result.differing_attributes.push_back(column.name);
+    auto& names = result.differing_attributes;
+    if (differ(column, first) && std::find(names.begin(), names.end(), column.name) == names.end())
+      names.push_back(column.name);
     keep_first(column.values, first);
   }
-  if (mesh.has_normals()) {
-    mesh.normals = merged_normals(mesh, first);
-    keep_first(mesh.normals, first);
-  }
+  merge_normals(mesh, first);
+  keep_first(mesh.normals, first);
   std::vector<Index> number(first.size());
   Index kept = 0;
   for (std::size_t v = 0; v < first.size(); ++v)
@@ -112,8 +121,32 @@ Point_merge merge_equal_points(Mesh_data& mesh)
   keep_first(mesh.points, first);
 
   mesh.renumber_vertices(number);
-  mesh.merged_into = std::move(number);
-  result.merged_vertices = first.size() - kept;
+  if (mesh.has_corner_normals()) {
+    mesh.vertices_with_several_normals = vertices_with_several_normals(mesh);
+    set_vertex_normals(mesh);
+  }
+  if (mesh.merged_into.empty())
+    mesh.merged_into = std::move(number);
+  else
+    for (Index& v : mesh.merged_into) v = number[v];
+  return first.size() - kept;
+}
+
+} // namespace
+
+Point_merge merge_equal_points(Mesh_data& mesh)
+{
+  Point_merge result;
+  result.merged_vertices = merge(mesh, first_equal(mesh.points), result);
+  return result;
+}
+
+Point_merge merge_near_points(Mesh_data& mesh, double distance)
+{
+  Point_merge result = merge_equal_points(mesh);
+  if (!(distance > 0)) return result;
+  const std::vector<Index> first = first_near(mesh, distance);
+  result.joined_vertices = merge(mesh, first, result);
   return result;
 }
 

@@ -135,6 +135,15 @@ void require_writable_place(const std::string& file)
   }
 }
 
+bool same_file(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  const auto place = [&error](const std::string& file) {
+    return std::filesystem::weakly_canonical(file, error);
+  };
+  return place(a) == place(b);
+}
+
 std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh)
 {
   return format_of(file).not_held(mesh);
@@ -147,7 +156,7 @@ Mesh_data read_mesh(const Mesh_file& file, bool with_attributes)
   } catch (const std::bad_alloc&) {
     throw; // has no file to blame
   } catch (const std::exception& e) {
-    throw Error(file.title("standard input") + ": " + e.what());
+    throw Error(file.title("standard input") + ": " + message_of(e));
   }
 }
 
@@ -165,7 +174,7 @@ void write_mesh(const Mesh_file& file, const Mesh_data& mesh, Encoding encoding)
   } catch (const std::bad_alloc&) {
     throw; // has no file to blame
   } catch (const std::exception& e) {
-    throw Error(file.title("standard output") + ": " + e.what());
+    throw Error(file.title("standard output") + ": " + message_of(e));
   }
 }
 

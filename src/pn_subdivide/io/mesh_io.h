@@ -52,6 +52,9 @@ bool holds_polygons(const Mesh_file& file);
 // Throws Error if it can be seen beforehand that the file cannot be written.
 void require_writable_place(const std::string& file);
 
+// Do the names mean one file, through links or other folders?
+bool same_file(const std::string& a, const std::string& b);
+
 // What of the mesh's attributes the format has no place for, for people: "groups".
 std::vector<std::string> not_held(const Mesh_file& file, const Mesh_data& mesh);
 

@@ -101,7 +101,7 @@ private:
     line_of_face_.push_back(in_.line());
   }
 
-  // v, v/t, v//n or v/t/n
+  // v, v/t, v//n or v/t/n; what is missing behind a slash is absent
   void read_corner(std::string_view w)
   {
     const std::size_t slash = std::min(w.find('/'), w.size());
@@ -117,7 +117,7 @@ private:
         index(w.substr(0, second_slash), attributes_.number_of_texture_points(), "a texture index");
       attributes_.add_corner(corner, static_cast<std::size_t>(t), in_.line());
     }
-    if (second_slash == w.size()) return;
+    if (second_slash + 1 >= w.size()) return;
     const std::int64_t n =
       index(w.substr(second_slash + 1), normals_.number_of_normals(), "a normal index");
     normals_.add_corner(corner, face_.back(), static_cast<std::size_t>(n), in_.line());

@@ -72,7 +72,8 @@ void note_what_is_dropped(const Ply_header& header, Mesh_data& mesh)
     if (element.size == 0) continue;
     const bool is_face = element.name == "face";
     if (!is_face && element.name != "vertex") {
-      mesh.drop("the element '" + Text_reader::printable(element.name) + "'");
+      // their names differ: drop() need not look for them
+      mesh.dropped.push_back("the element '" + Text_reader::printable(element.name) + "'");
       continue;
     }
     for (const Ply_property& p : element.properties)
@@ -197,7 +198,8 @@ private:
   static void require_finite_texture(double x, const Ply_element& element, std::size_t i)
   {
     if (!std::isfinite(x))
-      throw Error(name_of(element, i) + " has a texture coordinate that is not finite");
+      throw Error(name_of(element, i) + " has a texture coordinate that is not finite" +
+                  reading_without_it);
   }
 
   void read_faces(const Ply_element& element)

@@ -65,7 +65,7 @@ std::string first_word(const std::string& content)
               " bytes, not " + std::to_string(content.size()));
 }
 
-// Merges equal points. CGAL's reader does so too, but skips in silence a facet whose keyword is
+// Merges equal points; near ones are left to first_near(). CGAL's reader does so too, but skips in silence a facet whose keyword is
 // damaged, and takes a coordinate that is not a number for equal to any other.
 class Stl_reader
 {

@@ -31,6 +31,11 @@ struct Side
   std::size_t corner_at_low, corner_at_high;
 };
 
+bool is_same_edge(const Side& s, const Side& t)
+{
+  return s.low == t.low && s.high == t.high;
+}
+
 std::vector<Side> sorted_sides(const Mesh_data& mesh)
 {
   std::vector<Side> sides;
@@ -69,7 +74,7 @@ Soup_defects::Vertices find_pinched(const Mesh_data& mesh, const std::vector<Sid
   for (std::size_t c = 0; c < mesh.number_of_corners(); ++c) fans.make_set(c);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &s = sides[i], &t = sides[i + 1];
-    if (s.low != t.low || s.high != t.high) continue;
+    if (!is_same_edge(s, t)) continue;
     fans.union_set(s.corner_at_low, t.corner_at_low);
     fans.union_set(s.corner_at_high, t.corner_at_high);
   }
@@ -136,17 +141,33 @@ Soup_defects find_defects(const Mesh_data& mesh)
   const std::vector<Side> sides = sorted_sides(mesh);
   Soup_defects defects;
   for (std::size_t i = 0, end; i < sides.size(); i = end) {
-    const auto same_edge = [&](const Side& s) {
-      return s.low == sides[i].low && s.high == sides[i].high;
-    };
-    for (end = i + 1; end < sides.size() && same_edge(sides[end]);) ++end;
+    for (end = i + 1; end < sides.size() && is_same_edge(sides[i], sides[end]);) ++end;
     if (end - i > 2)
       count(defects.crowded, sides[i]);
     else if (end - i == 2 && sides[i].upwards == sides[i + 1].upwards)
       count(defects.unoriented, sides[i]);
+    else if (end - i == 1)
+      defects.border.push_back({sides[i].low, sides[i].high});
   }
   if (defects.none()) defects.pinched = find_pinched(mesh, sides);
   return defects;
+}
+
+std::vector<Index> vertices_at_open_edges(const Mesh_data& mesh)
+{
+  std::vector<bool> is_open(mesh.points.size(), true);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Index v : mesh.face(f)) is_open[v] = false;
+  const std::vector<Side> sides = sorted_sides(mesh);
+  for (std::size_t i = 0, end; i < sides.size(); i = end) {
+    for (end = i + 1; end < sides.size() && is_same_edge(sides[i], sides[end]);) ++end;
+    if (end - i == 2) continue;
+    is_open[sides[i].low] = is_open[sides[i].high] = true;
+  }
+  std::vector<Index> result;
+  for (std::size_t v = 0; v < is_open.size(); ++v)
+    if (is_open[v]) result.push_back(Index(v));
+  return result;
 }
 
 std::string Soup_defects::description() const

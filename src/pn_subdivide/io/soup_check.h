@@ -10,8 +10,10 @@
 #define PN_SUBDIVIDE_SOUP_CHECK_H
 
 #include "io/Mesh_data.h"
+#include "io/border_edges.h"
 
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -34,11 +36,16 @@ struct Soup_defects
   Vertices pinched; // vertices where several fans of faces meet (bow-ties); they are looked for
                     // only where the edges are in order
 
+  std::vector<Border_edge> border; // edges with one face, which are no defect
+
   bool none() const { return crowded.number + unoriented.number + pinched.number == 0; }
   std::string description() const; // one line
 };
 
 Soup_defects find_defects(const Mesh_data& mesh);
+
+// Those at edges that have one face or more than two, and those without faces, in order.
+std::vector<Mesh_data::Index> vertices_at_open_edges(const Mesh_data& mesh);
 
 // What no repair mends: no faces, coordinates or normals that are not finite, a number of normals
 // other than that of vertices. Throws Error, which names the first such element; vertices and faces

@@ -8,6 +8,7 @@
 
 #include "io/soup_repair.h"
 
+#include "io/orient_outwards.h"
 #include "io/soup_check.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -170,7 +171,7 @@ void remove_duplicates(Mesh_data& mesh, Soup_repair& repair, Old_faces& old_face
 
 struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
 {
-  void polygon_orientation_reversed(std::size_t) { ++repair->reversed_faces; }
+  void polygon_orientation_reversed(std::size_t f) { (*is_reversed)[f] = !(*is_reversed)[f]; }
 
   void duplicated_vertex(std::size_t old_vertex, std::size_t)
   {
@@ -183,14 +184,15 @@ struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
 
   Mesh_data* mesh;
   Soup_repair* repair;
+  std::vector<bool>* is_reversed;
 };
 
-void orient(Mesh_data& mesh, Soup_repair& repair)
+void orient(Mesh_data& mesh, Soup_repair& repair, std::vector<bool>& is_reversed)
 {
   std::vector<std::vector<std::size_t>> faces(mesh.number_of_faces());
   for (std::size_t f = 0; f < faces.size(); ++f)
     faces[f].assign(mesh.face(f).begin(), mesh.face(f).end());
-  const Visitor visitor{{}, &mesh, &repair};
+  const Visitor visitor{{}, &mesh, &repair, &is_reversed};
   CGAL::Polygon_mesh_processing::orient_polygon_soup(mesh.points, faces,
                                                      CGAL::parameters::visitor(visitor));
   mesh.clear_faces();
@@ -209,10 +211,15 @@ Soup_repair repair_soup(Mesh_data& mesh)
   Soup_repair repair;
   Old_faces old_faces(mesh);
   split_faces(mesh, repair, old_faces);
+  std::vector<bool> is_reversed(mesh.number_of_faces(), false);
   if (!find_defects(mesh).none()) {
     remove_duplicates(mesh, repair, old_faces);
-    if (!find_defects(mesh).none()) orient(mesh, repair);
+    is_reversed.assign(mesh.number_of_faces(), false);
+    if (!find_defects(mesh).none()) orient(mesh, repair, is_reversed);
   }
+  if (find_defects(mesh).none()) repair.turned_components = orient_outwards(mesh, is_reversed);
+  repair.reversed_faces =
+    static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), true));
   if (repair.changed_anything()) old_faces.put_values(mesh);
   return repair;
 }
@@ -226,8 +233,12 @@ std::string Soup_repair::description() const
     s += plural(split_faces, "face", "faces") + " split at vertices visited twice, ";
   if (removed_duplicate_faces > 0)
     s += plural(removed_duplicate_faces, "duplicate face", "duplicate faces") + " removed, ";
-  return s + plural(reversed_faces, "face", "faces") + " reversed, " +
-         plural(added_vertices, "vertex", "vertices") + " added as copies";
+  s += plural(reversed_faces, "face", "faces") + " reversed, " +
+       plural(added_vertices, "vertex", "vertices") + " added as copies";
+  if (turned_components > 0)
+    s += ", " + plural(turned_components, "closed component", "closed components") +
+         " turned right side out";
+  return s;
 }
 
 } // namespace pn_subdivide

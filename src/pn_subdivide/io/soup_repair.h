@@ -23,11 +23,12 @@ struct Soup_repair
   std::size_t removed_duplicate_faces = 0;
   std::size_t reversed_faces = 0;
   std::size_t added_vertices = 0; // copies, behind the old vertices
+  std::size_t turned_components = 0;
 
   bool changed_anything() const
   {
     return removed_degenerate_faces + split_faces + removed_duplicate_faces + reversed_faces +
-             added_vertices >
+             added_vertices + turned_components >
            0;
   }
   std::string description() const; // one line
@@ -38,20 +39,25 @@ struct Soup_repair
 // If the soup is no oriented 2-manifold then, faces with the same vertices in the same order, whatever
 // their orientation, are removed but for the first; the faces are oriented consistently, and vertices
 // and edges that join too many faces get a copy for each part, with CGAL's orient_polygon_soup().
+// Closed components are oriented outwards, cavities the other way, as orient_outwards() does it.
 // Copies take the normal and the attributes of their original, parts of a face its attributes; normals are not reversed along with faces, because they
 // say by themselves which way they point.
 Soup_repair repair_soup(Mesh_data& mesh);
 
 struct Point_merge
 {
-  std::size_t merged_vertices = 0;               // that are gone
+  std::size_t merged_vertices = 0;               // that are gone: equal ones
+  std::size_t joined_vertices = 0;               // others within the distance
   std::vector<std::string> differing_attributes; // of which only the value of the first is left
 };
 
-// Merges vertices with equal points into the first of them. Where their normals differ, the normalized
-// sum is taken; texture coordinates of vertices become those of corners then, and of other attributes
-// those of the first vertex are kept. Coordinates must be finite.
+// Merges vertices with equal points into the first of them. Where their normals or texture coordinates
+// differ, these become those of corners; of other attributes those of the first vertex are kept. Coordinates
+// must be finite.
 Point_merge merge_equal_points(Mesh_data& mesh);
+
+// The same, and then for points within a distance as first_near() tells.
+Point_merge merge_near_points(Mesh_data& mesh, double distance);
 
 } // namespace pn_subdivide
 

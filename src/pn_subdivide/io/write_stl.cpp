@@ -9,6 +9,7 @@
 #include "io/Error.h"
 #include "io/Held_attributes.h"
 #include "io/Output_file.h"
+#include "io/face_normal.h"
 #include "io/formats.h"
 
 #include <cmath>
@@ -36,28 +37,6 @@ void write_triple(Output_file& out, const Triple& t)
   for (const double x : t) out.little_endian(static_cast<float>(x));
 }
 
-// Of the triangle a b c; zero if it has no area.
-Triple unit_normal(const Triple& a, const Triple& b, const Triple& c)
-{
-  Triple u{}, v{};
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = b[i] - a[i];
-    v[i] = c[i] - a[i];
-    largest = std::fmax(largest, std::fmax(std::abs(u[i]), std::abs(v[i])));
-  }
-  if (!(largest > 0)) return {0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    u[i] /= largest;
-    v[i] /= largest;
-  }
-  const Triple n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]};
-  const double length = std::hypot(n[0], n[1], n[2]);
-  if (!(length > 0)) return {0, 0, 0};
-  return {n[0] / length, n[1] / length, n[2] / length};
-}
-
 } // namespace
 
 std::vector<std::string> not_held_by_stl(const Mesh_data& mesh)
@@ -78,7 +57,7 @@ void write_stl(Output_file& out, const Mesh_data& mesh, Encoding)
     const auto corner = [&](std::size_t i) -> const Triple& {
       return mesh.points[face.begin()[i]];
     };
-    write_triple(out, unit_normal(corner(0), corner(1), corner(2)));
+    write_triple(out, face_normal(mesh, f));
     for (std::size_t i = 0; i < 3; ++i) write_triple(out, corner(i));
     out.little_endian(std::uint16_t(0));
   }

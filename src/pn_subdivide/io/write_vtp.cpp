@@ -69,8 +69,7 @@ void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content&
   if (!mesh.has_normals() && mesh.attributes.of_vertices.empty() && content.texture.empty()) return;
   std::string tag = "<PointData";
   if (mesh.has_normals()) tag += " Normals=\"Normals\"";
-  if (!content.scalars.empty())
-    tag += " Scalars=\"" + Vtp_writer::escaped(content.scalars[0]->name) + "\"";
+  if (!content.scalars.empty()) tag += " Scalars=\"" + xml_text(content.scalars[0]->name) + "\"";
   if (!content.texture.empty()) tag += " TCoords=\"TCoords\"";
   vtp.line((tag + ">").c_str());
   if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);

@@ -9,36 +9,46 @@
 #ifndef PN_SUBDIVIDE_FINISHED_PIECES_H
 #define PN_SUBDIVIDE_FINISHED_PIECES_H
 
-#include "pieces/Shared_file.h"
-
 #include <cstddef>
 #include <filesystem>
-#include <memory>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
-// The file that tells which pieces are on the disk: a line that names the job, and a character for each piece,
-// 0 or 1, so that ranks need not know of each other.
+// The file that tells which pieces are on the disk: a line that names the job, and a line for each piece, with a
+// receipt by which what was written is known again. Lines are added at the end, so that ranks need not know of
+// each other, and have a checksum: a damaged one says nothing.
 class Finished_pieces
 {
 public:
   Finished_pieces(std::filesystem::path file, const std::string& job, std::size_t pieces);
 
-  bool exists() const { return std::filesystem::exists(file_); }
+  static bool are_of(const std::filesystem::path& file, const std::string& job);
+
   // of no piece
   void create();
-  // Throws Error if it is that of another job.
-  void read();
-  bool is_finished(std::size_t i) const { return marks_[i] == '1'; }
-  std::size_t number() const;
-  // and is on the disk then
-  void set_finished(std::size_t i);
+  void remove() const;
+  // Before lines are added to a file that may be cut off.
+  void end_last_line() const;
+  // for how many pieces there are lines
+  std::size_t number_of_lines() const;
+  // is_written(piece, receipt) decides which pieces are finished.
+  void read(const std::function<bool(std::size_t, const std::string&)>& is_written);
+
+  bool is_finished(std::size_t i) const { return is_finished_[i]; }
+  // and the line is on the disk then
+  void set_finished(std::size_t i, const std::string& receipt);
 
 private:
+  template <class Function>
+  void for_each_line(const Function& f) const;
+  std::string checksum(const std::string& line) const;
+
   std::filesystem::path file_;
-  std::string first_line_, marks_;
-  std::unique_ptr<Shared_file> open_file_;
+  std::string first_line_;
+  std::vector<bool> is_finished_;
 };
 
 } // namespace pn_subdivide

@@ -10,16 +10,17 @@
 #define PN_SUBDIVIDE_PIECE_OUTPUT_H
 
 #include "pieces/Any_pieces.h"
+#include "pieces/Output_names.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
+#include <string>
 
 namespace pn_subdivide {
 
 // What pieces are written into, under a name of its own until all of them are there. The functions are called
-// in the order in which they stand; create() and finish() by one rank, the others by all.
+// in the order in which they stand; create(), mend() and finish() by one rank, the others by all.
 class Piece_output
 {
 public:
@@ -27,24 +28,28 @@ public:
 
   // the bytes that it will take
   virtual std::uint64_t size() const = 0;
-  // anew, or, to be continued, if it is not there
+  // unless it is to be continued; throws Error if the name is taken
   virtual void create() = 0;
-  virtual void open() = 0;
+  // all but the pieces
+  virtual void mend() {}
+  // Is a piece there as it was when it was written? The receipt is that of write().
+  virtual bool is_written(std::size_t i, const std::string& receipt) const = 0;
+  virtual void open() {}
   virtual void write(std::size_t i, const Any_pieces::Piece& piece) = 0;
-  // until a piece that was written is on the disk
-  virtual void sync(std::size_t i) = 0;
-  virtual void close() = 0;
+  // Until a piece that was just written is on the disk. Returns a receipt, without line ends.
+  virtual std::string sync(std::size_t i) = 0;
+  virtual void close() {}
   // gives it the name that was asked for
   virtual void finish() = 0;
+  // instead of it: was there something to remove?
+  virtual bool remove() = 0;
 };
 
-// Throws Error if the format cannot hold the surface. `part` is the name until then: a file or a folder.
+// Throws Error if the format cannot hold the surface.
 std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces, bool has_normals,
-                                              const std::filesystem::path& part,
-                                              const std::filesystem::path& target);
+                                              const Output_names& names, bool keeps_receipts);
 std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces, bool has_normals,
-                                               const std::filesystem::path& part,
-                                               const std::filesystem::path& target);
+                                               const Output_names& names);
 
 } // namespace pn_subdivide
 

@@ -12,8 +12,7 @@
 #include "io/Ply_shape.h"
 #include "pieces/Piece_output.h"
 #include "pieces/Ranks.h"
-
-#include <boost/endian/conversion.hpp>
+#include "pieces/Row_writer.h"
 
 #include <limits>
 #include <string>
@@ -23,52 +22,16 @@ namespace fs = std::filesystem;
 namespace pn_subdivide {
 namespace {
 
-// Collects rows that follow on each other in the file.
-class Row_writer
-{
-public:
-  explicit Row_writer(Shared_file& file)
-    : file_(file)
-  {
-    buffer_.reserve(most + 1024);
-  }
-
-  void begin_row(std::uint64_t place)
-  {
-    if (place != place_ + buffer_.size() || buffer_.size() >= most) flush();
-    if (buffer_.empty()) place_ = place;
-  }
-  template <class T>
-  void put(T x)
-  {
-    unsigned char bytes[sizeof(T)];
-    boost::endian::endian_store<T, sizeof(T), boost::endian::order::little>(bytes, x);
-    buffer_.append(reinterpret_cast<const char*>(bytes), sizeof(T));
-  }
-  void flush()
-  {
-    if (!buffer_.empty()) file_.write(place_, buffer_.data(), buffer_.size());
-    buffer_.clear();
-  }
-
-private:
-  static constexpr std::size_t most = 1 << 20;
-
-  Shared_file& file_;
-  std::string buffer_;
-  std::uint64_t place_ = 0;
-};
-
 class Ply_pieces : public Piece_output
 {
 public:
-  Ply_pieces(const Any_pieces& pieces, bool has_normals, const fs::path& part,
-             const fs::path& target)
+  Ply_pieces(const Any_pieces& pieces, bool has_normals, const Output_names& names,
+             bool keeps_receipts)
     : pieces_(pieces)
     , has_normals_(has_normals)
     , has_short_lists_(pieces.largest_degree() <= 255)
-    , part_(part)
-    , target_(target)
+    , keeps_receipts_(keeps_receipts)
+    , names_(names)
   {
     const Any_pieces::Size& size = pieces.size();
     if (size.vertices > std::numeric_limits<std::uint32_t>::max())
@@ -85,29 +48,46 @@ public:
 
   std::uint64_t size() const override { return place_of_face(pieces_.size().faces); }
 
-  void create() override
+  void create() override { create_file(names_.part, size()); }
+  // Another size, or another header, is that of a damaged file.
+  void mend() override
   {
-    if (fs::exists(part_)) return;
-    create_file(part_, size());
-    const std::unique_ptr<Shared_file> file = open_file(part_);
+    std::error_code error;
+    fs::resize_file(names_.part, size(), error);
+    if (error) throw Error(names_.part.string() + " cannot be continued: " + error.message());
+    const std::unique_ptr<Shared_file> file = open_file(names_.part);
     file->write(0, header_.data(), header_.size());
     file->close();
   }
-  void open() override { file_ = ranks().open(part_); }
+  bool is_written(std::size_t /*i*/, const std::string& receipt) const override
+  {
+    return has_rows(names_.part, receipt);
+  }
+  void open() override { file_ = ranks().open(names_.part); }
   void write(std::size_t /*i*/, const Any_pieces::Piece& piece) override
   {
-    Row_writer rows(*file_);
+    Row_writer rows(*file_, keeps_receipts_);
     write_vertices(piece, rows);
     write_faces(piece, rows);
     rows.flush();
+    if (keeps_receipts_) receipt_ = rows.receipt();
   }
-  void sync(std::size_t) override { file_->sync(); }
+  std::string sync(std::size_t /*i*/) override
+  {
+    file_->sync();
+    return receipt_;
+  }
   void close() override { file_->close(); }
   void finish() override
   {
     std::error_code error;
-    fs::rename(part_, target_, error);
+    fs::rename(names_.part, names_.target, error);
     if (error) throw Error("cannot be replaced: " + error.message());
+  }
+  bool remove() override
+  {
+    std::error_code ignored;
+    return fs::remove(names_.part, ignored);
   }
 
 private:
@@ -150,19 +130,20 @@ private:
   }
 
   const Any_pieces& pieces_;
-  bool has_normals_, has_short_lists_;
-  fs::path part_, target_;
+  bool has_normals_, has_short_lists_, keeps_receipts_;
+  const Output_names names_;
   std::string header_;
   std::uint64_t faces_begin_;
   std::unique_ptr<Shared_file> file_;
+  std::string receipt_; // of the piece that was written last
 };
 
 } // namespace
 
 std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces, bool has_normals,
-                                              const fs::path& part, const fs::path& target)
+                                              const Output_names& names, bool keeps_receipts)
 {
-  return std::make_unique<Ply_pieces>(pieces, has_normals, part, target);
+  return std::make_unique<Ply_pieces>(pieces, has_normals, names, keeps_receipts);
 }
 
 } // namespace pn_subdivide

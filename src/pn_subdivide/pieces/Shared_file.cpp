@@ -36,8 +36,8 @@ std::string reason(int error)
 class Posix_file : public Shared_file
 {
 public:
-  explicit Posix_file(const fs::path& file)
-    : descriptor_(::open(file.c_str(), O_WRONLY | O_CLOEXEC))
+  explicit Posix_file(const fs::path& file, int flags = 0)
+    : descriptor_(::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags))
   {
     if (descriptor_ < 0) throw Error(file.string() + " cannot be opened: " + reason(errno));
   }
@@ -50,15 +50,16 @@ public:
 
   void write(std::uint64_t place, const void* data, std::size_t bytes) override
   {
-    const char* begin = static_cast<const char*>(data);
-    while (bytes > 0) {
-      const ssize_t n = ::pwrite(descriptor_, begin, bytes, static_cast<off_t>(place));
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) throw Error("writing failed: " + reason(errno));
-      begin += n;
-      bytes -= static_cast<std::size_t>(n);
-      place += static_cast<std::uint64_t>(n);
-    }
+    const char* const begin = static_cast<const char*>(data);
+    write_all(bytes, [&](std::size_t done) {
+      return ::pwrite(descriptor_, begin + done, bytes - done, static_cast<off_t>(place + done));
+    });
+  }
+  void append(const std::string& text)
+  {
+    write_all(text.size(), [&](std::size_t done) {
+      return ::write(descriptor_, text.data() + done, text.size() - done);
+    });
   }
 
   void sync() override
@@ -74,6 +75,17 @@ public:
   }
 
 private:
+  template <class Write>
+  static void write_all(std::size_t bytes, const Write& write)
+  {
+    for (std::size_t done = 0; done < bytes;) {
+      const ssize_t n = write(done);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) throw Error("writing failed: " + reason(errno));
+      done += static_cast<std::size_t>(n);
+    }
+  }
+
   int descriptor_;
 };
 
@@ -136,6 +148,19 @@ void sync_file(const fs::path& file)
     throw Error("writing failed: " + reason(error));
 #else
   (void)file;
+#endif
+}
+
+void append_to_file(const fs::path& file, const std::string& text)
+{
+#if __has_include(<unistd.h>)
+  Posix_file f(file, O_APPEND);
+  f.append(text);
+  f.sync();
+  f.close();
+#else
+  std::ofstream out(file, std::ios::binary | std::ios::app);
+  if (!(out << text).flush()) throw Error("writing failed");
 #endif
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace pn_subdivide {
 
@@ -31,6 +32,9 @@ public:
 
 // Throws Error if there is such a file already.
 void create_file(const std::filesystem::path& file, std::uint64_t bytes);
+
+// Adds text at the end of a file, in one go, and waits until it is on the disk.
+void append_to_file(const std::filesystem::path& file, const std::string& text);
 
 // Until what any process of this machine wrote into a file, or the names in a folder, are on the disk.
 void sync_file(const std::filesystem::path& file);

@@ -11,10 +11,15 @@
 #include "io/Error.h"
 #include "io/Output_file.h"
 #include "io/Vtp_writer.h"
+#include "io/xml_text.h"
+#include "pieces/Checksum.h"
+#include "pieces/Piece_folder.h"
 #include "pieces/Piece_output.h"
 #include "pieces/Shared_file.h"
 
+#include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -102,32 +107,30 @@ private:
   std::size_t corners_ = 0;
 };
 
-std::string piece_name(std::size_t i)
+// The checksum of a file, and its size.
+std::string receipt_of(const fs::path& file)
 {
-  return "piece_" + std::to_string(i) + ".vtp";
-}
-
-bool is_piece_name(const std::string& name)
-{
-  const std::string begin = "piece_", end = ".vtp";
-  return name.size() > begin.size() + end.size() && name.rfind(begin, 0) == 0 &&
-         name.find_first_not_of("0123456789", begin.size()) == name.size() - end.size() &&
-         name.compare(name.size() - end.size(), end.size(), end) == 0;
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> buffer(1 << 20);
+  Checksum checksum;
+  std::uint64_t size = 0;
+  while (in) {
+    in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    const auto n = static_cast<std::size_t>(in.gcount());
+    checksum.process_bytes(buffer.data(), n);
+    size += n;
+  }
+  return text_of(checksum) + ":" + std::to_string(size);
 }
 
 class Pvtp_pieces : public Piece_output
 {
 public:
-  Pvtp_pieces(const Any_pieces& pieces, bool has_normals, const fs::path& part,
-              const fs::path& target)
+  Pvtp_pieces(const Any_pieces& pieces, bool has_normals, const Output_names& names)
     : pieces_(pieces)
     , has_normals_(has_normals)
-    , part_(part)
-    , target_(target)
-    , folder_(target.parent_path() / (target.stem().string() + "_pieces"))
-  {
-    require_own_folder();
-  }
+    , names_(names)
+  {}
 
   // at least: a vertex between pieces is in several files
   std::uint64_t size() const override
@@ -139,67 +142,68 @@ public:
 
   void create() override
   {
-    if (fs::exists(part_)) return;
     std::error_code error;
-    fs::create_directory(part_, error);
-    if (error) throw Error(part_.string() + " cannot be made: " + error.message());
+    if (!fs::create_directory(names_.part, error) && !error)
+      error = std::make_error_code(std::errc::file_exists);
+    if (error) throw Error(names_.part.string() + " cannot be made: " + error.message());
   }
-  void open() override {}
+  bool is_written(std::size_t i, const std::string& receipt) const override
+  {
+    return pieces_.is_empty(i) || receipt == receipt_of(names_.part / piece_name(i));
+  }
   void write(std::size_t i, const Any_pieces::Piece& piece) override
   {
     if (pieces_.is_empty(i)) return;
-    Output_file out((part_ / piece_name(i)).string(), Output_file::In_temporary_folder());
+    Output_file out((names_.part / piece_name(i)).string(), Output_file::In_temporary_folder());
     Vtp_arrays(piece).write(out);
     out.commit();
   }
-  void sync(std::size_t i) override
+  std::string sync(std::size_t i) override
   {
-    if (pieces_.is_empty(i)) return;
-    sync_file(part_ / piece_name(i));
-    sync_file(part_); // its name
+    if (pieces_.is_empty(i)) return "empty";
+    sync_file(names_.part / piece_name(i));
+    sync_file(names_.part); // its name
+    return receipt_of(names_.part / piece_name(i));
   }
-  void close() override {}
   void finish() override
   {
-    Output_file index(target_.string());
+    Output_file index(names_.target.string());
     write_index(index);
-    require_own_folder();
-    const fs::path old = folder_.string() + ".old";
+    const bool has_old = fs::exists(names_.folder);
+    if (has_old && !is_piece_folder(names_.folder))
+      throw Error("the pieces go into the folder " + names_.folder.string() +
+                  ", and something else is there since");
+    const fs::path old = free_name(names_.old);
     std::error_code ignored;
-    const bool has_old = fs::exists(folder_);
-    if (has_old) rename(folder_, old);
+    if (has_old) rename(names_.folder, old);
     try {
-      rename(part_, folder_);
+      rename(names_.part, names_.folder);
       index.commit();
     } catch (...) { // what was there comes back
-      fs::rename(folder_, part_, ignored);
-      if (has_old) fs::rename(old, folder_, ignored);
+      fs::rename(names_.folder, names_.part, ignored);
+      if (has_old) fs::rename(old, names_.folder, ignored);
       throw;
     }
-    if (has_old) fs::remove_all(old, ignored);
+    if (has_old) remove_piece_folder(old);
   }
+  bool remove() override { return remove_piece_folder(names_.part); }
 
 private:
+  // It was free when the run began.
+  static fs::path free_name(const fs::path& name)
+  {
+    fs::path result = name;
+    for (int i = 1; fs::exists(fs::symlink_status(result)); ++i)
+      result = name.string() + std::to_string(i);
+    return result;
+  }
+
   static void rename(const fs::path& from, const fs::path& to)
   {
     std::error_code error;
     fs::rename(from, to, error);
     if (error)
       throw Error(from.string() + " cannot be renamed to " + to.string() + ": " + error.message());
-  }
-
-  // What lies in the folder is replaced: it must be what this program has put there.
-  void require_own_folder() const
-  {
-    if (!fs::exists(folder_)) return;
-    if (fs::is_directory(folder_)) {
-      bool is_own = true;
-      for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
-        is_own = is_own && is_piece_name(entry.path().filename().string());
-      if (is_own) return;
-    }
-    throw Error("the pieces go into the folder " + folder_.string() +
-                ", and something else is there: remove it, or take another name");
   }
 
   void write_index(Output_file& out) const
@@ -216,7 +220,7 @@ private:
              "<PDataArray type=\"Int64\" Name=\"GlobalCellIds\"/>\n</PCellData>\n<PPoints>\n"
              "<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
              "</PPoints>\n");
-    const std::string folder = Vtp_writer::escaped(folder_.filename().string());
+    const std::string folder = xml_text(names_.folder.filename().string());
     for (std::size_t i = 0; i < pieces_.number(); ++i)
       if (!pieces_.is_empty(i))
         out.text("<Piece Source=\"" + folder + "/" + piece_name(i) + "\"/>\n");
@@ -225,15 +229,15 @@ private:
 
   const Any_pieces& pieces_;
   bool has_normals_;
-  fs::path part_, target_, folder_;
+  const Output_names names_;
 };
 
 } // namespace
 
 std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces, bool has_normals,
-                                               const fs::path& part, const fs::path& target)
+                                               const Output_names& names)
 {
-  return std::make_unique<Pvtp_pieces>(pieces, has_normals, part, target);
+  return std::make_unique<Pvtp_pieces>(pieces, has_normals, names);
 }
 
 } // namespace pn_subdivide

@@ -9,14 +9,14 @@
 #include "pieces/pieces_command.h"
 
 #include "io/Error.h"
+#include "pieces/Checksum.h"
 #include "pieces/Piece_count.h"
 #include "pieces/Ranks.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 
-#include <boost/crc.hpp>
-
-#include <cstdio>
+#include <cstdint>
+#include <new>
 #include <sstream>
 
 namespace pn_subdivide {
@@ -33,14 +33,17 @@ void refuse(bool is_given, const std::string& option)
 std::string name_of(const Mesh_data& mesh, const Surface_options& options,
                     const Scheme_choice& scheme, std::size_t pieces)
 {
-  boost::crc_optimal<64, 0x42f0e1eba9ea3693u, ~0ull, ~0ull, true, true> crc; // that of ECMA-182
+  Checksum crc;
   const auto add = [&crc](const auto& values) {
     crc.process_bytes(values.data(), values.size() * sizeof(values[0]));
   };
   add(mesh.points);
   add(mesh.normals);
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-    crc.process_bytes(mesh.face(f).begin(), mesh.face(f).size() * sizeof(Mesh_data::Index));
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const std::uint64_t degree = mesh.face(f).size();
+    crc.process_bytes(&degree, sizeof degree);
+    crc.process_bytes(mesh.face(f).begin(), degree * sizeof(Mesh_data::Index));
+  }
   std::ostringstream text;
   text.precision(17);
   text << CGAL_PN_SUBDIVISION_3_VERSION << ' ' << scheme.scheme << ' '
@@ -49,10 +52,21 @@ std::string name_of(const Mesh_data& mesh, const Surface_options& options,
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
   text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();
   add(text.str());
-  char name[60];
-  std::snprintf(name, sizeof name, "%016llx %llu", static_cast<unsigned long long>(crc.checksum()),
-                static_cast<unsigned long long>(pieces));
-  return name;
+  return text_of(crc) + " " + std::to_string(pieces);
+}
+
+void take_names(Pieces_job& job, const Mesh_file& output)
+{
+  try {
+    job.names = Output_names(output);
+    if (ranks().rank() != 0) return; // one for all
+    job.lock = std::make_unique<Output_lock>(job.names.lock);
+    job.names.require_free(job.is_resumable, job.name);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw Output_error(output.name + ": " + e.what());
+  }
 }
 
 } // namespace
@@ -93,7 +107,7 @@ void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases)
 }
 
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
-                           const Scheme_choice& scheme)
+                           const Scheme_choice& scheme, const Mesh_file& output)
 {
   Surface surface = make_surface(mesh);
   const std::size_t number =
@@ -103,6 +117,7 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
   job.has_normals = mesh.has_normals();
   job.is_resumable = options.pieces.resume;
   mesh = Mesh_data();
+  take_names(job, output);
   job.pieces = make_pieces(surface, scheme, options.levels, number);
   return job;
 }

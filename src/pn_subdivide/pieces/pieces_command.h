@@ -12,6 +12,8 @@
 #include "io/Report.h"
 #include "io/mesh_io.h"
 #include "pieces/Any_pieces.h"
+#include "pieces/Output_lock.h"
+#include "pieces/Output_names.h"
 #include "surface/creases.h"
 #include "surface/surface_command.h"
 
@@ -36,13 +38,16 @@ struct Pieces_job
   bool has_normals = false;
   bool is_resumable = false;
   std::string name; // of data and options, the same for the same result
+  Output_names names;
+  std::unique_ptr<Output_lock> lock; // of one of the ranks
 };
 
+// Takes the names in the file system first. Throws Output_error if they cannot be had.
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
-                           const Scheme_choice& scheme);
+                           const Scheme_choice& scheme, const Mesh_file& output);
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
-void write_pieces(const Pieces_job& job, const Mesh_file& output, unsigned threads,
+void write_pieces(const Pieces_job& job, const std::string& output, unsigned threads,
                   const Report& report);
 
 } // namespace pn_subdivide

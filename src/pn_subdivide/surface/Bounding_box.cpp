@@ -9,6 +9,7 @@
 #include "surface/Bounding_box.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pn_subdivide {
 
@@ -21,6 +22,11 @@ Bounding_box::Bounding_box(const std::vector<Triple>& points)
       low[i] = (std::min)(low[i], p[i]);
       high[i] = (std::max)(high[i], p[i]);
     }
+}
+
+double diagonal_of(const Bounding_box& box)
+{
+  return std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
 }
 
 Excess excess(const Bounding_box& control, const Bounding_box& result)

@@ -24,6 +24,8 @@ struct Bounding_box
   Triple low, high;
 };
 
+double diagonal_of(const Bounding_box& box);
+
 // How far the result leaves the box of the control mesh on one side, in units of the box's extent in
 // that direction, and in which direction that is most. Directions without extent do not count.
 struct Excess

@@ -9,9 +9,11 @@
 #include "surface/Crease_plan.h"
 
 #include "io/Error.h"
+#include "io/near_miss.h"
 #include "io/parse_numbers.h"
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace pn_subdivide {
 namespace {
@@ -43,6 +45,16 @@ Border parse_border(const std::string& text)
   throw Usage_error("--border '" + text + "': expected surface, curve, corners or fixed");
 }
 
+// Words that name no file were meant for something else.
+void require_selection(const std::string& file)
+{
+  if (std::filesystem::exists(file)) return;
+  if (file.find_first_not_of("0123456789.") == std::string::npos)
+    throw Usage_error("--sharp " + file + ": there is no such file; did you mean angle:" + file + "?");
+  const std::string meant = did_you_mean(file, {"auto", "none", "file", "angle:DEG"});
+  if (!meant.empty()) throw Usage_error("--sharp " + file + ": there is no such file" + meant);
+}
+
 void parse_sharp(const std::string& text, Crease_plan& plan)
 {
   if (text == "auto")
@@ -60,6 +72,7 @@ void parse_sharp(const std::string& text, Crease_plan& plan)
                         "': expected auto, none, file, angle:DEG or the name of a selection file");
     plan.source = Source::selection;
     plan.file = text;
+    require_selection(text);
     try {
       plan.selection = read_selection(text);
     } catch (const Error& e) {

@@ -73,8 +73,7 @@ struct Triangulation
   std::vector<Surface::Halfedge_index> old_corner;
 };
 
-// Splits the faces with more than three vertices into triangles, with CGAL's triangulate_faces().
-// Corners keep their normals. Throws Error if a face cannot be split.
+// Splits each face of n > 3 vertices into n - 2 triangles, also one without area. Corners keep their normals.
 Triangulation triangulate(Surface& surface);
 
 } // namespace pn_subdivide

@@ -10,12 +10,17 @@
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
+#include "io/near_points.h"
+#include "io/normals_of_file.h"
+#include "io/parse_numbers.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
+#include "surface/Bounding_box.h"
 #include "surface/Surface.h"
 #include "surface/attributes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -35,28 +40,56 @@ void announce_reading(const Mesh_file& file, const Report& report)
 void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Report& report)
 {
   if (!mesh.dropped.empty())
-    report.warn(name + ": not carried over to the result: " + enumeration(mesh.dropped));
-}
-
-void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
-                   Report& report)
-{
-  if (options.repair) {
-    const Soup_repair repair = repair_soup(mesh);
-    if (repair.changed_anything()) report.warn(name + ": " + repair.description());
-  }
-  require_sound_elements(mesh);
-  const Soup_defects defects = find_defects(mesh);
-  if (defects.none()) return;
-  throw Error(options.repair
-                ? "--repair did not mend everything: " + defects.description()
-                : defects.description() + "; --repair orients the faces and duplicates "
-                                          "such edges and vertices");
+    report.warn_of_dropped(name + ": not carried over to the result: ", mesh.dropped);
 }
 
 std::string plural(std::size_t n, const std::string& one, const std::string& many)
 {
   return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+// Where the surface is open although border edges lie on each other.
+void report_contacts(const Mesh_data& mesh, const Soup_defects& defects, double joined_within,
+                     const std::string& name, Report& report)
+{
+  if (defects.border.empty()) return;
+  constexpr double crack = 1e-6; // of the diagonal; nobody has meant it
+  const double diagonal = diagonal_of(Bounding_box(mesh.points));
+  const double distance =
+    (std::max)({crack * diagonal, joined_within, rounding_of_floats(mesh.points)});
+  const Border_contacts contacts = find_border_contacts(mesh, defects.border, distance);
+  if (contacts.any()) report.warn(name + ": " + contacts.description(distance / diagonal));
+}
+
+// Flat shading is looked for in the faces as they are in the file, and as they have been turned.
+void note_flat_shading(Mesh_data& mesh)
+{
+  if (!mesh.flat_shading.is_there()) mesh.flat_shading = find_flat_shading(mesh);
+}
+
+void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
+                   double joined_within, Soup_defects defects, Report& report)
+{
+  if (options.repair) {
+    const Soup_repair repair = repair_soup(mesh);
+    if (repair.changed_anything()) {
+      report.warn(name + ": " + repair.description());
+      defects = find_defects(mesh);
+      note_flat_shading(mesh);
+    }
+    report.add_repair("removed_degenerate_faces", repair.removed_degenerate_faces);
+    report.add_repair("split_faces", repair.split_faces);
+    report.add_repair("removed_duplicate_faces", repair.removed_duplicate_faces);
+    report.add_repair("reversed_faces", repair.reversed_faces);
+    report.add_repair("added_vertices", repair.added_vertices);
+    report.add_repair("turned_components", repair.turned_components);
+  }
+  require_sound_elements(mesh);
+  if (defects.none()) return report_contacts(mesh, defects, joined_within, name, report);
+  throw Error(options.repair
+                ? "--repair did not mend everything: " + defects.description()
+                : defects.description() + "; --repair orients the faces and duplicates "
+                                          "such edges and vertices");
 }
 
 void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& report)
@@ -70,17 +103,26 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
   old.follow(surface, triangulation, split_mesh.attributes);
   split_mesh.merged_into = std::move(mesh.merged_into);
   split_mesh.copied_from = std::move(mesh.copied_from);
+  split_mesh.vertices_with_several_normals = mesh.vertices_with_several_normals;
+  split_mesh.flat_shading = mesh.flat_shading;
   mesh = std::move(split_mesh);
   report.note(name + ": " + plural(triangulation.split_faces, "face", "faces") +
               " split into triangles");
 }
 
-void merge_points(Mesh_data& mesh, const std::string& name, Report& report)
+void report_merge(const Point_merge& merge, double distance, const std::string& name,
+                  Report& report)
 {
-  const Point_merge merge = merge_equal_points(mesh);
+  report.add_repair("merged_vertices", merge.merged_vertices);
+  report.add_repair("joined_vertices", merge.joined_vertices);
   if (merge.merged_vertices > 0)
     report.note(name + ": " + plural(merge.merged_vertices, "vertex", "vertices") +
                 " merged with an equal one");
+  if (merge.joined_vertices > 0) {
+    char text[60];
+    std::snprintf(text, sizeof text, " joined with one within %.3g", distance);
+    report.note(name + ": " + plural(merge.joined_vertices, "vertex", "vertices") + text);
+  }
   std::vector<std::string> names;
   for (const std::string& attribute : merge.differing_attributes)
     names.push_back("'" + Text_reader::printable(attribute) + "'");
@@ -89,12 +131,50 @@ void merge_points(Mesh_data& mesh, const std::string& name, Report& report)
                 "; those of the first are kept");
 }
 
+// Within which distance points are joined: that of the options, and in STL files, which have no other way to say which
+// triangles are neighbors, that of rounding.
+double distance_to_join(const Mesh_data& mesh, const Mesh_file& file,
+                        const Surface_options& options)
+{
+  if (options.merge_distance) {
+    const Merge_distance distance = parse_merge_distance(*options.merge_distance);
+    if (!distance.is_of_diagonal) return distance.value;
+    return distance.value * diagonal_of(Bounding_box(mesh.points));
+  }
+  return file.format == "stl" ? rounding_of_floats(mesh.points) : 0;
+}
+
+// What is left to mend afterwards.
+Soup_defects merge_points(Mesh_data& mesh, const Mesh_file& file, const Surface_options& options,
+                          double distance, Report& report)
+{
+  const bool is_wanted = options.merge_points || options.merge_distance;
+  if (!is_wanted) {
+    Soup_defects defects = find_defects(mesh);
+    if (!(distance > 0) || (defects.none() && defects.border.empty())) return defects;
+  }
+  report_merge(merge_near_points(mesh, distance), distance, file.title("standard input"), report);
+  return find_defects(mesh);
+}
+
 bool is_triangle(const Mesh_data::Face& face)
 {
   return face.size() == 3;
 }
 
 } // namespace
+
+Merge_distance parse_merge_distance(const std::string& text)
+{
+  Merge_distance distance;
+  distance.is_of_diagonal = !text.empty() && text.back() == '%';
+  const std::string number = distance.is_of_diagonal ? text.substr(0, text.size() - 1) : text;
+  distance.value = parse_numbers(number, 1, "--merge-distance")[0];
+  if (distance.value < 0)
+    throw Usage_error("--merge-distance " + text + ": it must not be negative");
+  if (distance.is_of_diagonal) distance.value /= 100;
+  return distance;
+}
 
 std::string size_of(const Mesh_data& mesh)
 {
@@ -112,11 +192,11 @@ Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& option
   report_what_is_dropped(mesh, name, report);
 
   require_finite_elements(mesh);
-  const std::size_t several_normals = mesh.vertices_with_several_normals;
-  if (options.merge_points) merge_points(mesh, name, report);
-  make_manifold(mesh, name, options, report);
+  const double distance = distance_to_join(mesh, file, options);
+  Soup_defects defects = merge_points(mesh, file, options, distance, report);
+  note_flat_shading(mesh);
+  make_manifold(mesh, name, options, distance, std::move(defects), report);
   if (options.triangulate) split_into_triangles(mesh, name, report);
-  mesh.vertices_with_several_normals = several_normals;
   return mesh;
 }
 

@@ -15,9 +15,20 @@
 
 namespace pn_subdivide {
 
-// The mesh of a file as the options want it: an oriented 2-manifold, its equal points merged, its faces
-// split into triangles. Reports what was changed and what the command does not carry. Throws Error.
+// The mesh of a file as the options want it: an oriented 2-manifold, its equal or near points merged, its faces
+// split into triangles. Reports what was changed, what the command does not carry and where the surface is open
+// although border edges lie on each other. Throws Error.
 Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& options, Report& report);
+
+// --merge-distance EPS, or P% of the diagonal of the mesh's box.
+struct Merge_distance
+{
+  double value = 0; // a part of the diagonal, not percent
+  bool is_of_diagonal = false;
+};
+
+// Throws Usage_error.
+Merge_distance parse_merge_distance(const std::string& text);
 
 // The scheme of the options or, where they name none, the one that suits the faces.
 Scheme_choice chosen_scheme(const Mesh_data& mesh, const Scheme_choice& choice);

@@ -10,6 +10,7 @@
 
 #include "io/Error.h"
 #include "io/corner_normals.h"
+#include "io/normals_of_file.h"
 #include "io/parse_numbers.h"
 #include "surface/Surface.h"
 #include "surface/Wedges.h"
@@ -18,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
@@ -87,6 +90,7 @@ std::size_t mixed_vertices(const Surface& surface, const Wedges& wedges, Corner_
     if (surface.is_border(h)) continue;
     const std::size_t wedge = wedges.of_corner[h];
     const Triple n = to_triple(normals[h]);
+    if (normalized(n) == Triple{0, 0, 0}) continue; // none
     if (!is_known[wedge]) first[wedge] = n;
     is_known[wedge] = true;
     if (directions_differ(first[wedge], n)) is_mixed[surface.target(h)] = true;
@@ -107,27 +111,50 @@ void normalize_corners(Mesh_data& mesh, const Creases& creases, const std::strin
                 " several normals that no crease separates; their normalized sum is taken");
 }
 
-// Of vertices with one normal.
-void estimate_between_creases(Mesh_data& mesh, bool estimate_all, bool from_file,
-                              const Creases& creases, const std::string& name, Report& report)
+// Vertices with several wedges have an estimate in each; the others keep their normal, if it is not to be
+// estimated.
+void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_estimate> of_all,
+                              const Creases& creases)
 {
   Surface surface = make_surface(mesh);
   const Crease_maps maps = add_creases(surface, creases);
   const Corner_normal_map normals = add_corner_normals(surface);
-  CGAL::PN_subdivision_3::estimate_corner_normals(
-    surface, maps.edges, normals, CGAL::parameters::vertex_is_constrained_map(maps.vertices));
+  PN::estimate_corner_normals(surface, maps.edges, normals,
+                              CGAL::parameters::vertex_is_constrained_map(maps.vertices),
+                              of_all.value_or(PN::Control_normal_estimate::reciprocal));
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const Normal_map of_vertices = *normals_of(surface);
   for (const Surface::Halfedge_index h : surface.halfedges())
-    if (!estimate_all && wedges.number[surface.target(h)] == 1)
+    if (!of_all && wedges.number[surface.target(h)] == 1)
       normals[h] = of_vertices[surface.target(h)];
-  mesh = to_mesh_data(surface);
+  Mesh_data with_normals = to_mesh_data(surface);
+  mesh.normals = std::move(with_normals.normals);
+  mesh.corner_normals = std::move(with_normals.corner_normals);
+}
+
+// Vertices whose normal in the file gives way to several.
+void report_estimated_wedges(const Mesh_data& mesh, const Creases& creases, const std::string& name,
+                             Report& report)
+{
+  const Surface surface = make_surface(mesh);
+  const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const auto several =
     std::count_if(wedges.number.begin(), wedges.number.end(), [](std::size_t n) { return n > 1; });
-  if (from_file && several > 0)
+  if (several > 0)
     report.warn(name + ": " + std::to_string(several) +
                 (several == 1 ? " vertex on creases has" : " vertices on creases have") +
                 " one normal in the file and need several, which are estimated");
+}
+
+// How all normals are to be estimated, if they are.
+std::optional<PN::Control_normal_estimate> estimate_of_all(const Mesh_data& mesh,
+                                                           const Normals_option& option)
+{
+  if (option.source == Source::angle) return PN::Control_normal_estimate::angle;
+  if (option.source == Source::estimate ||
+      (option.source == Source::automatic && !mesh.has_normals()))
+    return PN::Control_normal_estimate::reciprocal;
+  return std::nullopt;
 }
 
 } // namespace
@@ -201,14 +228,55 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
   corner_normals.swap(mesh.corner_normals);
   const bool from_file =
     option.source == Source::file || (option.source == Source::automatic && mesh.has_normals());
-  const bool estimate_all = option.source == Source::estimate || !mesh.has_normals();
+  const std::optional<PN::Control_normal_estimate> of_all = estimate_of_all(mesh, option);
   set_control_normals(mesh, option);
-  if (!mesh.has_normals()) return;
+  if (!mesh.has_normals() || (from_file && are_all_zero(mesh))) return;
   if (from_file && !corner_normals.empty()) {
     mesh.corner_normals.swap(corner_normals);
     normalize_corners(mesh, creases, name, report);
-  } else
-    estimate_between_creases(mesh, estimate_all, from_file, creases, name, report);
+  } else {
+    estimate_between_creases(mesh, of_all, creases);
+    if (from_file) report_estimated_wedges(mesh, creases, name, report);
+  }
+}
+
+void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+                         bool can_be_sharp, const std::string& name, Report& report)
+{
+  if (!mesh.has_normals()) return;
+  const auto drop_normals = [&mesh] {
+    mesh.normals.clear();
+    mesh.corner_normals.clear();
+    mesh.vertices_with_several_normals = 0;
+  };
+  const bool may_drop = option.source == Source::automatic;
+  if (are_all_zero(mesh)) {
+    if (!may_drop) return;
+    drop_normals();
+    return report.note(name + ": the normals of the file are all zero, which is none: they are "
+                              "estimated; --normals file leaves them zero");
+  }
+  const std::string edges =
+    std::to_string(creases.number_of_edges) + (creases.number_of_edges == 1 ? " edge" : " edges");
+  const Flat_shading& flat = mesh.flat_shading;
+  if (!flat.is_there()) {
+    if (creases.are_by_normals)
+      report.note(name + ": the normals in the file differ at " + edges + ", taken for creases");
+    return;
+  }
+  std::string text = name + ": the normals in the file are those of its faces, for flat shading (" +
+                     std::to_string(flat.normals) + " different on " + std::to_string(flat.faces) +
+                     (flat.faces == 1 ? " face): " : " faces): ");
+  if (creases.are_by_normals)
+    return report.note(text + edges + " where they differ, taken for creases");
+  const bool has_edges = mesh.has_corner_normals() && can_be_sharp;
+  if (has_edges) text += "not taken for creases (--sharp file takes them)";
+  if (may_drop) {
+    text += (has_edges ? ", " : "") +
+            std::string("normals are estimated as if there were none (--normals file takes them)");
+    drop_normals();
+  }
+  if (has_edges || may_drop) report.note(text);
 }
 
 } // namespace pn_subdivide

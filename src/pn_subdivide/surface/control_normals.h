@@ -38,8 +38,15 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option);
 // The same for a mesh with creases. Corners keep the normals that the file gives them, if it is asked
 // for normals. Otherwise corners have the normal of their vertex where it has one wedge, and elsewhere
 // an estimate; that estimates stand in the place of normals which the file gives to vertices is said.
+// Estimates of all normals are those of the wedges.
 void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          const std::string& name, Report& report);
+
+// To be called before these, when the creases are known: says in one line what normals in the file are taken for
+// where they differ, and drops them, if --normals leaves it open, where they say nothing: zero everywhere, or
+// flat shading that makes no creases. `can_be_sharp`: whether --sharp file could make some.
+void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+                         bool can_be_sharp, const std::string& name, Report& report);
 
 } // namespace pn_subdivide
 

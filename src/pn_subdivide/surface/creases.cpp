@@ -52,16 +52,6 @@ std::vector<bool> edges_where_normals_differ(const Surface& surface)
   return result;
 }
 
-bool are_more_than_half(const std::vector<bool>& edges, const Surface& surface)
-{
-  std::size_t inner = 0, marked = 0;
-  for (const Edge e : surface.edges()) {
-    inner += !surface.is_border(e);
-    marked += edges[e];
-  }
-  return 2 * marked > inner;
-}
-
 // --- of a selection ---
 
 class Selected
@@ -131,9 +121,20 @@ private:
   std::size_t copies_begin_; // the vertices that are copies are behind the others
 };
 
-std::vector<bool> edges_of_angle(Surface& surface, double degrees)
+std::vector<bool> edges_of_angle(Surface& surface, double degrees, Creases& creases)
 {
   const auto map = surface.add_property_map<Edge, bool>("e:is_sharp", false).first;
+  const auto number_above = [&](double angle) {
+    constexpr double margin = 0.1; // that detect_creases() adds
+    if (angle >= margin)
+      return CGAL::PN_subdivision_3::detect_creases(surface, (std::min)(angle - margin, 180.), map);
+    const auto all = surface.edges();
+    return std::size_t(
+      std::count_if(all.begin(), all.end(), [&](Edge e) { return !surface.is_border(e); }));
+  };
+  constexpr double close = 1 + 1e-6; // angles in whole degrees count whatever their rounding
+  creases.degrees = degrees;
+  creases.number_of_close_edges = number_above(degrees - close) - number_above(degrees + close);
   CGAL::PN_subdivision_3::detect_creases(surface, degrees, map);
   std::vector<bool> result;
   for (const Edge e : surface.edges()) result.push_back(map[e]);
@@ -164,6 +165,15 @@ bool has_border(const Surface& surface)
   return std::any_of(edges.begin(), edges.end(), [&](Edge e) { return surface.is_border(e); });
 }
 
+// As few digits as it takes.
+std::string short_number(double x)
+{
+  std::string text = std::to_string(x);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 } // namespace
 
 std::string Creases::description() const
@@ -172,13 +182,12 @@ std::string Creases::description() const
   if (number_of_edges > 0) {
     s += ", " + plural(number_of_edges, "sharp edge", "sharp edges");
     const double sharpness = *std::max_element(edges.begin(), edges.end());
-    if (sharpness < std::numeric_limits<double>::infinity()) {
-      std::string text = std::to_string(sharpness);
-      text.erase(text.find_last_not_of('0') + 1);
-      if (text.back() == '.') text.pop_back();
-      s += " of sharpness " + text;
-    }
+    if (sharpness < std::numeric_limits<double>::infinity())
+      s += " of sharpness " + short_number(sharpness);
   }
+  if (number_of_close_edges > 0)
+    s += ", " + plural(number_of_close_edges, "edge", "edges") + " within 1 degree of " +
+         short_number(degrees);
   if (number_of_vertices > 0) s += ", " + plural(number_of_vertices, "corner", "corners");
   if (border == Border::curve) s += ", the border a curve";
   if (border == Border::corners) s += ", the border a curve with corners";
@@ -206,7 +215,7 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   Surface surface = make_surface(mesh);
   std::vector<bool> edges(surface.number_of_edges(), false), vertices(mesh.points.size(), false);
   if (plan.source == Source::angle)
-    edges = edges_of_angle(surface, plan.degrees);
+    edges = edges_of_angle(surface, plan.degrees, creases);
   else if (plan.source == Source::selection) {
     const Selected selected(mesh, plan);
     edges = selected.edges(surface);
@@ -214,15 +223,12 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
     if (!plan.selection.faces.empty())
       report.warn(plan.file + ": the faces of the selection take no part");
   } else if (can_be_sharp) {
-    edges = edges_where_normals_differ(surface);
-    if (plan.source == Source::automatic && are_more_than_half(edges, surface)) {
-      report.warn(name +
-                  ": the normals differ at more than half of the inner edges, as in files for flat "
-                  "shading; none of these edges is sharp, --sharp file makes all of them creases");
-      edges.assign(edges.size(), false);
-    }
+    const bool says_nothing = mesh.flat_shading.is_there() && !mesh.flat_shading.makes_creases();
+    if (plan.source == Source::normals || !says_nothing)
+      edges = edges_where_normals_differ(surface);
   }
   set_sharpness(creases, edges, vertices, plan.sharpness);
+  creases.are_by_normals = by_normals && creases.any();
   const bool wants_some = plan.source != Source::automatic && plan.source != Source::none;
   if (!creases.any() && (wants_some || plan.has_sharpness))
     report.warn(name + ": no edge is sharp");

@@ -27,6 +27,10 @@ struct Creases
   std::vector<double> edges, vertices; // sharpness, by the numbers of make_surface()
   std::size_t number_of_edges = 0, number_of_vertices = 0; // that are sharp
   Border border = Border::surface;
+  bool are_by_normals = false; // edges: where the normals of the file differ
+  std::size_t number_of_close_edges =
+    0;                // whose angle is within a degree of the one that was asked for
+  double degrees = 0; // that angle
 
   bool any() const { return number_of_edges + number_of_vertices > 0; }
   bool is_sharp(Surface::Edge_index e) const { return !edges.empty() && edges[e] > 0; }

@@ -12,6 +12,7 @@
 #include "io/Report.h"
 #include "io/file_references.h"
 #include "io/mesh_io.h"
+#include "io/normals_of_file.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
 #include "surface/Bounding_box.h"
@@ -85,6 +86,7 @@ Plan make_plan(const Surface_options& options)
             std::nullopt,
             1};
   require_consistent(options);
+  if (options.merge_distance) parse_merge_distance(*options.merge_distance);
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
@@ -96,7 +98,21 @@ Plan make_plan(const Surface_options& options)
     plan.verification->require_surface();
   }
   require_writable_place(options.output);
+  require_report_place(options.report, {options.input, options.output, plan.creases.file});
   return plan;
+}
+
+void warn_of_opposing_normals(const Opposing_normals& opposing, const std::string& input,
+                              Report& report)
+{
+  if (opposing.number == 0) return;
+  report.warn(input + ": " + std::to_string(opposing.number) + " of " +
+              std::to_string(opposing.of) +
+              (opposing.number == 1 ? " normals points" : " normals point") +
+              " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
+              (opposing.number == opposing.of
+                 ? "), as if these were inside out"
+                 : "), and the surface may tear there; --normals estimate takes none of the file"));
 }
 
 // How it came to its normals, for the closing line.
@@ -107,12 +123,17 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
   const bool from_file =
     source == Source::file || (source == Source::automatic && mesh.has_normals());
   const std::string input = plan.input.title("standard input");
+  const Opposing_normals opposing = from_file ? find_opposing_normals(mesh) : Opposing_normals();
   if (from_file && mesh.vertices_with_several_normals > 0 && !creases.any())
     report.warn(input + ": " + std::to_string(mesh.vertices_with_several_normals) +
                 (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
                 " several normals; their normalized sum is taken");
   set_control_normals(mesh, plan.normals, creases, input, report);
-  if (from_file) return "normals of the file";
+  if (from_file) {
+    if (are_all_zero(mesh)) return "no normals, those of the file are zero";
+    warn_of_opposing_normals(opposing, input, report);
+    return "normals of the file";
+  }
   if (source == Source::none) return "no normals";
   const bool is_shape = source == Source::sphere || source == Source::cylinder;
   return is_shape ? "normals of the given shape" : "estimated normals";
@@ -149,6 +170,7 @@ void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& o
     creases ? set_limits(surface, scheme, options.limit, *creases, options.levels, plan.threads)
             : set_limits(surface, scheme, options.limit, options.levels, plan.threads);
   report.note(summary.description(options.limit));
+  report.set_limit(summary.numbers(options.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
 }
@@ -287,8 +309,9 @@ void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& re
 {
   const std::vector<std::string> names = not_held(plan.output, mesh);
   if (!names.empty())
-    report.warn(plan.output.title("standard output") + ": not written, " + plan.output.format +
-                " files cannot hold it: " + enumeration(names));
+    report.warn_of_dropped(plan.output.title("standard output") + ": not written, " +
+                             plan.output.format + " files cannot hold it: ",
+                           names);
 }
 
 std::string rounds_of(const Plan& plan, const Surface_options& options, const Scheme_choice& scheme,
@@ -329,20 +352,23 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
   if (size.faces >= faces_worth_a_report)
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
-  write_pieces(job, plan.output, plan.threads, report);
+  write_pieces(job, plan.output.name, plan.threads, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals + ", " + pieces +
               time_of(report));
   report.print_warnings();
+  report.write_file({options.input, options.output, size.vertices, size.faces, options.levels});
   report.print_notes();
+  ranks().wait_for_all(); // none ends the others before they have said all
+  report.require_no_warnings();
 }
 
 } // namespace
 
 void run_surface_command(const Surface_options& options)
 {
-  Report report(options.quiet, ranks().rank() != 0);
+  Report report(options.report, ranks().rank() != 0);
   Plan plan = make_plan(options);
   const std::string input = plan.input.title("standard input");
   Mesh_data mesh;
@@ -359,13 +385,15 @@ void run_surface_command(const Surface_options& options)
     require_limit_of_vertices(scheme.scheme, options.limit);
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
+    const bool can_be_sharp = scheme_without_creases(scheme).empty();
+    settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, options.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases);
     const bool has_file_normals = mesh.has_normals();
     normals = set_normals(mesh, plan, creases, report);
     if (in_pieces)
-      pieces = make_pieces_job(std::move(mesh), options, scheme);
+      pieces = make_pieces_job(std::move(mesh), options, scheme, plan.output);
     else {
       const Bounding_box control(mesh.points);
       process(mesh, plan, options, scheme, creases, has_file_normals, report);
@@ -374,10 +402,12 @@ void run_surface_command(const Surface_options& options)
     }
   } catch (const Usage_error&) {
     throw;
+  } catch (const Output_error&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw Error(input + ": not enough memory for " + std::to_string(options.levels) + " rounds");
   } catch (const std::exception& e) {
-    const std::string what = e.what();
+    const std::string what = message_of(e);
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
   if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, report);
@@ -390,8 +420,11 @@ void run_surface_command(const Surface_options& options)
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
   report.print_warnings();
+  report.write_file({options.input, options.output, mesh.points.size(), mesh.number_of_faces(),
+                     options.levels});
   if (plan.verification) plan.verification->require_tolerance();
   report.print_notes();
+  report.require_no_warnings();
 }
 
 } // namespace pn_subdivide

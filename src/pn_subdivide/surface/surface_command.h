@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "io/Report.h"
 #include "pieces/Pieces_options.h"
 #include "surface/Crease_options.h"
 #include "surface/Verify_options.h"
@@ -27,7 +28,7 @@ struct Surface_options
   Scheme_choice scheme;
   unsigned levels = 1;
   bool linear = false;
-  std::optional<std::string> normals, curvature, interpolate;
+  std::optional<std::string> normals, curvature, interpolate, merge_distance;
   unsigned threads = 1; // 0: all cores
   Crease_options creases;
   Limit_choice limit;
@@ -35,7 +36,8 @@ struct Surface_options
   Pieces_options pieces;
   bool merge_points = false, repair = false, triangulate = false;
   bool drop_attributes = false;
-  bool ascii = false, quiet = false;
+  bool ascii = false;
+  Report_options report;
 };
 
 // The command `pn_subdivide surface`. Throws Usage_error, Error or what the library throws; the

@@ -9,6 +9,7 @@
 #include "surface/surface_schemes.h"
 
 #include "io/Error.h"
+#include "io/near_miss.h"
 #include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3/attributes.h>
@@ -61,7 +62,7 @@ S with_parameter(const Scheme_choice& choice)
     } else
       return S(value);
   } catch (const std::invalid_argument& e) {
-    throw Usage_error(std::string("--") + S::parameter_name() + ": " + e.what());
+    throw Usage_error(std::string("--") + S::parameter_name() + ": " + message_of(e));
   }
 }
 
@@ -163,7 +164,7 @@ Scheme make_scheme(const std::string& option, const std::string& name, const Sch
   });
   if (!found)
     throw Usage_error(option + (" '" + name) + "': there is no such scheme, only " +
-                      enumeration(all_names(), "and"));
+                      enumeration(all_names(), "and") + did_you_mean(name, all_names()));
   return *found;
 }
 

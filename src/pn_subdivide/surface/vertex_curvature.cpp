@@ -138,6 +138,23 @@ Columns color_columns(const std::vector<double>& values, double end)
   return columns;
 }
 
+// Where squares of curvatures are numbers.
+void require_size_for_curvature(const Surface& surface)
+{
+  constexpr int largest_exponent = 450;
+  CGAL::Bbox_3 box;
+  for (const Point_3& p : surface.points()) box += p.bbox();
+  const double size = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  if (!(size > 0) || std::abs(std::ilogb(size)) <= largest_exponent) return;
+  char text[160];
+  std::snprintf(
+    text, sizeof text,
+    "--curvature: the mesh has a size of %.3g, and curvatures are measured between 1e-135 "
+    "and 1e135 only: scale its coordinates",
+    size);
+  throw Error(text);
+}
+
 } // namespace
 
 Curvature_kind parse_curvature_option(const std::string& text, const Mesh_file& output)
@@ -166,6 +183,7 @@ std::string Curvature_range::description(Curvature_kind kind) const
 Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_maps>& creases,
                                    Curvature_kind kind, unsigned threads)
 {
+  require_size_for_curvature(surface);
   if (!creases) return measure(surface, kind, threads);
   const Wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
   Surface cut = cut_between(surface, wedges);

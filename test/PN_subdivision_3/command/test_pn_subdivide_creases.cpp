@@ -362,6 +362,40 @@ TEST_F(Pn_subdivide_creases, PrismsNeedPointsAndAnAngleOnly)
     }
 }
 
+// All edges of a prism of twelve sides that are not those of its rims meet at exactly 30 degrees.
+TEST_F(Pn_subdivide_creases, AnglesAreMeantWithATenthOfADegree)
+{
+  for (int pose = 0; pose < 12; ++pose) {
+    const double a = 0.7 * pose, b = 1.1 * pose * pose;
+    std::ostringstream off;
+    off.precision(17);
+    off << "OFF\n24 14 0\n";
+    for (const int z : {0, 2})
+      for (int i = 0; i < 12; ++i) {
+        const double t = i * std::acos(-1.) / 6, y = std::cos(a) * std::sin(t) - std::sin(a) * z;
+        off << std::cos(b) * std::cos(t) - std::sin(b) * y << ' '
+            << std::sin(b) * std::cos(t) + std::cos(b) * y << ' '
+            << std::sin(a) * std::sin(t) + std::cos(a) * z << '\n';
+      }
+    off << "12 11 10 9 8 7 6 5 4 3 2 1 0\n12 12 13 14 15 16 17 18 19 20 21 22 23\n";
+    for (int i = 0; i < 12; ++i)
+      off << "4 " << i << ' ' << (i + 1) % 12 << ' ' << 12 + (i + 1) % 12 << ' ' << 12 + i << '\n';
+    const std::string input = folder.write("prism.off", off.str());
+    const auto said = [&](const std::string& angle) {
+      return surface(input, folder.file("a.obj"), "--sharp angle:" + angle).err;
+    };
+    expect_part(said("30"), ", 24 sharp edges, 12 edges within 1 degree of 30, ");
+    expect_part(said("29.95"), ", 24 sharp edges, 12 edges within 1 degree of 29.95, ");
+    expect_part(said("29.8"), ", 36 sharp edges, 12 edges within 1 degree of 29.8, ");
+    expect_part(said("29"), ", 36 sharp edges, 12 edges within 1 degree of 29, ");
+    expect_part(said("31"), ", 24 sharp edges, 12 edges within 1 degree of 31, ");
+    expect_part(said("90"), ", 24 edges within 1 degree of 90, ");
+    for (const char* angle : {"28.5", "32", "60", "180"})
+      EXPECT_EQ(said(angle).find("within"), std::string::npos) << angle;
+    expect_part(said("0.5"), ", 36 sharp edges, ");
+  }
+}
+
 TEST_F(Pn_subdivide_creases, NoneSumsTheNormals)
 {
   const std::string input = part("washer.obj");
@@ -374,16 +408,11 @@ TEST_F(Pn_subdivide_creases, NoneSumsTheNormals)
             content(refine(sums, "--levels 2 --linear", "b.ply")));
 }
 
-TEST_F(Pn_subdivide_creases, FlatShadedFilesHaveCreasesOnlyIfAskedFor)
+TEST_F(Pn_subdivide_creases, CubesOfFlatShadingHaveCreases)
 {
   const std::string input = folder.write("cube.obj", cube_obj);
-  const std::string said = warnings(input, "--levels 2");
-  expect_part(said, "flat shading");
-  expect_part(said, "--sharp file");
-  expect_part(said, "8 vertices have several normals");
-  EXPECT_EQ(content(folder.file("result.obj")), content(refine(input, "--levels 2 --sharp none")));
-
   EXPECT_EQ(warnings(input, "--levels 3 --sharp file"), "");
+  EXPECT_EQ(content(folder.file("result.obj")), content(refine(input, "--levels 3")));
   const Obj cube(folder.file("result.obj"));
   for (const auto& face : cube.faces)
     for (const auto& [v, n] : face) EXPECT_EQ(dot(cube.points[v], cube.normals[n]), 1);

@@ -9,11 +9,10 @@
 // Refinement in pieces writes the file that refinement as a whole writes, alone and under mpirun; what fails or is
 // interrupted leaves nothing behind, or what --resume needs.
 
-#include "Command_test.h"
+#include "Pieces_test.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +22,6 @@
 #ifdef __unix__
 #  include <chrono>
 #  include <csignal>
-#  include <fcntl.h>
 #  include <sys/wait.h>
 #  include <thread>
 #  include <unistd.h>
@@ -34,75 +32,6 @@ namespace {
 const std::vector<std::string> schemes = {
   "catmull-clark",          "loop",         "doo-sabin", "sqrt3", "butterfly", "kobbelt",
   "modified-catmull-clark", "modified-loop"};
-
-bool takes_triangles(const std::string& scheme)
-{
-  return scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" ||
-         scheme == "modified-loop";
-}
-
-class Pieces : public Command_test
-{
-protected:
-  // A wavy grid with a hole in it, in quads or triangles, and a vertex without faces.
-  void SetUp() override
-  {
-    std::string points, quads, triangles;
-    const auto name = [](int i, int j) { return std::to_string(i * 6 + j); };
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        points +=
-          std::to_string(i) + " " + std::to_string(j) + " 0." + std::to_string(i * j % 7) + "\n";
-    points += "9 9 9\n";
-    int faces = 0;
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j) {
-        if (i == 2 && j == 3) continue;
-        const std::string a = name(i, j), b = name(i + 1, j), c = name(i + 1, j + 1),
-                          d = name(i, j + 1);
-        quads += "4 " + a + " " + b + " " + c + " " + d + "\n";
-        triangles += (i + j) % 2 == 0
-                       ? "3 " + a + " " + b + " " + c + "\n3 " + a + " " + c + " " + d
-                       : "3 " + a + " " + b + " " + d + "\n3 " + b + " " + c + " " + d;
-        triangles += "\n";
-        ++faces;
-      }
-    const auto off = [&](int number, const std::string& lines) {
-      return "OFF\n37 " + std::to_string(number) + " 0\n" + points + lines;
-    };
-    folder.write("quads.off", off(faces, quads));
-    folder.write("triangles.off", off(2 * faces, triangles));
-  }
-
-  std::string in_out(const std::string& scheme, const std::string& out) const
-  {
-    return "surface '" + folder.file(takes_triangles(scheme) ? "triangles.off" : "quads.off") +
-           "' '" + folder.file(out) + "' --quiet --scheme " + scheme + " ";
-  }
-
-  std::string content(const std::string& name) const
-  {
-    return Temporary_folder::content(folder.file(name));
-  }
-
-  std::string whole(const std::string& scheme, const std::string& options)
-  {
-    EXPECT_EQ(run(in_out(scheme, "whole.ply") + options).code, 0);
-    return content("whole.ply");
-  }
-
-  void expect_whole(const std::string& scheme, const std::string& options, const std::string& more,
-                    const std::string& before = "")
-  {
-    const std::string expected = whole(scheme, options);
-    std::filesystem::remove(folder.file("out.ply"));
-    const Outcome outcome = run(in_out(scheme, "out.ply") + options + " " + more, before);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options << " " << more;
-    EXPECT_EQ(folder.number_of_files(), 4u); // the two controls and the two results
-  }
-};
 
 } // namespace
 
@@ -198,78 +127,6 @@ TEST_F(Pieces, AFullDisk)
     run(in_out("catmull-clark", "out.pvtp") + "--levels 5 --pieces 7", "ulimit -f 200; "), 1,
     "out.pvtp");
   EXPECT_EQ(folder.number_of_files(), files);
-}
-
-namespace {
-
-// Starts the command, and kills it as nothing can be done about when three pieces are finished.
-void kill_in_the_middle(const std::string& arguments, const std::string& done)
-{
-  const pid_t child = fork();
-  ASSERT_NE(child, -1);
-  if (child == 0) {
-    const int null = open("/dev/null", O_WRONLY);
-    dup2(null, 2);
-    execl("/bin/sh", "sh", "-c", ("exec '" PN_SUBDIVIDE_COMMAND "' " + arguments).c_str(), nullptr);
-    _exit(127);
-  }
-  const auto finished = [&] {
-    const std::string text = Temporary_folder::content(done);
-    const std::size_t line = text.find('\n');
-    return line == std::string::npos
-             ? 0
-             : std::count(text.begin() + std::ptrdiff_t(line), text.end(), '1');
-  };
-  int status = 0;
-  while ((!std::filesystem::exists(done) || finished() < 3) &&
-         waitpid(child, &status, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  kill(child, SIGKILL);
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFSIGNALED(status)) << "it was faster than the test";
-  ASSERT_GE(finished(), 3);
-}
-
-} // namespace
-
-TEST_F(Pieces, ResumeAfterAFullDisk)
-{
-  for (const std::string scheme : {"catmull-clark", "doo-sabin"}) {
-    const std::string expected = whole(scheme, "--levels 6");
-    const std::string arguments = in_out(scheme, "out.ply") + "--levels 6 --pieces 40 --resume";
-    kill_in_the_middle(arguments, folder.file("out.ply.part.done"));
-    const std::string half = std::to_string(expected.size() / 1024);
-    expect_one_line(run(arguments, "ulimit -f " + half + "; "), 1, "out.ply");
-    EXPECT_FALSE(std::filesystem::exists(folder.file("out.ply")));
-    // other options, and a run that does not know of it
-    expect_one_line(run(in_out(scheme, "out.ply") + "--levels 4 --pieces 40 --resume"), 1,
-                    "out.ply.part.done");
-    expect_one_line(run(in_out(scheme, "out.ply") + "--levels 6 --pieces 40"), 1, "--resume");
-    EXPECT_EQ(run(arguments).code, 0);
-    EXPECT_TRUE(content("out.ply") == expected);
-    EXPECT_EQ(folder.number_of_files(), 4u);
-    std::filesystem::remove(folder.file("out.ply"));
-  }
-}
-
-// What is finished is not made again.
-TEST_F(Pieces, ResumeTakesFinishedPiecesAsTheyAre)
-{
-  const std::string expected = whole("loop", "--levels 6");
-  const std::string arguments = in_out("loop", "out.ply") + "--levels 6 --pieces 40 --resume";
-  kill_in_the_middle(arguments, folder.file("out.ply.part.done"));
-  // A byte of the first piece is changed: it would be mended if the piece were made again.
-  std::string part = Temporary_folder::content(folder.file("out.ply.part"));
-  std::size_t place = part.find("end_header") + 11;
-  while (part[place] != expected[place] || part[place] == 0) ++place;
-  std::fstream(folder.file("out.ply.part"), std::ios::in | std::ios::out | std::ios::binary)
-    .seekp(std::streamoff(place))
-    .put('?');
-  ASSERT_EQ(run(arguments).code, 0);
-  std::string result = content("out.ply");
-  EXPECT_EQ(result[place], '?');
-  result[place] = expected[place];
-  EXPECT_TRUE(result == expected);
 }
 
 TEST_F(Pieces, ASignal)

@@ -98,6 +98,26 @@ TEST_F(Streams, WhatTheyNeed)
   EXPECT_EQ(folder.number_of_files(), 1u);
 }
 
+#ifdef __unix__
+
+// Whatever is read, in any format.
+TEST_F(Streams, DevicesWithoutEnd)
+{
+  folder.write("cube.off", cube);
+  const std::string file = quoted("cube.off"), out = quoted("o.ply");
+  const std::string bounded = "ulimit -v 4000000; timeout 60 ";
+  for (const std::string arguments : {"surface " + file + " " + out + " --sharp /dev/zero",
+                                      "surface - " + out + " --format ply </dev/zero",
+                                      "surface - " + out + " --format obj </dev/zero",
+                                      "surface - " + out + " --format off </dev/zero",
+                                      "surface - " + out + " --format stl </dev/zero",
+                                      "curve /dev/zero " + quoted("o.txt") + " --scheme chaikin"})
+    expect_one_line(run(arguments, bounded), 1, "device");
+  EXPECT_EQ(folder.number_of_files(), 1u);
+}
+
+#endif
+
 // A reader of standard output must not take the first half of a mesh for a mesh.
 TEST_F(Streams, AFailureWritesNothing)
 {

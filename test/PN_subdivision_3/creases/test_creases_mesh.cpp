@@ -24,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -432,8 +433,64 @@ TEST(Creases_of_meshes, Angles_out_of_range)
   auto sharp = t.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
   for (const double angle : {-1., 181., std::nan("")})
     EXPECT_NE(message_of([&] { PN::detect_creases(t.mesh, angle, sharp); }), "");
-  EXPECT_EQ(PN::detect_creases(t.mesh, 89.9, sharp), 12u);
+  EXPECT_EQ(PN::detect_creases(t.mesh, 89.8, sharp), 12u);
+  EXPECT_EQ(PN::detect_creases(t.mesh, 89.95, sharp), 0u);
   EXPECT_EQ(PN::detect_creases(t.mesh, 90.1, sharp), 0u);
+  EXPECT_EQ(PN::detect_creases(t.mesh, 180, sharp), 0u);
+  for (auto e : t.mesh.edges()) EXPECT_FALSE(sharp[e]);
+}
+
+// a prism whose sides meet at this angle, in any pose: rounding does not decide
+TEST(Creases_of_meshes, Edges_at_exactly_the_angle)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-3, 3);
+  for (const int n : {5, 6, 8, 9, 10, 12, 18, 20, 24, 36})
+    for (int pose = 0; pose < 12; ++pose) {
+      const double a = uniform(random), b = uniform(random), shift = 10 * uniform(random);
+      Control c;
+      for (const double z : {0., 1.})
+        for (int i = 0; i < n; ++i) {
+          const double t = 2 * std::acos(-1.) * i / n;
+          const double x = std::cos(t), y = std::cos(a) * std::sin(t) - std::sin(a) * z,
+                       w = std::sin(a) * std::sin(t) + std::cos(a) * z;
+          c.points.push_back(
+            {std::cos(b) * x - std::sin(b) * y + shift, std::sin(b) * x + std::cos(b) * y, w});
+        }
+      Face low, high;
+      for (int i = 0; i < n; ++i) {
+        c.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+        low.push_back(n - 1 - i);
+        high.push_back(n + i);
+      }
+      c.faces.push_back(low);
+      c.faces.push_back(high);
+      Tagged<Surface_mesh> t(c);
+      const std::size_t rims = std::size_t(2 * n), all = std::size_t(3 * n);
+      const double angle = 360. / n;
+      EXPECT_EQ(PN::detect_creases(t.mesh, angle, t.sharp), rims) << n << ", pose " << pose;
+      EXPECT_EQ(PN::detect_creases(t.mesh, angle - 0.05, t.sharp), rims);
+      EXPECT_EQ(PN::detect_creases(t.mesh, angle - 0.15, t.sharp), all);
+      EXPECT_EQ(PN::detect_creases(t.mesh, 90, t.sharp), 0u);
+    }
+}
+
+// of all corners, with the weights that are asked for
+TEST(Creases_of_meshes, Estimates_of_corners_by_angles)
+{
+  Part part = capped_cylinder(uneven(7));
+  part.place();
+  const Tagged<Surface_mesh> t(part.control(false));
+  Surface_mesh mesh = t.mesh;
+  auto corners = mesh.add_property_map<Surface_mesh::Halfedge_index, Vector_3>("h:n").first;
+  auto plain = mesh.add_property_map<Surface_mesh::Vertex_index, Vector_3>("v:n").first;
+  auto none = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:n", false).first;
+  for (const auto estimate :
+       {PN::Control_normal_estimate::angle, PN::Control_normal_estimate::reciprocal}) {
+    PN::estimate_corner_normals(mesh, none, corners, np::default_values(), estimate);
+    PN::estimate_control_normals(mesh, plain, np::default_values(), estimate);
+    for (auto h : mesh.halfedges()) EXPECT_EQ(corners[h], plain[mesh.target(h)]);
+  }
 }
 
 // \name Strong guarantee

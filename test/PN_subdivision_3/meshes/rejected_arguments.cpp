@@ -111,6 +111,36 @@ void reject(Mesh& mesh)
   PN::CatmullClark_subdivision(mesh, params::visitor(Visitor()));
   // expected: the visitor has none of the members
 
+  struct Wrong_face
+  {
+    void face_created(Mesh::Face_index, Mesh::Face_index) {}
+    void round_done(unsigned, std::size_t) {}
+  };
+  PN::CatmullClark_subdivision(mesh, params::visitor(Wrong_face()));
+  // expected: void face_created(face_descriptor, const Control_element& parent)
+
+  struct Wrong_edge : PN::Default_visitor
+  {
+    void edge_created(Edge, PN::Control_element&) {}
+  };
+  PN::CatmullClark_subdivision(mesh, params::visitor(Wrong_edge()));
+  // expected: void edge_created(edge_descriptor, const Control_element& origin)
+
+  class Private_vertex
+  {
+    void vertex_created(Vertex, const PN::Control_element&) {}
+  };
+  PN::CatmullClark_subdivision(mesh, params::visitor(Private_vertex()));
+  // expected: void vertex_created(vertex_descriptor, const Control_element& origin)
+
+  struct Wrong_round
+  {
+    void round_done(unsigned) {}
+    void round_done(const char*) {}
+  };
+  PN::CatmullClark_subdivision(mesh, params::visitor(Wrong_round()));
+  // expected: void round_done(unsigned round, std::size_t number_of_faces)
+
   PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(),
                 PN::attributes(PN::face_attribute(creases)));
   // expected: the map of an attribute is no property map of the

@@ -51,6 +51,7 @@ public:
     }
     if (sum.norm() > threshold_ * lengths)
       tangent_ = smooth_step(8 * sum.norm() / lengths) * sum / sum.norm();
+    if (tangent_.norm() < Real(1e-6)) tangent_ = Vector::Zero(); // short ones are not kept
     Real all = 0;
     Square mean = Square::Zero();
     for (std::size_t j = 0; j < n; ++j) {

@@ -105,7 +105,8 @@ private:
     }
     const Real least = 4096 * Real(std::numeric_limits<double>::epsilon());
     if (t0.norm() <= least || t.norm() <= least * t0.norm()) return Vector::Zero();
-    return smooth_step(8 * t0.norm()) * smooth_step(2 * t.norm() / t0.norm()) * unit(t);
+    const Real length = smooth_step(8 * t0.norm()) * smooth_step(2 * t.norm() / t0.norm());
+    return length < Real(1e-6) ? Vector(Vector::Zero()) : Vector(length * unit(t));
   }
 
   const Creased_mesh& mesh_;

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_ATTRIBUTE_TRAITS_H
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -47,7 +47,7 @@ hardly define them.) A zero tangent enters as it is: T<sub>j</sub> x = x - (x&mi
 <em>Guards.</em> T vanishes if |T| &le; &tau; &sum; |a<sub>j</sub>||t<sub>j</sub>|, see
 `Unit_normal_traits::vanishing_tolerance()`; then p = q, t = 0, and n<sub>w</sub> is the unit vector
 of &sum; a<sub>j</sub> n<sub>wj</sub>. Otherwise t = S(8|T| / &sum; |a<sub>j</sub>||t<sub>j</sub>|)
-T/|T| with S(x) = x<sup>2</sup>(3 - 2x) between 0 and 1. Where t<sub>j</sub> is nearly opposite to t
+T/|T| with S(x) = x<sup>2</sup>(3 - 2x) between 0 and 1; if it is shorter than 10<sup>-6</sup> it is 0. Where t<sub>j</sub> is nearly opposite to t
 the entry fades: with &chi;<sub>j</sub> = S((d<sub>j</sub> - 1/64)/(1/4 - 1/64)) and W = &sum;
 a<sub>j</sub>&chi;<sub>j</sub> the point is q + (&sum; a<sub>j</sub> &chi;<sub>j</sub>
 T<sub>j</sub>(p<sub>j</sub> - q))/W, or q if W < 1/64, and the sum of normals has a<sub>j</sub>
@@ -127,10 +127,12 @@ private:
     }
     internal::divide_by_length<FT, dimension>(tangent_, squared_length);
     // the tangents cancel nearly
-    if (FT(64) * squared_length < length_sum * length_sum)
+    if (FT(64) * squared_length < length_sum * length_sum) {
       internal::scale<FT, dimension>(
         tangent_, internal::smoothstep<FT>(FT(8) * internal::root_of_square<FT>(squared_length) /
                                            length_sum));
+      internal::drop_short_tangent<FT, dimension>(tangent_);
+    }
   }
 
   Transport transport(const Entry& e) const

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <cmath>

@@ -11,7 +11,6 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_type_basic.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>

@@ -44,11 +44,12 @@ is missing is the opposite of the other one, and if two are given that are not o
 the direction of their difference. Tangents are taken as they are, whatever the normals beside them: a
 tangent that is not orthogonal to these tilts them. Vectors shorter than 1 are allowed and are not
 normalized, since `subdivide()` leaves such ones where the control data hardly define a tangent; where
-they do not define any, it leaves zero, and the next call makes it anew. With `Border::fixed` the
+they do not define any, or one shorter than 10<sup>-6</sup>, it leaves zero, and the next call makes it anew. With `Border::fixed` the
 tangents of the border are zero. A linear scheme neither reads nor writes tangents.
 
 The mesh is a parameter of `subdivide()`: that function refuses, with `std::invalid_argument`,
-tangents that are not finite or longer than 1 by more than rounding.
+tangents that are not finite, longer than 1 by more than rounding, or shorter than 10<sup>-6</sup> but not zero:
+the values of a map that has not been set are of this kind.
 
 \tparam Scheme a scheme with rules for creases
 \tparam HalfedgeVectorMap a model of `ReadablePropertyMap` with

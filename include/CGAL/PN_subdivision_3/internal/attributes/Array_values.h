@@ -16,7 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/container/vector.hpp>
 

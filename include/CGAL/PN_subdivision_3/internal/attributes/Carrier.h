@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIER_H
 
 #include <CGAL/PN_subdivision_3/Control_element.h>
+#include <CGAL/PN_subdivision_3/Default_visitor.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
@@ -17,6 +18,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -25,58 +27,161 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // \name Visitors
-// Whether a visitor has the member that is called for every refined element of a kind.
+// Of each member: whether there is one of this name, and whether it can be
+// called with what it is given. A name that the visitor shares with another
+// base class is ambiguous; from a final class nothing can be derived.
 
+template <bool is_open, class Visitor, class Named>
+struct Visitor_and_names : Visitor, Named
+{};
+template <class Visitor, class Named>
+struct Visitor_and_names<false, Visitor, Named> : Named
+{};
+template <class Visitor, class Named>
+using With_names = Visitor_and_names<std::is_class_v<Visitor> && !std::is_final_v<Visitor>,
+                                     std::remove_cv_t<Visitor>, Named>;
+
+struct Visitor_names
+{
+  void round_done();
+  void vertex_created();
+  void edge_created();
+  void face_created();
+};
+
+// an answer that is not Not_visited
+template <class Result>
+constexpr bool is_visit_v = !std::is_same_v<Result, Not_visited>;
+
+template <class Visitor, class = void>
+struct Has_round_done : std::true_type
+{};
+template <class Visitor>
+struct Has_round_done<Visitor,
+                      std::void_t<decltype(&With_names<Visitor, Visitor_names>::round_done)>>
+  : std::false_type
+{};
+template <class Visitor, class = void>
+struct Visits_rounds : std::false_type
+{
+  static constexpr bool is_callable = false;
+};
+template <class Visitor>
+struct Visits_rounds<Visitor,
+                     std::void_t<decltype(std::declval<Visitor&>().round_done(0u, std::size_t()))>>
+  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().round_done(0u, std::size_t()))>>
+{
+  static constexpr bool is_callable = true;
+};
+
+template <class Visitor, class = void>
+struct Has_vertex_created : std::true_type
+{};
+template <class Visitor>
+struct Has_vertex_created<
+  Visitor, std::void_t<decltype(&With_names<Visitor, Visitor_names>::vertex_created)>>
+  : std::false_type
+{};
 template <class Visitor, class Mesh, class = void>
 struct Visits_vertices : std::false_type
-{};
+{
+  static constexpr bool is_callable = false;
+};
 template <class Visitor, class Mesh>
 struct Visits_vertices<Visitor, Mesh,
                        std::void_t<decltype(std::declval<Visitor&>().vertex_created(
                          std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
-                         std::declval<const Control_element&>()))>> : std::true_type
-{};
+                         std::declval<const Control_element&>()))>>
+  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().vertex_created(
+      std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
+      std::declval<const Control_element&>()))>>
+{
+  static constexpr bool is_callable = true;
+};
 
+template <class Visitor, class = void>
+struct Has_edge_created : std::true_type
+{};
+template <class Visitor>
+struct Has_edge_created<Visitor,
+                        std::void_t<decltype(&With_names<Visitor, Visitor_names>::edge_created)>>
+  : std::false_type
+{};
 template <class Visitor, class Mesh, class = void>
 struct Visits_edges : std::false_type
-{};
+{
+  static constexpr bool is_callable = false;
+};
 template <class Visitor, class Mesh>
 struct Visits_edges<Visitor, Mesh,
                     std::void_t<decltype(std::declval<Visitor&>().edge_created(
                       std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
-                      std::declval<const Control_element&>()))>> : std::true_type
-{};
+                      std::declval<const Control_element&>()))>>
+  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().edge_created(
+      std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
+      std::declval<const Control_element&>()))>>
+{
+  static constexpr bool is_callable = true;
+};
 
+template <class Visitor, class = void>
+struct Has_face_created : std::true_type
+{};
+template <class Visitor>
+struct Has_face_created<Visitor,
+                        std::void_t<decltype(&With_names<Visitor, Visitor_names>::face_created)>>
+  : std::false_type
+{};
 template <class Visitor, class Mesh, class = void>
 struct Visits_faces : std::false_type
-{};
+{
+  static constexpr bool is_callable = false;
+};
 template <class Visitor, class Mesh>
 struct Visits_faces<Visitor, Mesh,
                     std::void_t<decltype(std::declval<Visitor&>().face_created(
                       std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
-                      std::declval<const Control_element&>()))>> : std::true_type
-{};
-
-template <class Visitor, class = void>
-struct Visits_rounds : std::false_type
-{};
-template <class Visitor>
-struct Visits_rounds<Visitor,
-                     std::void_t<decltype(std::declval<Visitor&>().round_done(0u, std::size_t()))>>
-  : std::true_type
-{};
+                      std::declval<const Control_element&>()))>>
+  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().face_created(
+      std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
+      std::declval<const Control_element&>()))>>
+{
+  static constexpr bool is_callable = true;
+};
 
 template <class Visitor, class Mesh>
 constexpr bool check_visitor()
 {
-  constexpr bool visits = Visits_rounds<Visitor>::value || Visits_vertices<Visitor, Mesh>::value ||
-                          Visits_edges<Visitor, Mesh>::value || Visits_faces<Visitor, Mesh>::value;
-  static_assert(visits, "PN_subdivision_3: the visitor has none of the members round_done(), "
-                        "vertex_created(), edge_created(), face_created()");
-  return visits;
+  constexpr bool rounds = Visits_rounds<Visitor>::is_callable || !Has_round_done<Visitor>::value;
+  static_assert(rounds, "PN_subdivision_3: the visitor's round_done() cannot be "
+                        "called; expected is "
+                        "void round_done(unsigned round, std::size_t number_of_faces)");
+  constexpr bool vertices =
+    Visits_vertices<Visitor, Mesh>::is_callable || !Has_vertex_created<Visitor>::value;
+  static_assert(vertices, "PN_subdivision_3: the visitor's vertex_created() cannot be called; "
+                          "expected is "
+                          "void vertex_created(vertex_descriptor, const Control_element& origin)");
+  constexpr bool edges =
+    Visits_edges<Visitor, Mesh>::is_callable || !Has_edge_created<Visitor>::value;
+  static_assert(edges, "PN_subdivision_3: the visitor's edge_created() cannot be called; "
+                       "expected is "
+                       "void edge_created(edge_descriptor, const Control_element& origin)");
+  constexpr bool faces =
+    Visits_faces<Visitor, Mesh>::is_callable || !Has_face_created<Visitor>::value;
+  static_assert(faces, "PN_subdivision_3: the visitor's face_created() cannot be called; "
+                       "expected is "
+                       "void face_created(face_descriptor, const Control_element& parent)");
+  constexpr bool visits =
+    Visits_rounds<Visitor>::is_callable || Visits_vertices<Visitor, Mesh>::is_callable ||
+    Visits_edges<Visitor, Mesh>::is_callable || Visits_faces<Visitor, Mesh>::is_callable;
+  static_assert(visits || !(rounds && vertices && edges && faces),
+                "PN_subdivision_3: the visitor has none of the members round_done(), "
+                "vertex_created(), edge_created(), face_created()");
+  return rounds && vertices && edges && faces && visits;
 }
 
-// What a call carries beside points and normals: its attributes, and what its visitor asks for.
+// What a call carries beside points and normals: its attributes, and what its
+// visitor asks for.
 template <class Mesh, class Visitor, class Attributes>
 struct Carrier
 {

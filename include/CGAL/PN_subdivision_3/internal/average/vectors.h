@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/utils.h>
 
 #include <algorithm>
@@ -163,6 +163,19 @@ inline Coordinates<double, 3> quotient(const Coordinates<double, 3>& a, double d
 inline Coordinates<double, 3> multiple(double factor, const Coordinates<double, 3>& a)
 {
   return {factor * a[0], factor * a[1], factor * a[2]};
+}
+
+// Tangents of creases are no shorter than 1e-6, or zero: shorter ones in a map are values that nobody has set.
+template <class FT, int dimension>
+bool is_shorter_than_tangents(const Coordinates<FT, dimension>& t)
+{
+  const FT length = FT(1) / FT(1000000);
+  return CGAL::certainly(dot<FT, dimension>(t, t) < length * length);
+}
+template <class FT, int dimension>
+void drop_short_tangent(Coordinates<FT, dimension>& t)
+{
+  if (is_shorter_than_tangents<FT, dimension>(t)) t.fill(FT(0));
 }
 
 } // namespace internal

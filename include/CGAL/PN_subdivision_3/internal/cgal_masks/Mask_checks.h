@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_CHECKS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_CHECKS_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/graph/graph_traits.hpp>
 

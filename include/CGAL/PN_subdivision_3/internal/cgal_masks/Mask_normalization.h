@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_NORMALIZATION_H
 
 #include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>

@@ -221,6 +221,7 @@ private:
       scale<FT, 3>(t, smoothstep<FT>(FT(8) * root_of_square<FT>(t0_square)));
     if (FT(4) * t_square < t0_square)
       scale<FT, 3>(t, smoothstep<FT>(FT(2) * root_of_square<FT>(t_square / t0_square)));
+    drop_short_tangent<FT, 3>(t);
     return t;
   }
 

@@ -46,14 +46,18 @@ Coordinates<double, 3> direction_of_face(const Level_connectivity& level,
   return to_double_3(area);
 }
 
-// inner edges whose faces' area vectors are more than an angle apart
+// Edges are sharp from this on above the angle that is asked for: meshes have many edges at exactly 30 or 45
+// degrees, and only rounding would tell on which side they are.
+constexpr double margin_of_crease_angles = 0.1;
+
+// inner edges whose faces' area vectors are more than an angle and the margin apart
 template <class FT>
 std::vector<bool> edges_of_greater_angle(const Level_connectivity& level,
                                          const std::vector<Coordinates<FT, 3>>& points,
                                          double degrees)
 {
   using Index = Level_connectivity::Index;
-  const double greatest = degrees * std::acos(-1.) / 180;
+  const double greatest = (degrees + margin_of_crease_angles) * std::acos(-1.) / 180;
   std::vector<Coordinates<double, 3>> direction;
   for (Index f = 0; f < level.number_of_faces(); ++f)
     direction.push_back(direction_of_face<FT>(level, points, f));

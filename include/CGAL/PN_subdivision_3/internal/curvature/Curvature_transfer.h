@@ -158,19 +158,30 @@ public:
   std::size_t size() const { return transfer_.size(); }
 
   // The quadratic part of a ring. What rounding leaves of spheres and cylinders is none: it is that of the
-  // coordinates that the points have about the origin of the mesh, if they are given about another one.
+  // coordinates that the points have about the origin of the mesh, if they are given about another one. The
+  // frame of the part is that of the ring divided by a power of two if squares of its size would be out of range.
   std::optional<Part> operator()(const std::vector<Value>& ring,
                                  const Coordinates<FT, 3>& origin = {FT(0), FT(0), FT(0)})
   {
-    Real largest(0);
+    Real largest(0), size(0);
     ring_.resize(ring.size());
     for (std::size_t j = 0; j < ring.size(); ++j)
       for (std::size_t c = 0; c < 3; ++c) {
         largest = (std::max)(largest, std::abs(real(FT(origin[c] + ring[j].point[c]))));
         ring_[j].point[c] = real(FT(ring[j].point[c] - ring[0].point[c]));
         ring_[j].normal[c] = real(ring[j].normal[c]);
+        size = (std::max)(size, std::abs(ring_[j].point[c]));
       }
-    return transfer_(ring_, 64 * epsilon() * largest);
+    constexpr int harmless = 64;
+    exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+    if (std::abs(exponent_) <= harmless) exponent_ = 0;
+    if (exponent_ == 0) return transfer_(ring_, 64 * epsilon() * largest);
+    for (Point_normal<Real, 3>& v : ring_)
+      for (Real& x : v.point) x = std::ldexp(x, -exponent_);
+    auto part = transfer_(ring_, 64 * epsilon() * std::ldexp(largest, -exponent_));
+    if (part)
+      for (Real* x : {&part->xx, &part->xy, &part->yy}) *x = std::ldexp(*x, -exponent_);
+    return part;
   }
 
   // Adds half of it to the slopes of the normals of the ring that it was found in last.
@@ -178,7 +189,9 @@ public:
   void add_half(const Part& part, const Normal_of& normal) const
   {
     for (std::size_t j = 0; j < ring_.size(); ++j) {
-      const Pair<Real> g = part.gradient(part.frame.u(ring_[j].point));
+      Pair<Real> g = part.gradient(part.frame.u(ring_[j].point));
+      if (exponent_ != 0)
+        for (Real& x : g) x = std::ldexp(x, exponent_);
       const Real half = dot<Real, 3>(ring_[j].normal, part.frame.normal()) / 2;
       Coordinates<FT, 3>& n = normal(j);
       for (std::size_t c = 0; c < 3; ++c)
@@ -205,6 +218,7 @@ private:
 
   Curvature_transfer<Real> transfer_;
   std::vector<Point_normal<Real, 3>> ring_;
+  int exponent_ = 0; // of the power of two by which `ring_` is divided
 };
 
 } // namespace internal

@@ -13,7 +13,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_maps.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <cstddef>
 #include <string>

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <array>

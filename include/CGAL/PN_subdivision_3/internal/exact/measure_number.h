@@ -13,7 +13,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -20,6 +20,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +42,7 @@ struct Interpolation_data
   std::vector<char> is_at_border;  // of all vertices
   std::vector<double> edge_length; // likewise, the mean
   bool takes_normals = true;       // if not, the scheme is linear
+  int exponent = 0;                // of the power of two by which lengths have been divided
   double tolerance = 0;            // absolute
   unsigned max_depth = 12, max_steps = 60;
 
@@ -87,6 +91,42 @@ double box_size(const std::vector<Eigen::Matrix<double, dimension, 1>>& points)
 }
 
 // takes vertices without a normal off those to be interpolated; how many
+// Divides points of which squares would be out of range by a power of two, which changes no bit of theirs.
+template <int dimension>
+void divide_by_size(Interpolation_data<dimension>& data)
+{
+  constexpr int harmless = 64;
+  const double size =
+    (std::min)(box_size<dimension>(data.points), (std::numeric_limits<double>::max)());
+  if (!(size > 0) || std::abs(std::ilogb(size)) <= harmless) return;
+  data.exponent = std::ilogb(size);
+  for (Eigen_vector<dimension>& p : data.points)
+    for (double& x : p) x = std::ldexp(x, -data.exponent);
+}
+
+// Undoes it.
+template <class FT, int dimension>
+void multiply_by_size(int exponent, Vectors<dimension>& points)
+{
+  if (exponent == 0) return;
+  double largest = (std::numeric_limits<double>::max)();
+  if constexpr (std::is_same_v<FT, float>) largest = double((std::numeric_limits<FT>::max)());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (double& x : points[v]) {
+      x = std::ldexp(x, exponent);
+      if (!(std::abs(x) <= largest))
+        throw std::overflow_error("PN_subdivision_3: the control point of vertex " +
+                                  std::to_string(v) +
+                                  " is out of the range of the number type: scale the points down");
+    }
+}
+inline void multiply_by_size(int exponent, Limit_interpolation_report& report)
+{
+  for (double* length : {&report.residual, &report.error, &report.tolerance, &report.slip})
+    *length = std::ldexp(*length, exponent);
+  report.curvature_residual = std::ldexp(report.curvature_residual, -exponent);
+}
+
 template <int dimension>
 std::size_t leave_out_without_normal(Interpolation_data<dimension>& data)
 {

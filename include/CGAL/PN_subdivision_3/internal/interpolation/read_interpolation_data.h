@@ -58,6 +58,7 @@ Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme
     data.points.push_back(to_eigen<3>(to_double_3(value.point)));
     data.normals.push_back(to_eigen<3>(to_double_3(value.normal)));
   }
+  divide_by_size(data);
   return data;
 }
 

@@ -41,7 +41,7 @@ public:
   Creased_limit_subdivision(const Scheme& scheme, unsigned rounds, const Limit_options& options)
     : scheme_(scheme)
     , options_(options)
-    , plain_(scheme, rounds, [](unsigned, std::size_t) {})
+    , plain_(scheme, rounds, no_round_done)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
 

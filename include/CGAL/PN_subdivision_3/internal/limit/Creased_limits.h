@@ -75,6 +75,10 @@ public:
       rest = evaluate_rest(level, creases, limits, rest, next_round, 0, results);
     }
     if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
+    if (demand_.surface_normals) {
+      const Cut cut(level.level, creases);
+      orient_normals(level.level, results, for_chunks_);
+    }
     creases = std::move(limits);
     return results;
   }

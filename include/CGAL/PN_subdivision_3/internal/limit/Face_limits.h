@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
@@ -74,11 +75,25 @@ public:
       }
       for (auto& entry : towers) entry.second->evaluate();
     });
+    if (demand_.surface_normals) orient_normals(level, results);
     return results;
   }
 
 private:
   using Class = Ring_class<Scheme, FT>;
+
+  // The frame of a surface normal is that of the control normal, which may be on the wrong side.
+  static void orient_normals(const Level& level, std::vector<Result>& results)
+  {
+    const auto point = [&](Index v) { return to_double_3(point_of(level.values[v])); };
+    for (Index f = 0; f < static_cast<Index>(results.size()); ++f) {
+      Result& result = results[f];
+      const Index h = level.level.halfedge_of_face(f);
+      if (result.has_surface_normal &&
+          is_against_face(level.level, h, point, result.surface_normal))
+        result.surface_normal = opposite_vector<double, 3>(result.surface_normal);
+    }
+  }
 
   // from a level of one face: its new vertices are the corners in their order
   std::unique_ptr<Class> make(Index degree) const

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
+#include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -68,6 +69,7 @@ public:
     std::iota(vertices.begin(), vertices.end(), Index(0));
     std::vector<Result> results(vertices.size());
     evaluate(level, vertices, next_round, 0, results.data());
+    if (demand_.surface_normals) orient_normals(level.level, results, for_chunks_);
     return results;
   }
 

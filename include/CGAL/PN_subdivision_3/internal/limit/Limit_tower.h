@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -214,12 +214,29 @@ private:
       return {to_double_3(v), {}};
   }
 
+  // `ring_` becomes ring c, divided by a power of two if squares of its size would be out of range.
   Ring_geometry geometry(std::size_t c)
   {
+    constexpr int harmless = 200;
+    double size = 0;
     ring_.resize(class_.size());
-    for (std::size_t p = 0; p < class_.size(); ++p)
+    for (std::size_t p = 0; p < class_.size(); ++p) {
       ring_[p] = to_double_value(Value(rings_[p * copies_ + c]));
-    return Ring_geometry(ring_, to_double_value(limits_[c]), class_.tangents());
+      for (const double x : ring_[p].point) size = (std::max)(size, std::abs(x));
+    }
+    Point_normal<double, 3> limit = to_double_value(limits_[c]);
+    exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+    if (std::abs(exponent_) <= harmless) exponent_ = 0;
+    if (exponent_ != 0) {
+      for (Point_normal<double, 3>& v : ring_) v.point = divided(v.point);
+      limit.point = divided(limit.point);
+    }
+    return Ring_geometry(ring_, limit, class_.tangents());
+  }
+  Vector divided(Vector v) const
+  {
+    for (double& x : v) x = std::ldexp(x, -exponent_);
+    return v;
   }
 
   // the surface normal; whether it meets the tolerance, or no further round will make it better
@@ -263,9 +280,11 @@ private:
     if (!is_spline_ && !settles()) return;
     const Ring_geometry g = geometry(c);
     if (!g.is_regular()) return;
-    const auto part = remaining_part(to_double_3(origin(c)));
-    const Curvatures<double> k =
+    const auto part = remaining_part(divided(to_double_3(origin(c))));
+    Curvatures<double> k =
       is_spline_ ? spline_curvatures() : g.extraordinary_curvatures(part ? &*part : nullptr);
+    k.gaussian = std::ldexp(k.gaussian, -2 * exponent_);
+    k.mean = std::ldexp(k.mean, -exponent_);
     if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
     Result& result = *states_[c].result;
     result.gaussian = k.gaussian;
@@ -301,6 +320,7 @@ private:
   std::vector<Value> next_, limits_;
   std::vector<State> states_;
   std::vector<Point_normal<double, 3>> ring_;
+  int exponent_ = 0; // of the power of two by which `ring_` is divided
   std::optional<Normal_transfer<FT>> transfer_;
   std::size_t count_ = 0;
 };

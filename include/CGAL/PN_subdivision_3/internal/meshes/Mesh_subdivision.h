@@ -55,6 +55,9 @@ Level_size checked_refined_size(Level_size size, unsigned rounds, std::uint64_t 
   return size;
 }
 
+// of calls that tell nobody of their rounds
+inline constexpr auto no_round_done = [](unsigned, std::size_t) {};
+
 // Subdivision of a mesh: read, refine flat levels, write the last one. The mesh and its maps are
 // untouched until everything that a user's data can make fail has been checked; what fails
 // afterwards (an allocation, a map of the user's) is taken back.
@@ -74,12 +77,16 @@ class Mesh_subdivision
 public:
   using Round_done = Function_ref<void(unsigned, std::size_t)>;
 
-  Mesh_subdivision(const Scheme& scheme, unsigned rounds, Round_done round_done)
+  // round_done has to live as long
+  template <class Function>
+  Mesh_subdivision(const Scheme& scheme, unsigned rounds, const Function& round_done)
     : scheme_(scheme)
     , rounds_(rounds)
     , round_done_(round_done)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
+  template <class Function>
+  Mesh_subdivision(const Scheme&, unsigned, const Function&&) = delete;
 
   // a linear scheme has no use for normals
   template <class Access, class Point_map, class Normal_map, class Carry>

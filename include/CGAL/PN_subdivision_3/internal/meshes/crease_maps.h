@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/No_constraint_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -31,12 +31,14 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// of a value of a map of constraints: true is infinitely sharp
+// of a value of a map of constraints: true is infinitely sharp, and so is the largest integer
 template <class Value>
 double sharpness_of(const Value& value)
 {
   if constexpr (std::is_same_v<Value, bool>)
     return value ? infinite_sharpness : 0;
+  else if constexpr (std::is_integral_v<Value>)
+    return value == (std::numeric_limits<Value>::max)() ? infinite_sharpness : double(value);
   else
     return double(CGAL::to_double(value));
 }
@@ -49,7 +51,7 @@ double sharpness_in(const Map& map, const Key& key)
   return sharpness_of(static_cast<Value>(get(map, key))); // bits have references of their own
 }
 
-// the value of what is infinitely sharp; of integers, what no number of rounds uses up
+// the value of what is infinitely sharp, see sharpness_of()
 template <class Value>
 Value sharp_for_ever()
 {
@@ -122,10 +124,13 @@ public:
 private:
   using Value = typename Old_values<Map, Element>::Value;
 
-  // what is sharp for ever keeps its value
+  // what is sharp for ever keeps its value, and so does what is beyond the integers that `double` knows
   static Value value(double sharpness, const Value& old)
   {
-    return sharpness == infinite_sharpness ? old : Value(sharpness);
+    if (sharpness == infinite_sharpness) return old;
+    if constexpr (std::is_integral_v<Value>)
+      if (sharpness >= double((std::numeric_limits<Value>::max)())) return old;
+    return Value(sharpness);
   }
 
   // before anything is put

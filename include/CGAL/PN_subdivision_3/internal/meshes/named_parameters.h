@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/Default_visitor.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_constraint_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -25,11 +26,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-struct Default_visitor
-{
-  void round_done(unsigned, std::size_t) const {}
-};
 
 template <class T>
 T& unwrapped(T& t)

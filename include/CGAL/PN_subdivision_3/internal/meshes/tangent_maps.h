@@ -21,6 +21,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -92,7 +93,17 @@ private:
       throw std::invalid_argument("PN_subdivision_3: the tangent of " + name() +
                                   " is longer than 1: give unit vectors, or zero where the tangent "
                                   "is to be made");
+    if (is_shorter_than_tangents<FT, 3>(t) && !is_zero(t))
+      throw std::invalid_argument(
+        "PN_subdivision_3: the tangent of " + name() +
+        " is shorter than 1e-6, as of a map that has not been set: give unit vectors, and "
+        "CGAL::NULL_VECTOR where the tangent is to be made");
     return t;
+  }
+
+  static bool is_zero(const Coordinates<FT, 3>& t)
+  {
+    return std::all_of(t.begin(), t.end(), [](const FT& x) { return !CGAL::possibly(x != FT(0)); });
   }
 
   const Access& access_;

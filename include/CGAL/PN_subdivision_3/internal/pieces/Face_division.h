@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +51,8 @@ public:
         h = level.next(h);
       } while (h != first);
     }
+    is_uniform_ =
+      std::adjacent_find(corners_.begin(), corners_.end(), std::not_equal_to<>()) == corners_.end();
     divide(faces.data(), faces.data() + faces.size(), 0, number_of_pieces);
   }
 
@@ -64,20 +67,28 @@ private:
       return;
     }
     const std::size_t axis = longest_axis(begin, end);
-    std::sort(begin, end, [&](Index f, Index g) {
+    const auto is_before = [&](Index f, Index g) {
       return centers_[f][axis] != centers_[g][axis] ? centers_[f][axis] < centers_[g][axis] : f < g;
-    });
+    };
+    if (!is_uniform_) std::sort(begin, end, is_before);
+    const std::size_t half = number / 2;
+    Index* const middle = end_of_share(begin, end, double(half) / double(number));
+    if (is_uniform_ && middle != end) std::nth_element(begin, middle, end, is_before);
+    divide(begin, middle, first, half);
+    divide(middle, end, first + half, number - half);
+  }
+
+  // The order matters only where the faces have different numbers of corners.
+  Index* end_of_share(Index* begin, Index* end, double share) const
+  {
     double total = 0;
     for (const Index* f = begin; f != end; ++f) total += corners_[*f];
-    const std::size_t half = number / 2;
-    const double share = total * double(half) / double(number);
     Index* middle = begin;
-    for (double sum = corners_[*middle] / 2; middle != end && sum < share;) {
+    for (double sum = corners_[*middle] / 2; middle != end && sum < total * share;) {
       sum += corners_[*middle] / 2;
       if (++middle != end) sum += corners_[*middle] / 2;
     }
-    divide(begin, middle, first, half);
-    divide(middle, end, first + half, number - half);
+    return middle;
   }
 
   std::size_t longest_axis(const Index* begin, const Index* end) const
@@ -101,6 +112,7 @@ private:
   std::vector<std::size_t> piece_;
   std::vector<Center> centers_;
   std::vector<double> corners_;
+  bool is_uniform_ = false;
 };
 
 } // namespace internal

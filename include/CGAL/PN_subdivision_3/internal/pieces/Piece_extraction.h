@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_EXTRACTION_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
 
 #include <boost/container/vector.hpp>
@@ -21,22 +22,10 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-using Face_marks = std::vector<char>;
-
-// Marks the faces that share a vertex with a marked one, too.
-inline void add_ring(const Level_connectivity& level, Face_marks& is_marked)
-{
-  using Index = Level_connectivity::Index;
-  std::vector<char> is_touched(level.number_of_vertices(), 0);
-  for (Index h = 0; h < level.number_of_halfedges(); ++h)
-    if (!level.is_border(h) && is_marked[level.face(h)] != 0) is_touched[level.target(h)] = 1;
-  for (Index h = 0; h < level.number_of_halfedges(); ++h)
-    if (!level.is_border(h) && is_touched[level.target(h)] != 0) is_marked[level.face(h)] = 1;
-}
-
 // Some faces of a level as a level of their own. Elements keep their order, edges their orientation, faces
 // their first half-edge; so do vertices if all their faces are taken. Where faces are missing there is a
 // border, the rim; a vertex between whose faces some are missing is there several times.
+template <class Candidates>
 class Piece_extraction
 {
 public:
@@ -44,20 +33,23 @@ public:
   // tells the vertex of the whole level for each vertex
   using Old_vertices = boost::container::vector<Index>;
 
-  Piece_extraction(const Level_connectivity& whole, const Face_marks& is_taken,
+  // Both must stay.
+  Piece_extraction(const Level_connectivity& whole, const Candidates& candidates,
                    bool takes_isolated_vertices)
     : whole_(whole)
-    , is_taken_(is_taken)
+    , candidates_(candidates)
   {
     number_faces();
     number_edges();
-    for (Index v = 0; v < whole.number_of_vertices(); ++v)
+    for (Index i = 0; i < candidates.number_of_vertices(); ++i) {
+      const Index v = candidates.vertex(i);
       if (!whole.is_isolated(v))
         add_vertex(v);
       else if (takes_isolated_vertices) {
         add_copy(v, Level_connectivity::null);
         ++size_.isolated_vertices;
       }
+    }
     connect_faces();
     finish_vertices();
   }
@@ -66,7 +58,8 @@ public:
   const Old_vertices& old_vertices() const { return old_vertex_; }
 
   // of a vertex that is there several times the first one may be owned
-  Numbered_elements vertices(const Numbered_elements& whole) const
+  template <class Elements>
+  Numbered_elements vertices(const Elements& whole) const
   {
     Numbered_elements part(old_vertex_.size());
     for (Index v = 0; v < part.size(); ++v) {
@@ -76,15 +69,24 @@ public:
     }
     return part;
   }
-  Numbered_elements edges(const Numbered_elements& whole) const
+  template <class Elements>
+  Numbered_elements edges(const Elements& whole) const
   {
-    return part_of(whole, new_edge_, size_.edges);
+    Numbered_elements part(size_.edges);
+    for (Index i = 0; i < new_edge_.size(); ++i)
+      set(part, new_edge_[i], whole, candidates_.edge(i));
+    return part;
   }
-  Numbered_elements faces(const Numbered_elements& whole) const
+  template <class Elements>
+  Numbered_elements faces(const Elements& whole) const
   {
-    return part_of(whole, new_face_, size_.faces);
+    Numbered_elements part(size_.faces);
+    for (Index i = 0; i < new_face_.size(); ++i)
+      set(part, new_face_[i], whole, candidates_.face(i));
+    return part;
   }
-  Piece_elements elements(const Piece_elements& whole) const
+  template <class Elements>
+  Piece_elements elements(const Elements& whole) const
   {
     return {vertices(whole.vertices), edges(whole.edges), faces(whole.faces)};
   }
@@ -104,28 +106,32 @@ private:
   static constexpr Index null = Level_connectivity::null;
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
 
-  bool is_inside(Index h) const { return !whole_.is_border(h) && is_taken_[whole_.face(h)] != 0; }
+  bool is_inside(Index h) const
+  {
+    return !whole_.is_border(h) && candidates_.is_taken(whole_.face(h));
+  }
   Index new_halfedge(Index h) const
   {
-    return 2 * new_edge_[Level_connectivity::edge(h)] + (h & 1u);
+    return 2 * new_edge_[candidates_.place_of_edge(Level_connectivity::edge(h))] + (h & 1u);
   }
 
   void number_faces()
   {
-    new_face_.resize(whole_.number_of_faces(), boost::container::default_init);
+    new_face_.resize(candidates_.number_of_faces(), boost::container::default_init);
     Index faces = 0;
-    for (Index f = 0; f < whole_.number_of_faces(); ++f)
-      new_face_[f] = is_taken_[f] != 0 ? faces++ : null;
+    for (Index i = 0; i < new_face_.size(); ++i)
+      new_face_[i] = candidates_.is_taken(candidates_.face(i)) ? faces++ : null;
     size_.faces = faces;
   }
 
   void number_edges()
   {
-    new_edge_.resize(whole_.number_of_edges(), boost::container::default_init);
+    new_edge_.resize(candidates_.number_of_edges(), boost::container::default_init);
     Index edges = 0;
-    for (Index e = 0; e < whole_.number_of_edges(); ++e) {
+    for (Index i = 0; i < new_edge_.size(); ++i) {
+      const Index e = candidates_.edge(i);
       const int sides = int(is_inside(2 * e)) + int(is_inside(2 * e + 1));
-      new_edge_[e] = sides != 0 ? edges++ : null;
+      new_edge_[i] = sides != 0 ? edges++ : null;
       size_.corners += sides;
     }
     size_.edges = edges;
@@ -184,15 +190,20 @@ private:
 
   void connect_faces()
   {
-    for (Index h = 0; h < whole_.number_of_halfedges(); ++h)
-      if (is_inside(h)) {
-        const Index n = new_halfedge(h);
-        piece_.set_next(n, new_halfedge(whole_.next(h)));
-        piece_.set_face(n, new_face_[whole_.face(h)]);
-      }
-    for (Index f = 0; f < whole_.number_of_faces(); ++f)
-      if (new_face_[f] != null)
-        piece_.set_halfedge_of_face(new_face_[f], new_halfedge(whole_.halfedge_of_face(f)));
+    for (Index i = 0; i < new_edge_.size(); ++i)
+      for (const Index h : {2 * candidates_.edge(i), 2 * candidates_.edge(i) + 1})
+        if (is_inside(h)) connect(h);
+    for (Index i = 0; i < new_face_.size(); ++i)
+      if (new_face_[i] != null)
+        piece_.set_halfedge_of_face(new_face_[i],
+                                    new_halfedge(whole_.halfedge_of_face(candidates_.face(i))));
+  }
+
+  void connect(Index h)
+  {
+    const Index n = new_halfedge(h);
+    piece_.set_next(n, new_halfedge(whole_.next(h)));
+    piece_.set_face(n, new_face_[candidates_.place_of_face(whole_.face(h))]);
   }
 
   void finish_vertices()
@@ -204,17 +215,14 @@ private:
     Numbers().swap(halfedge_);
   }
 
-  static Numbered_elements part_of(const Numbered_elements& whole, const Numbers& numbers,
-                                   std::size_t size)
+  template <class Elements>
+  static void set(Numbered_elements& part, Index i, const Elements& whole, Index old)
   {
-    Numbered_elements part(size);
-    for (Index i = 0; i < numbers.size(); ++i)
-      if (numbers[i] != null) part.set(numbers[i], whole.number(i), whole.is_owned(i));
-    return part;
+    if (i != null) part.set(i, whole.number(old), whole.is_owned(old));
   }
 
   const Level_connectivity& whole_;
-  const Face_marks& is_taken_;
+  const Candidates& candidates_;
   Level_size size_;
   Level_connectivity piece_;
   Numbers new_face_, new_edge_, halfedge_;

@@ -13,16 +13,18 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -94,7 +96,8 @@ public:
 
   bool is_empty(std::size_t piece) const
   {
-    return faces_of_piece_[piece] == 0 && (piece != 0 || !has_isolated_vertices_);
+    return first_of_piece_[piece] == first_of_piece_[piece + 1] &&
+           (piece != 0 || isolated_vertices_.empty());
   }
 
   void refine(std::size_t piece, const Output& out) const
@@ -125,11 +128,7 @@ private:
       return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
                                    CGAL::to_double(p[2])};
     });
-    faces_of_piece_.assign(number_of_pieces, 0);
-    for (Index f = 0; f < level.number_of_faces(); ++f) {
-      piece_of_face_.push_back(division.piece_of_face(f));
-      ++faces_of_piece_[piece_of_face_.back()];
-    }
+    list_faces(division, number_of_pieces);
     first_face_.assign(level.number_of_vertices(), Level_connectivity::null);
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
       if (!level.is_border(h)) {
@@ -137,33 +136,65 @@ private:
         first = (std::min)(first, level.face(h));
       }
     for (Index v = 0; v < level.number_of_vertices(); ++v)
-      has_isolated_vertices_ = has_isolated_vertices_ || level.is_isolated(v);
+      if (level.is_isolated(v)) isolated_vertices_.push_back(v);
     // where sqrt(3) refines the border other faces lose the vertex to their neighbors
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
       if (level.is_border(h))
         first_face_[level.target(h)] = level.face(Level_connectivity::opposite(h));
   }
 
-  Piece_elements elements_of_base(std::size_t piece, const Face_marks& owned) const
+  // once for all pieces, none of which then looks through the level
+  void list_faces(const Face_division& division, std::size_t number_of_pieces)
   {
-    const Level_connectivity& level = base_.level();
-    Piece_elements elements = elements_of(level.size(), owned);
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      elements.vertices.set(v, v, level.is_isolated(v) ? piece == 0 : owned[first_face_[v]] != 0);
-    for (Index e = 0; e < level.number_of_edges(); ++e) {
-      const Index f = level.face(2 * e), g = level.face(2 * e + 1); // null is the greatest number
-      elements.edges.set(e, e, owned[(std::min)(f, g)] != 0);
+    const Index faces = base_.level().number_of_faces();
+    piece_of_face_.resize(faces);
+    first_of_piece_.assign(number_of_pieces + 1, 0);
+    for (Index f = 0; f < faces; ++f) {
+      piece_of_face_[f] = division.piece_of_face(f);
+      ++first_of_piece_[piece_of_face_[f] + 1];
     }
-    return elements;
+    std::partial_sum(first_of_piece_.begin(), first_of_piece_.end(), first_of_piece_.begin());
+    std::vector<Index> next(first_of_piece_.begin(), first_of_piece_.end() - 1);
+    faces_by_piece_.resize(faces);
+    for (Index f = 0; f < faces; ++f) faces_by_piece_[next[piece_of_face_[f]]++] = f;
+  }
+
+  // Elements of the level that is divided, which keep their numbers.
+  template <class Is_owned>
+  struct Base_elements
+  {
+    Is_owned is_owned;
+    Numbered_elements::Number number(Index i) const { return i; }
+  };
+  template <class Is_owned>
+  static Base_elements<Is_owned> base_elements(const Is_owned& is_owned)
+  {
+    return {is_owned};
   }
 
   Part first_part(std::size_t piece, bool has_isolated) const
   {
+    Candidate_tables::Table table = tables_.take(base_.level());
+    const Index* const faces = faces_by_piece_.data();
+    table->list(faces + first_of_piece_[piece], faces + first_of_piece_[piece + 1], rings_,
+                has_isolated ? isolated_vertices_ : std::vector<Index>());
+    Part part = first_part(piece, has_isolated, *table);
+    tables_.give_back(std::move(table));
+    return part;
+  }
+  Part first_part(std::size_t piece, bool has_isolated, const Listed_candidates& candidates) const
+  {
     const Level_connectivity& level = base_.level();
-    Face_marks owned(level.number_of_faces());
-    for (Index f = 0; f < level.number_of_faces(); ++f) owned[f] = piece_of_face_[f] == piece;
-    const Piece_elements elements = elements_of_base(piece, owned);
-    return with_rings(level, elements, base_.values(), has_isolated);
+    Piece_extraction<Listed_candidates> extraction(level, candidates, has_isolated);
+    const auto owns = [&](Index f) { return piece_of_face_[f] == piece; };
+    const auto vertices = base_elements(
+      [&](Index v) { return level.is_isolated(v) ? piece == 0 : owns(first_face_[v]); });
+    const auto edges = base_elements([&](Index e) { // null is the greatest number
+      return owns((std::min)(level.face(2 * e), level.face(2 * e + 1)));
+    });
+    Piece_elements elements{extraction.vertices(vertices), extraction.edges(edges),
+                            extraction.faces(base_elements(owns))};
+    return {std::move(extraction.piece()), std::move(elements), extraction.values(base_.values())};
   }
 
   // what is owned, and the rings around it
@@ -172,7 +203,8 @@ private:
   {
     Face_marks kept = owned_faces(elements.faces);
     for (unsigned i = 0; i < rings_; ++i) add_ring(level, kept);
-    Piece_extraction extraction(level, kept, has_isolated);
+    const All_candidates candidates(level, kept);
+    Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
     return {std::move(extraction.piece()), extraction.elements(elements),
             extraction.values(values)};
   }
@@ -213,15 +245,22 @@ private:
     const Refiner level = refiner(part, rounds_);
     const One_round one = level.next_round();
     const auto vertices = put_connectivity(level, one, part.elements, has_isolated, out);
-    level.evaluate(one, level.transfers(one), 0, static_cast<Index>(one.refined_size().vertices),
-                   [&](Index first, const Value* values, Index n) {
-                     auto it = std::lower_bound(vertices.begin(), vertices.end(), first);
-                     for (; it != vertices.end() && *it - first < n; ++it)
-                       out.put(static_cast<Index>(it - vertices.begin()), values[*it - first]);
-                   });
+    const auto put = [&](const Index* vertex, const Value* values, Index n) {
+      for (Index i = 0; i < n; ++i)
+        out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
+    };
+    if constexpr (One_round::has_transfers)
+      level.evaluate(one, level.transfers(one), 0, static_cast<Index>(one.refined_size().vertices),
+                     [&](Index first, const Value* values, Index n) {
+                       auto it = std::lower_bound(vertices.begin(), vertices.end(), first);
+                       for (; it != vertices.end() && *it - first < n; ++it)
+                         put(&*it, values + (*it - first), 1);
+                     });
+    else
+      level.evaluate(one, vertices.data(), static_cast<Index>(vertices.size()), put);
   }
 
-  typename Piece_extraction::Old_vertices
+  typename Piece_extraction<All_candidates>::Old_vertices
   put_connectivity(const Refiner& level, const One_round& one, const Piece_elements& elements,
                    bool has_isolated, const Output& out) const
   {
@@ -236,12 +275,13 @@ private:
   }
 
   // without the rings
-  static typename Piece_extraction::Old_vertices put(const Level_connectivity& level,
-                                                     const Piece_elements& elements,
-                                                     bool has_isolated, const Output& out)
+  static typename Piece_extraction<All_candidates>::Old_vertices
+  put(const Level_connectivity& level, const Piece_elements& elements, bool has_isolated,
+      const Output& out)
   {
     const Face_marks owned = owned_faces(elements.faces);
-    Piece_extraction extraction(level, owned, has_isolated);
+    const All_candidates candidates(level, owned);
+    Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
     Numbered_elements vertices = extraction.vertices(elements.vertices);
     Numbered_elements faces = extraction.faces(elements.faces);
     out.begin(extraction.piece(), vertices, faces);
@@ -263,8 +303,11 @@ private:
   For_chunks for_chunks_;
   Refiner base_;
   std::optional<Whole_levels<Host>> wholes_;
-  std::vector<std::size_t> piece_of_face_, faces_of_piece_; // of the level that is divided
-  bool has_isolated_vertices_ = false;
+  // of the level that is divided
+  std::vector<std::size_t> piece_of_face_;
+  std::vector<Index> faces_by_piece_, first_of_piece_; // in increasing order for each piece
+  mutable Candidate_tables tables_;
+  std::vector<Index> isolated_vertices_;
   std::vector<Index> first_face_; // the face that decides on the piece of each of its vertices
 };
 

@@ -102,7 +102,8 @@ private:
                                     Face_marks faces)
   {
     for (unsigned i = 0; i < rings; ++i) add_ring(level, faces);
-    Piece_extraction extraction(level, faces, false);
+    const All_candidates candidates(level, faces);
+    Piece_extraction<All_candidates> extraction(level, candidates, false);
     elements = extraction.elements(elements);
     own_edges(extraction.piece(), elements);
     return std::move(extraction.piece());

@@ -40,6 +40,7 @@ public:
   using One_round = Round<Scheme, Average>;
   using Value = typename One_round::Value;
   using Sink = typename One_round::Sink;
+  using List_sink = typename One_round::List_sink;
   using Transfers = typename One_round::Transfers;
   using Rows_sink = typename One_round::Rows_sink;
   // takes the child of a level, which is still there
@@ -118,6 +119,16 @@ public:
     for_chunks_(end - begin, [&](Index first, Index last) {
       const typename Precision::In_this_thread scope(precision);
       round.evaluate(begin + first, begin + last, values_.data(), transfers, sink, rows_sink);
+    });
+  }
+
+  // Only the new vertices that are listed, as their rows have them, without transfers.
+  void evaluate(const One_round& round, const Index* vertices, Index number, List_sink sink) const
+  {
+    const Precision precision;
+    for_chunks_(number, [&](Index first, Index last) {
+      const typename Precision::In_this_thread scope(precision);
+      round.evaluate(vertices + first, vertices + last, values_.data(), sink);
     });
   }
 

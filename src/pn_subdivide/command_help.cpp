@@ -1,0 +1,165 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "command_help.h"
+
+#include "io/mesh_io.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace pn_subdivide {
+namespace {
+
+constexpr std::size_t columns = 100;
+
+struct Option_group
+{
+  const char* title;
+  std::vector<std::string> options;
+};
+
+// In the order of the help; names that a command does not have are passed over.
+const std::vector<Option_group>& option_groups()
+{
+  static const std::vector<Option_group> groups = {
+    {"Common options",
+     {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--linear", "--limit", "--threads",
+      "--quiet", "--help"}},
+    {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
+    {"What is read",
+     {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
+    {"What is written",
+     {"--output-normals", "--surface-normals", "--curve-normals", "--curvature", "--texture-rule",
+      "--ascii", "--format", "--comb"}},
+    {"Limits and interpolation", {"--limit-tolerance", "--interpolate"}},
+    {"Schemes", {"--normal-scheme", "--tension", "--cap", "--first-round", "--tuned-valences"}},
+    {"Piece by piece", {"--memory", "--pieces", "--resume"}},
+    {"Checks and reports", {"--strict", "--report", "--verify", "--tolerance"}}};
+  return groups;
+}
+
+// The words of `text` in lines of at most `columns` characters, all but the first indented.
+std::string wrapped(const std::string& text, std::size_t indent)
+{
+  std::istringstream words(text);
+  std::string lines, word;
+  std::size_t column = indent;
+  while (words >> word) {
+    const bool is_first = column == indent;
+    if (!is_first && column + 1 + word.size() > columns) {
+      lines += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!is_first) {
+      lines += ' ';
+      ++column;
+    }
+    lines += word;
+    column += word.size();
+  }
+  return lines;
+}
+
+// A dot before each name: ".ply .off".
+std::string extensions(std::string formats)
+{
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    if (i == 0 || formats[i - 1] == ' ') formats.insert(i++, ".");
+  return formats;
+}
+
+std::string files_and_exit_codes()
+{
+  return "Meshes: reads " + extensions(readable_formats()) + ", writes " +
+         extensions(writable_formats()) +
+         ".\n"
+         "Exit code: 0 success; 1 failure, 2 wrong command line: one line on standard error tells why,\n"
+         "and OUTPUT is as it was; 3 the deviation exceeds --tolerance, 4 a warning with --strict: OUTPUT\n"
+         "is written.\n";
+}
+
+} // namespace
+
+std::string Command_help::make_help(const CLI::App* app, std::string name,
+                                    CLI::AppFormatMode mode) const
+{
+  if (app->get_parent() == nullptr || mode == CLI::AppFormatMode::Sub)
+    return CLI::Formatter::make_help(app, std::move(name), mode);
+  std::string help = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
+  std::vector<const CLI::Option*> options =
+    app->get_options([](const CLI::Option* option) { return option->nonpositional(); });
+  const auto add_group = [&](const std::string& title, const std::vector<const CLI::Option*>& group) {
+    if (!group.empty()) help += make_group(title, false, group);
+  };
+  for (const Option_group& group : option_groups()) {
+    std::vector<const CLI::Option*> members;
+    for (const std::string& member : group.options) {
+      const auto has_name = [&](const CLI::Option* option) { return option->check_name(member); };
+      const auto found = std::find_if(options.begin(), options.end(), has_name);
+      if (found == options.end()) continue;
+      members.push_back(*found);
+      options.erase(found);
+    }
+    add_group(group.title, members);
+  }
+  add_group("Other options", options);
+  return help + '\n' + make_footer(app);
+}
+
+std::string Command_help::make_option(const CLI::Option* option, bool is_positional) const
+{
+  std::string name = "  " + make_option_name(option, is_positional) +
+                     (is_positional ? std::string() : make_option_opts(option));
+  if (name.size() + 1 < name_column)
+    name.resize(name_column, ' ');
+  else
+    name += "\n" + std::string(name_column, ' ');
+  return name + wrapped(make_option_desc(option), name_column) + "\n";
+}
+
+std::string top_level_footer()
+{
+  return "What people look for, with any mesh in the place of part.obj:\n"
+         "  smooth it                pn_subdivide part.obj smooth.ply --levels 3\n"
+         "  keep its edges           pn_subdivide part.obj smooth.ply --levels 3 --sharp angle:40\n"
+         "  compare with the linear  pn_subdivide part.obj linear.ply --levels 3 --linear\n"
+         "  color by curvature       pn_subdivide part.obj color.ply --levels 3 --curvature mean\n"
+         "  pass through its points  pn_subdivide part.obj smooth.ply --levels 3 --interpolate slide\n"
+         "  mend what is broken      pn_subdivide part.stl smooth.ply --repair --merge-points\n"
+         "  faces by the million     pn_subdivide part.obj huge.ply --levels 10 --memory 2G\n"
+         "  a curve                  pn_subdivide curve polygon.txt curve.txt --levels 6\n"
+         "\n" +
+         files_and_exit_codes() +
+         "All options: pn_subdivide surface --help, pn_subdivide curve --help, man pn_subdivide.\n";
+}
+
+std::string surface_footer()
+{
+  return "Messages count vertices and faces from 0. The normals in OUTPUT are the control normals for a\n"
+         "further round. They are not those of the surface, from which they may be far off (up to 70\n"
+         "degrees on coarse meshes).\n" +
+         files_and_exit_codes() +
+         "\nExamples:\n"
+         "  pn_subdivide head.obj smooth.ply --levels 3\n"
+         "  pn_subdivide part.obj smooth.ply --levels 3 --sharp angle:40 --limit\n"
+         "  pn_subdivide part.stl smooth.ply --repair --merge-points --report smooth.json\n";
+}
+
+std::string curve_footer()
+{
+  return "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
+         "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here.\n"
+         "Missing normals are estimated. Messages count lines from 1.\n" +
+         files_and_exit_codes() +
+         "\nExamples:\n"
+         "  pn_subdivide curve bottle.txt smooth.txt --closed --levels 6\n"
+         "  pn_subdivide curve bottle.txt smooth.txt --scheme 4-point --closed --comb smooth.svg\n";
+}
+
+} // namespace pn_subdivide

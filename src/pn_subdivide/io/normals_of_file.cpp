@@ -1,0 +1,171 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "io/normals_of_file.h"
+
+#include "io/Different_values.h"
+#include "io/corner_normals.h"
+#include "io/face_normal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace pn_subdivide {
+namespace {
+
+bool is_zero(const Triple& n)
+{
+  return n[0] == 0 && n[1] == 0 && n[2] == 0;
+}
+
+// `function(corner, vertex, normal)` for each corner that has a normal.
+template <class Function>
+void for_each_normal(const Mesh_data& mesh, std::size_t f, const Function& function)
+{
+  std::size_t corner = mesh.first_corner(f);
+  for (const Mesh_data::Index v : mesh.face(f)) {
+    const Triple& n = mesh.has_corner_normals() ? mesh.corner_normals[corner] : mesh.normals[v];
+    if (!is_zero(n)) function(corner, v, n);
+    ++corner;
+  }
+}
+
+// Directions, where those that do not differ count once.
+class Directions
+{
+public:
+  void add(const Triple& normal)
+  {
+    if (normal == last_) return;
+    last_ = normal;
+    const Triple n = normalized(normal);
+    if (is_known(n)) return;
+    cells_[key({cell(n[0]), cell(n[1]), cell(n[2])})].push_back(n);
+    ++number_;
+  }
+  std::size_t number() const { return number_; }
+
+private:
+  static constexpr double size = 1. / 128,
+                          reach = 0.002; // directions that do not differ are closer
+
+  static int cell(double x) { return int(std::floor(x / size)); }
+  static std::uint32_t key(const std::array<int, 3>& cell)
+  {
+    std::uint32_t k = 0;
+    for (const int c : cell) k = k << 9u | std::uint32_t(c + 256);
+    return k;
+  }
+
+  bool is_known(const Triple& n) const
+  {
+    for (int i = cell(n[0] - reach); i <= cell(n[0] + reach); ++i)
+      for (int j = cell(n[1] - reach); j <= cell(n[1] + reach); ++j)
+        for (int k = cell(n[2] - reach); k <= cell(n[2] + reach); ++k) {
+          const auto found = cells_.find(key({i, j, k}));
+          if (found != cells_.end() &&
+              std::any_of(found->second.begin(), found->second.end(),
+                          [&n](const Triple& m) { return !directions_differ(m, n); }))
+            return true;
+        }
+    return false;
+  }
+
+  std::unordered_map<std::uint32_t, std::vector<Triple>> cells_;
+  Triple last_ = {0, 0, 0};
+  std::size_t number_ = 0;
+};
+
+double corner_angle(const Mesh_data& mesh, std::size_t f, std::size_t i)
+{
+  const Mesh_data::Face face = mesh.face(f);
+  const auto n = static_cast<std::size_t>(face.size());
+  const auto towards = [&](std::size_t j) {
+    return normalized(difference(mesh.points[face.begin()[j % n]], mesh.points[face.begin()[i]]));
+  };
+  const Triple a = towards(i + 1), b = towards(i + n - 1), c = cross_product(a, b);
+  return std::atan2(std::hypot(c[0], c[1], c[2]), scalar_product(a, b));
+}
+
+// Nearly all files have none, and this is soon known.
+bool has_opposing_corner(const Mesh_data& mesh)
+{
+  bool result = false;
+  for (std::size_t f = 0; f < mesh.number_of_faces() && !result; ++f) {
+    const Triple m = face_normal(mesh, f);
+    for_each_normal(mesh, f, [&](std::size_t, Mesh_data::Index, const Triple& n) {
+      result = result || scalar_product(m, n) < 0;
+    });
+  }
+  return result;
+}
+
+} // namespace
+
+bool are_all_zero(const Mesh_data& mesh)
+{
+  return std::all_of(mesh.normals.begin(), mesh.normals.end(), is_zero) &&
+         std::all_of(mesh.corner_normals.begin(), mesh.corner_normals.end(), is_zero);
+}
+
+Flat_shading find_flat_shading(const Mesh_data& mesh)
+{
+  if (!mesh.has_normals()) return {};
+  Directions directions;
+  bool is_flat = true;
+  for (std::size_t f = 0; f < mesh.number_of_faces() && is_flat; ++f) {
+    const Triple m = face_normal(mesh, f);
+    if (is_zero(m)) continue;
+    for_each_normal(mesh, f, [&](std::size_t, Mesh_data::Index, const Triple& n) {
+      is_flat = is_flat && !directions_differ(m, n);
+      if (is_flat) directions.add(n);
+    });
+  }
+  if (!is_flat || directions.number() == 0) return {};
+  return {directions.number(), mesh.number_of_faces()};
+}
+
+Opposing_normals find_opposing_normals(const Mesh_data& mesh)
+{
+  Opposing_normals result;
+  if (!mesh.has_normals() || !has_opposing_corner(mesh)) return result;
+  // equal normals of a vertex count once, and stand for all faces that have them
+  const bool of_corners = mesh.has_corner_normals();
+  std::vector<std::size_t> slot_of_corner;
+  std::vector<Mesh_data::Index> vertex_of_slot;
+  if (of_corners) {
+    Different_values different(mesh, mesh.corner_normals);
+    slot_of_corner = std::move(different.of_corner);
+    vertex_of_slot = std::move(different.vertex);
+  }
+  const std::size_t slots = of_corners ? vertex_of_slot.size() : mesh.points.size();
+  std::vector<double> along(slots, 0); // the normal times the sum of those of its faces
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Triple m = face_normal(mesh, f);
+    if (is_zero(m)) continue;
+    for_each_normal(mesh, f, [&](std::size_t corner, Mesh_data::Index v, const Triple& n) {
+      along[of_corners ? slot_of_corner[corner] : v] +=
+        corner_angle(mesh, f, corner - mesh.first_corner(f)) * scalar_product(normalized(n), m);
+    });
+  }
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    result.of += along[slot] != 0;
+    if (!(along[slot] < -1e-6)) continue; // nor those at a right angle but for rounding
+    const auto vertex = of_corners ? vertex_of_slot[slot] : Mesh_data::Index(slot);
+    result.first_vertex = result.number == 0 ? vertex : (std::min)(result.first_vertex, vertex);
+    ++result.number;
+  }
+  return result;
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,89 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVISION_3_TEST_PIECES_TEST_H
+#define PN_SUBDIVISION_3_TEST_PIECES_TEST_H
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+inline bool takes_triangles(const std::string& scheme)
+{
+  return scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" ||
+         scheme == "modified-loop";
+}
+
+class Pieces : public Command_test
+{
+protected:
+  // A wavy grid with a hole in it, in quads or triangles, and a vertex without faces.
+  void SetUp() override
+  {
+    std::string points, quads, triangles;
+    const auto name = [](int i, int j) { return std::to_string(i * 6 + j); };
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        points +=
+          std::to_string(i) + " " + std::to_string(j) + " 0." + std::to_string(i * j % 7) + "\n";
+    points += "9 9 9\n";
+    int faces = 0;
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) {
+        if (i == 2 && j == 3) continue;
+        const std::string a = name(i, j), b = name(i + 1, j), c = name(i + 1, j + 1),
+                          d = name(i, j + 1);
+        quads += "4 " + a + " " + b + " " + c + " " + d + "\n";
+        triangles += (i + j) % 2 == 0
+                       ? "3 " + a + " " + b + " " + c + "\n3 " + a + " " + c + " " + d
+                       : "3 " + a + " " + b + " " + d + "\n3 " + b + " " + c + " " + d;
+        triangles += "\n";
+        ++faces;
+      }
+    const auto off = [&](int number, const std::string& lines) {
+      return "OFF\n37 " + std::to_string(number) + " 0\n" + points + lines;
+    };
+    folder.write("quads.off", off(faces, quads));
+    folder.write("triangles.off", off(2 * faces, triangles));
+  }
+
+  std::string in_out(const std::string& scheme, const std::string& out) const
+  {
+    return "surface '" + folder.file(takes_triangles(scheme) ? "triangles.off" : "quads.off") +
+           "' '" + folder.file(out) + "' --quiet --scheme " + scheme + " ";
+  }
+
+  std::string content(const std::string& name) const
+  {
+    return Temporary_folder::content(folder.file(name));
+  }
+
+  std::string whole(const std::string& scheme, const std::string& options)
+  {
+    EXPECT_EQ(run(in_out(scheme, "whole.ply") + options).code, 0);
+    return content("whole.ply");
+  }
+
+  void expect_whole(const std::string& scheme, const std::string& options, const std::string& more,
+                    const std::string& before = "")
+  {
+    const std::string expected = whole(scheme, options);
+    std::filesystem::remove(folder.file("out.ply"));
+    const Outcome outcome = run(in_out(scheme, "out.ply") + options + " " + more, before);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options << " " << more;
+    EXPECT_EQ(folder.number_of_files(), 4u); // the two controls and the two results
+  }
+};
+
+#endif // PN_SUBDIVISION_3_TEST_PIECES_TEST_H

@@ -1,0 +1,477 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What normals in files are taken for: creases, smooth surfaces, or nothing that the faces do not say.
+
+#include "Command_test.h"
+
+#include "io/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+using Faces = std::vector<std::vector<int>>;
+
+Triple unit(const Triple& v)
+{
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+struct Shape
+{
+  std::vector<Triple> points;
+  Faces faces;
+
+  // that of its first, second and third corner; faces here are planar but for rounding
+  Triple normal(std::size_t f) const
+  {
+    const Triple &a = points[std::size_t(faces[f][0])], &b = points[std::size_t(faces[f][1])],
+                 &c = points[std::size_t(faces[f][2])];
+    const Triple u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                 v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    return unit({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+  }
+};
+
+// A tube of n sides and `rings` rings of quads, closed by two polygons if it has caps; along z.
+Shape tube(int n, int rings, bool caps)
+{
+  Shape s;
+  for (int j = 0; j <= rings; ++j)
+    for (int i = 0; i < n; ++i)
+      s.points.push_back({std::cos(2 * std::acos(-1.) * i / n),
+                          std::sin(2 * std::acos(-1.) * i / n), 2. * j / rings});
+  for (int j = 0; j < rings; ++j)
+    for (int i = 0; i < n; ++i)
+      s.faces.push_back(
+        {n * j + i, n * j + (i + 1) % n, n * (j + 1) + (i + 1) % n, n * (j + 1) + i});
+  if (!caps) return s;
+  std::vector<int> low, high;
+  for (int i = 0; i < n; ++i) {
+    low.push_back(n - 1 - i);
+    high.push_back(n * rings + i);
+  }
+  s.faces.push_back(low);
+  s.faces.push_back(high);
+  return s;
+}
+
+Shape triangulated(const Shape& shape)
+{
+  Shape s{shape.points, {}};
+  for (const std::vector<int>& f : shape.faces)
+    for (std::size_t i = 2; i < f.size(); ++i) s.faces.push_back({f[0], f[i - 1], f[i]});
+  return s;
+}
+
+// a box of which every side has m x m quads
+Shape box(int m)
+{
+  Shape s;
+  const auto number = [&](const Triple& p) {
+    const auto found = std::find(s.points.begin(), s.points.end(), p);
+    if (found != s.points.end()) return int(found - s.points.begin());
+    s.points.push_back(p);
+    return int(s.points.size() - 1);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int end : {0, 1})
+      for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j) {
+          std::vector<int> face;
+          for (const auto& [a, b] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+            Triple p{};
+            p[axis] = double(end);
+            p[(axis + 1) % 3] = double(i + (end == 1 ? a : b)) / m;
+            p[(axis + 2) % 3] = double(j + (end == 1 ? b : a)) / m;
+            face.push_back(number({2 * p[0], p[1], 1.5 * p[2]}));
+          }
+          s.faces.push_back(face);
+        }
+  return s;
+}
+
+// A sphere of quads and triangles round its poles.
+Shape ball(int n)
+{
+  Shape s;
+  const double pi = std::acos(-1.);
+  s.points.push_back({0, 0, -1});
+  for (int j = 1; j < n; ++j)
+    for (int i = 0; i < 2 * n; ++i)
+      s.points.push_back({std::sin(pi * j / n) * std::cos(pi * i / n),
+                          std::sin(pi * j / n) * std::sin(pi * i / n), -std::cos(pi * j / n)});
+  s.points.push_back({0, 0, 1});
+  const auto at = [n](int j, int i) { return 1 + 2 * n * (j - 1) + i % (2 * n); };
+  for (int i = 0; i < 2 * n; ++i) {
+    s.faces.push_back({0, at(1, i + 1), at(1, i)});
+    for (int j = 1; j + 1 < n; ++j)
+      s.faces.push_back({at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
+    s.faces.push_back({at(n - 1, i), at(n - 1, i + 1), int(s.points.size()) - 1});
+  }
+  return s;
+}
+
+// With a normal for each face, rounded as files are; turned by `degrees` at one corner of each.
+std::string flat_obj(const Shape& s, int digits, double degrees = 0)
+{
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+  obj.precision(digits);
+  obj << std::fixed;
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    const Triple n = s.normal(f), m = unit({n[1] - n[2], n[2] - n[0], n[0] - n[1]});
+    const double t = std::tan(degrees * std::acos(-1.) / 180);
+    const bool has_turned = std::isfinite(m[0]);
+    const Triple turned =
+      has_turned ? unit({n[0] + t * m[0], n[1] + t * m[1], n[2] + t * m[2]}) : n;
+    for (const Triple& v : {n, turned}) obj << "vn " << v[0] << ' ' << v[1] << ' ' << v[2] << "\n";
+  }
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    obj << "f";
+    for (std::size_t i = 0; i < s.faces[f].size(); ++i)
+      obj << ' ' << s.faces[f][i] + 1 << "//" << 2 * f + (i == 0 ? 2 : 1);
+    obj << "\n";
+  }
+  return obj.str();
+}
+
+std::string plain_obj(const Shape& s)
+{
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+  for (const std::vector<int>& f : s.faces) {
+    obj << "f";
+    for (const int v : f) obj << ' ' << v + 1;
+    obj << "\n";
+  }
+  return obj.str();
+}
+
+std::string with_vertex_normals(const Shape& s, const std::vector<Triple>& normals)
+{
+  std::ostringstream off;
+  off.precision(17);
+  off << "NOFF\n" << s.points.size() << ' ' << s.faces.size() << " 0\n";
+  for (std::size_t v = 0; v < s.points.size(); ++v) {
+    for (const double x : s.points[v]) off << x << ' ';
+    for (const double x : normals[v]) off << x << ' ';
+    off << "\n";
+  }
+  for (const std::vector<int>& f : s.faces) {
+    off << f.size();
+    for (const int v : f) off << ' ' << v;
+    off << "\n";
+  }
+  return off.str();
+}
+
+class Pn_subdivide_file_normals : public Command_test
+{
+protected:
+  Outcome surface(const std::string& input, const std::string& options,
+                  const std::string& output = "out.obj") const
+  {
+    const Outcome outcome = run("surface '" + input + "' '" + folder.file(output) + "' " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome;
+  }
+  // The file that it makes.
+  std::string refined(const std::string& input, const std::string& options) const
+  {
+    surface(input, "--quiet " + options);
+    return Temporary_folder::content(folder.file("out.obj"));
+  }
+  static void expect_part(const std::string& text, const std::string& part)
+  {
+    EXPECT_NE(text.find(part), std::string::npos) << text << "lacks: " << part;
+  }
+  static void expect_no_part(const std::string& text, const std::string& part)
+  {
+    EXPECT_EQ(text.find(part), std::string::npos) << text << "has: " << part;
+  }
+};
+
+struct Case
+{
+  std::string name;
+  Shape shape;
+  std::size_t normals; // different ones
+  int creases;         // -1: none
+};
+
+// The rule: at most 6 different normals, or at least 20 faces for each.
+std::vector<Case> flat_shapes()
+{
+  return {{"a box", box(1), 6, 12},
+          {"a fine box", box(4), 6, 48},
+          {"a box of triangles", triangulated(box(1)), 6, 12},
+          {"a triangular prism", tube(3, 1, true), 5, 9},
+          {"a prism with four sides", tube(4, 1, true), 6, 12},
+          {"a prism with five", tube(5, 1, true), 7, -1},
+          {"an open pipe", tube(6, 1, false), 6, 6},
+          {"an open pipe with seven sides", tube(7, 1, false), 7, -1},
+          {"large sides", tube(12, 23, true), 14, 12 * 23 + 24}, // 278 faces, 14 normals: 19.9
+          {"larger sides", tube(12, 24, true), 14, 12 * 24 + 24},
+          {"a triangulated pipe", triangulated(tube(60, 2, false)), 60, -1},
+          {"a ball", ball(8), 128, -1}};
+}
+
+} // namespace
+
+TEST_F(Pn_subdivide_file_normals, FlatShadingMakesCreasesOfFewOrLargeSides)
+{
+  for (const Case& c : flat_shapes()) {
+    SCOPED_TRACE(c.name);
+    const bool has_creases =
+      c.normals <= 6 || double(c.shape.faces.size()) / double(c.normals) >= 20;
+    for (const int digits : {4, 15}) {
+      const std::string input = folder.write("flat.obj", flat_obj(c.shape, digits));
+      const Outcome outcome = surface(input, "--scheme catmull-clark");
+      expect_part(outcome.err, "for flat shading (" + std::to_string(c.normals) + " different on " +
+                                 std::to_string(c.shape.faces.size()) + " faces)");
+      if (has_creases) {
+        expect_part(outcome.err, std::to_string(c.creases) + " edges where they differ, taken for");
+        expect_part(outcome.err,
+                    "normals of the file, " + std::to_string(c.creases) + " sharp edges");
+      } else {
+        expect_part(outcome.err, "--sharp file");
+        expect_part(outcome.err, "estimated normals");
+        expect_no_part(outcome.err, "sharp edges");
+        expect_no_part(outcome.err, "warning");
+        // as if the file had none
+        const std::string plain = folder.write("plain.obj", plain_obj(c.shape));
+        for (const std::string options :
+             {"--levels 0", "--levels 2", "--levels 1 --sharp none", "--levels 1 --sharp angle:50",
+              "--levels 1 --scheme doo-sabin", "--levels 1 --linear", "--levels 1 --normals angle"})
+          EXPECT_EQ(refined(input, options), refined(plain, options)) << options;
+      }
+      expect_part(surface(input, "--sharp file").err, " sharp edges");
+    }
+  }
+}
+
+// A corner that is off by more than 0.1 degrees is somebody's work.
+TEST_F(Pn_subdivide_file_normals, ATenthOfADegreeIsFlat)
+{
+  const Shape pipe = triangulated(tube(60, 2, false));
+  expect_part(surface(folder.write("a.obj", flat_obj(pipe, 15, 0.09)), "").err, "flat shading");
+  const Outcome outcome = surface(folder.write("b.obj", flat_obj(pipe, 15, 0.12)), "");
+  expect_no_part(outcome.err, "flat shading");
+  expect_part(outcome.err, "sharp edges");
+}
+
+// Each edge of a capped cylinder of quads that is worth it: few of its edges are smooth, none is flat.
+TEST_F(Pn_subdivide_file_normals, CreasesOfOtherFilesMayBeMany)
+{
+  const int n = 12;
+  const Shape s = tube(n, 1, true);
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const Triple& p : s.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+  for (int i = 0; i < n; ++i)
+    obj << "vn " << s.points[std::size_t(i)][0] << ' ' << s.points[std::size_t(i)][1] << " 0\n";
+  obj << "vn 0 0 -1\nvn 0 0 1\n";
+  for (std::size_t f = 0; f < s.faces.size(); ++f) {
+    obj << "f";
+    for (const int v : s.faces[f])
+      obj << ' ' << v + 1 << "//" << (f < std::size_t(n) ? v % n + 1 : n + 1 + int(f) - n);
+    obj << "\n";
+  }
+  const std::string input = folder.write("cylinder.obj", obj.str());
+  const Outcome outcome = surface(input, "--levels 3", "out.obj"); // 24 of 36 inner edges
+  expect_part(outcome.err, "the normals in the file differ at 24 edges, taken for creases");
+  expect_part(outcome.err, "24 sharp edges");
+  expect_no_part(outcome.err, "warning");
+  for (const Triple& p : read_mesh(folder.file("out.obj")).points) {
+    const double off_side = std::abs(std::hypot(p[0], p[1]) - 1);
+    EXPECT_TRUE(off_side < 1e-14 || p[2] == 0 || p[2] == 2);
+    EXPECT_LE(std::hypot(p[0], p[1]), 1 + 1e-14);
+  }
+  EXPECT_EQ(refined(input, "--levels 2 --sharp file"), refined(input, "--levels 2"));
+}
+
+TEST_F(Pn_subdivide_file_normals, FileInsists)
+{
+  const Shape pipe = tube(8, 2, false);
+  const std::string input = folder.write("flat.obj", flat_obj(pipe, 15));
+  const Outcome outcome = surface(input, "--normals file");
+  expect_part(outcome.err, "24 vertices have several normals; their normalized sum is taken");
+  expect_part(outcome.err, "normals of the file");
+  EXPECT_NE(refined(input, "--levels 1 --normals file"), refined(input, "--levels 1"));
+}
+
+// Normals of vertices are flat shading as well where every face has vertices of its own.
+TEST_F(Pn_subdivide_file_normals, FlatShadingOfVertices)
+{
+  const Shape joined = ball(6);
+  Shape split;
+  std::vector<Triple> normals;
+  for (std::size_t f = 0; f < joined.faces.size(); ++f) {
+    split.faces.emplace_back();
+    for (const int v : joined.faces[f]) {
+      split.faces.back().push_back(int(split.points.size()));
+      split.points.push_back(joined.points[std::size_t(v)]);
+      normals.push_back(joined.normal(f));
+    }
+  }
+  const std::string input = folder.write("flat.off", with_vertex_normals(split, normals));
+  const Outcome outcome = surface(input, "--merge-points");
+  expect_part(outcome.err, "for flat shading (72 different on 72 faces): ");
+  expect_part(outcome.err, "estimated normals");
+  const std::string plain = folder.write("plain.obj", plain_obj(split));
+  EXPECT_EQ(refined(input, "--levels 2 --merge-points"),
+            refined(plain, "--levels 2 --merge-points"));
+}
+
+// Splitting faces does not make other normals of them, nor does turning them.
+TEST_F(Pn_subdivide_file_normals, FlatShadingIsThatOfTheFacesInTheFile)
+{
+  Shape wavy; // none of its faces is planar
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 6; ++i)
+      wavy.points.push_back({double(i), double(j), std::sin(1.3 * i) * std::cos(1.7 * j)});
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i)
+      wavy.faces.push_back({6 * j + i, 6 * j + i + 1, 6 * j + i + 7, 6 * j + i + 6});
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const Triple& p : wavy.points) obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+  for (const std::vector<int>& f : wavy.faces) { // of the area vector: the product of the diagonals
+    const auto diagonal = [&](std::size_t i) {
+      const Triple &a = wavy.points[std::size_t(f[i])], &b = wavy.points[std::size_t(f[i + 2])];
+      return Triple{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    };
+    const Triple d = diagonal(0), e = diagonal(1);
+    obj << "vn " << d[1] * e[2] - d[2] * e[1] << ' ' << d[2] * e[0] - d[0] * e[2] << ' '
+        << d[0] * e[1] - d[1] * e[0] << "\n";
+  }
+  std::string plain = plain_obj(wavy), flat = obj.str();
+  for (std::size_t f = 0; f < wavy.faces.size(); ++f) {
+    flat += "f";
+    for (const int v : wavy.faces[f])
+      flat += " " + std::to_string(v + 1) + "//" + std::to_string(f + 1);
+    flat += "\n";
+  }
+  const std::string input = folder.write("flat.obj", flat), other = folder.write("p.obj", plain);
+  expect_part(surface(input, "--triangulate").err, "for flat shading (25 different on 25 faces)");
+  EXPECT_EQ(refined(input, "--levels 2 --triangulate"), refined(other, "--levels 2 --triangulate"));
+}
+
+// --- normals that are none ---
+
+TEST_F(Pn_subdivide_file_normals, ZeroEverywhereIsNone)
+{
+  const Shape pipe = tube(8, 2, false);
+  const std::string plain = folder.write("plain.obj", plain_obj(pipe));
+  const std::vector<Triple> zero(pipe.points.size(), Triple{0, 0, 0});
+  std::string obj;
+  std::istringstream lines(plain_obj(pipe) + "vn 0 0 0\n");
+  for (std::string line; std::getline(lines, line); obj += line + "\n") {
+    if (line[0] != 'f') continue;
+    for (std::size_t i = line.find(' ', 2); i != std::string::npos; i = line.find(' ', i + 4))
+      line.insert(i, "//1");
+    line += "//1";
+  }
+  for (const std::string& input :
+       {folder.write("zero.off", with_vertex_normals(pipe, zero)), folder.write("zero.obj", obj)})
+    for (const std::string sharp : {"", " --sharp angle:30", " --border curve"}) {
+      const Outcome outcome = surface(input, sharp);
+      expect_part(outcome.err, "the normals of the file are all zero");
+      expect_part(outcome.err, "estimated normals");
+      expect_no_part(outcome.err, ", normals of the file");
+      EXPECT_EQ(refined(input, "--levels 2" + sharp), refined(plain, "--levels 2" + sharp));
+      expect_part(surface(input, "--normals file" + sharp).err,
+                  "no normals, those of the file are zero");
+    }
+}
+
+// --- normals that oppose their faces ---
+
+TEST_F(Pn_subdivide_file_normals, ThoseThatOpposeTheirFacesAreCounted)
+{
+  const Shape s = ball(8);
+  for (const std::size_t step : {1u, 7u, 20u}) {
+    std::vector<Triple> normals = s.points;
+    std::size_t turned = 0;
+    for (std::size_t v = 3 % step; v < normals.size(); v += step, ++turned)
+      for (double& x : normals[v]) x = -x;
+    const std::string input = folder.write("turned.off", with_vertex_normals(s, normals));
+    for (const std::string options : {"--quiet", "--quiet --sharp angle:80", "--quiet --levels 0"})
+      expect_part(surface(input, options).err,
+                  "warning: " + input + ": " + std::to_string(turned) + " of " +
+                    std::to_string(normals.size()) +
+                    " normals point against the faces (first: at vertex " +
+                    std::to_string(3 % step) + ")");
+    for (const std::string options : {"--normals estimate", "--normals sphere:0,0,0", "--linear"})
+      expect_no_part(surface(input, options).err, "point against");
+  }
+  EXPECT_EQ(surface(folder.write("good.off", with_vertex_normals(s, s.points)), "--quiet").err, "");
+}
+
+TEST_F(Pn_subdivide_file_normals, ThoseOfCornersAreCountedToo)
+{
+  Shape s = box(1);
+  std::string obj = flat_obj(s, 15);
+  std::swap(s.faces[3][1], s.faces[3][3]); // its normal is now that of the other side
+  std::string turned = flat_obj(s, 15);
+  obj.replace(obj.find("vn"), obj.find("f ") - obj.find("vn"),
+              turned.substr(turned.find("vn"), turned.find("f ") - turned.find("vn")));
+  const std::string input = folder.write("box.obj", obj);
+  expect_part(surface(input, "--quiet --sharp angle:50").err, "4 of 24 normals point against");
+}
+
+// --- with creases ---
+
+// Without normals in the file every other source is what is asked for.
+TEST_F(Pn_subdivide_file_normals, EverySourceIsHonoredWithCreases)
+{
+  Shape s = tube(9, 3, true);
+  for (Triple& p : s.points) // uneven, so that estimates differ
+    p = {p[0] * (1 + 0.2 * p[2]), p[1], p[2] + 0.1 * p[0]};
+  const std::string plain = folder.write("plain.obj", plain_obj(s));
+  const auto inner_normals = [&](const std::string& options, const std::string& input) {
+    surface(input, "--quiet --levels 0 --sharp angle:60 " + options);
+    const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
+    return std::vector<Triple>(all.begin() + 9, all.begin() + 27); // on no crease
+  };
+  const auto difference = [](const std::vector<Triple>& a, const std::vector<Triple>& b) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        greatest = (std::max)(greatest, std::abs(a[i][k] - b[i][k]));
+    return greatest;
+  };
+  const auto smooth = [&](const std::string& options) { // far from creases nothing is different
+    surface(plain, "--quiet --levels 0 --sharp none " + options);
+    const std::vector<Triple> all = read_mesh(folder.file("out.obj")).normals;
+    return std::vector<Triple>(all.begin() + 9, all.begin() + 27);
+  };
+  const std::vector<Triple> normals(s.points.size(), Triple{0, 0, 1});
+  const std::string given = folder.write("given.off", with_vertex_normals(s, normals));
+  for (const std::string options :
+       {"--normals angle", "--normals sphere:0.1,0,1", "--normals cylinder:0,0,0,0,0.1,1"})
+    for (const std::string& input : {plain, given}) {
+      EXPECT_LE(difference(inner_normals(options, input), smooth(options)), 1e-12) << options;
+      EXPECT_GE(difference(inner_normals(options, input), inner_normals("", plain)), 1e-3)
+        << options;
+    }
+}

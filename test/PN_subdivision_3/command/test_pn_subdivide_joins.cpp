@@ -1,0 +1,417 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Points that are joined, and those that are left apart although borders lie on each other.
+
+#include "Command_test.h"
+
+#include "io/mesh_io.h"
+#include "io/near_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+using Triangle = std::array<Triple, 3>;
+
+// The boundary of a box with sides of m x m squares, each of two triangles; `corner(triangle, corner)` is added to
+// a corner.
+using Shift = std::function<Triple(std::size_t, std::size_t)>;
+std::vector<Triangle> box(int m, const Triple& low, double size, const Shift& shift)
+{
+  std::vector<Triangle> triangles;
+  const auto add = [&](Triangle t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Triple d = shift(triangles.size(), i);
+      for (std::size_t k = 0; k < 3; ++k) t[i][k] = low[k] + size * t[i][k] / m + d[k];
+    }
+    triangles.push_back(t);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int end : {0, m})
+      for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j) {
+          const auto at = [&](int a, int b) {
+            Triple p{};
+            p[axis] = end;
+            p[(axis + 1) % 3] = i + (end == 0 ? b : a);
+            p[(axis + 2) % 3] = j + (end == 0 ? a : b);
+            return p;
+          };
+          add({at(0, 0), at(1, 0), at(1, 1)});
+          add({at(0, 0), at(1, 1), at(0, 1)});
+        }
+  return triangles;
+}
+
+Triple none(std::size_t, std::size_t)
+{
+  return {0, 0, 0};
+}
+
+// Text, with as many digits as binary files have or with all.
+std::string stl(const std::vector<Triangle>& triangles, bool is_float)
+{
+  std::ostringstream s;
+  s.precision(17);
+  s << "solid box\n";
+  for (const Triangle& t : triangles) {
+    s << "facet normal 0 0 0\nouter loop\n";
+    for (const Triple& p : t) {
+      s << "vertex";
+      for (const double x : p) s << ' ' << (is_float ? double(float(x)) : x);
+      s << "\n";
+    }
+    s << "endloop\nendfacet\n";
+  }
+  return s.str() + "endsolid box\n";
+}
+
+// Every triangle has vertices of its own.
+std::string split_off(const std::vector<Triangle>& triangles)
+{
+  std::ostringstream s;
+  s.precision(17);
+  s << "OFF\n" << 3 * triangles.size() << ' ' << triangles.size() << " 0\n";
+  for (const Triangle& t : triangles)
+    for (const Triple& p : t) s << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    s << "3 " << 3 * f << ' ' << 3 * f + 1 << ' ' << 3 * f + 2 << "\n";
+  return s.str();
+}
+
+class Pn_subdivide_joins : public Command_test
+{
+protected:
+  Outcome surface(const std::string& input, const std::string& options = "") const
+  {
+    return run("surface '" + input + "' '" + folder.file("out.ply") + "' --levels 0 " + options);
+  }
+  Mesh_data joined(const std::string& input, const std::string& options = "") const
+  {
+    const Outcome outcome = surface(input, "--quiet " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_mesh(folder.file("out.ply"));
+  }
+  static void expect_part(const std::string& text, const std::string& part)
+  {
+    EXPECT_NE(text.find(part), std::string::npos) << text << "lacks: " << part;
+  }
+  static void expect_no_part(const std::string& text, const std::string& part)
+  {
+    EXPECT_EQ(text.find(part), std::string::npos) << text << "has: " << part;
+  }
+};
+
+// of a box, closed
+std::size_t vertices_of_box(int m)
+{
+  return std::size_t(6 * m * m + 2);
+}
+
+} // namespace
+
+// --- cracks ---
+
+TEST_F(Pn_subdivide_joins, StlWithinFourUnitsOfTheLastPlace)
+{
+  for (const double far : {0., 1000., -1e-3, 1e6})
+    for (const double ulps : {0.9, 3.}) {
+      SCOPED_TRACE(std::to_string(far) + ", " + std::to_string(ulps));
+      const double size = std::abs(far) > 1e5 ? 1000 : 2; // so that sides stay far longer
+      const double largest = (std::max)(std::abs(far), std::abs(far + size));
+      const double ulp = std::ldexp(1., std::ilogb(largest) - 23);
+      std::mt19937 random(7);
+      const auto crack = [&](std::size_t, std::size_t) -> Triple {
+        // in a direction of its own, so that no two are more than `ulps` apart
+        return {random() % 4 == 0 ? ulps * ulp : 0., 0, 0};
+      };
+      const std::string input = folder.write("a.stl", stl(box(3, {far, 0, 0}, size, crack), false));
+      EXPECT_EQ(joined(input).points.size(), vertices_of_box(3));
+      expect_part(surface(input).err, " joined with one within ");
+      expect_no_part(surface(input).err, "warning");
+      // as asked for
+      const std::string apart = "--repair --merge-distance 0";
+      EXPECT_GT(joined(input, apart).points.size(), vertices_of_box(3));
+      expect_part(surface(input, apart).err, "border edges lie on others but for");
+    }
+}
+
+TEST_F(Pn_subdivide_joins, StlBeyondThatIsLeftOpenAndSaid)
+{
+  const auto crack = [](std::size_t t, std::size_t) -> Triple {
+    return {0, 0, t == 5 ? 8e-7 : 0}; // more than 4 * 2^-23
+  };
+  const std::string input = folder.write("a.stl", stl(box(2, {0, 0, 0}, 1, crack), false));
+  const Outcome outcome = surface(input, "--quiet");
+  EXPECT_EQ(joined(input).points.size(), vertices_of_box(2) + 3);
+  expect_part(outcome.err,
+              " border edges lie on others but for rounding: --merge-distance 0.0001%");
+  EXPECT_EQ(joined(input, "--merge-distance 1e-6").points.size(), vertices_of_box(2));
+  EXPECT_EQ(joined(input, "--merge-distance 0.0001%").points.size(), vertices_of_box(2));
+  EXPECT_EQ(surface(input, "--quiet --merge-distance 1e-6").err, "");
+}
+
+// A closed file has nothing to join, however small its triangles are.
+TEST_F(Pn_subdivide_joins, ClosedStlIsReadAsItIs)
+{
+  const std::vector<Triangle> tiny = box(4, {1000, 1000, 1000}, 4 * std::ldexp(1., -14), none);
+  const std::string input = folder.write("tiny.stl", stl(tiny, true));
+  const Outcome outcome = surface(input);
+  EXPECT_EQ(joined(input).points.size(), vertices_of_box(4)); // a unit of the last place each
+  expect_no_part(outcome.err, "joined");
+  expect_no_part(outcome.err, "border");
+}
+
+TEST_F(Pn_subdivide_joins, NeverTwoCornersOfAFacet)
+{
+  std::vector<Triangle> strip; // thin triangles; their short sides are below the distance
+  for (int i = 0; i < 5; ++i)
+    strip.push_back({{{10. * i, 0, 0}, {10. * i + 1, 0, 0}, {10. * i, 3e-7, 0}}});
+  for (const std::string& input :
+       {folder.write("a.stl", stl(strip, false)), folder.write("a.off", split_off(strip))})
+    for (const std::string options : {"", "--merge-distance 4e-7", "--merge-distance 1e-5"}) {
+      const Outcome outcome = surface(input, options);
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_EQ(read_mesh(folder.file("out.ply")).number_of_faces(), 5u) << options;
+    }
+}
+
+// What is joined and what is not, on soups of triangles with no order at all.
+TEST(Near_points, AreJoinedUnlessAFaceHasBoth)
+{
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    Mesh_data mesh;
+    for (int i = 0; i < 60; ++i) mesh.points.push_back({uniform(random), uniform(random), 0});
+    for (int f = 0; f < 25; ++f) {
+      std::vector<Mesh_data::Index> face;
+      while (face.size() < 3) {
+        const auto v = Mesh_data::Index(random() % 60);
+        if (std::find(face.begin(), face.end(), v) == face.end()) face.push_back(v);
+      }
+      mesh.add_face(face);
+    }
+    const double distance = 0.08;
+    const std::vector<Mesh_data::Index> first = first_near(mesh, distance);
+    std::size_t number_joined = 0;
+    const auto share_a_face = [&](Mesh_data::Index a, Mesh_data::Index b) {
+      for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+        bool has_a = false, has_b = false;
+        for (const Mesh_data::Index v : mesh.face(f)) {
+          has_a = has_a || first[v] == a;
+          has_b = has_b || first[v] == b;
+        }
+        if (has_a && has_b) return true;
+      }
+      return false;
+    };
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      std::set<Mesh_data::Index> corners;
+      for (const Mesh_data::Index v : mesh.face(f)) corners.insert(first[v]);
+      EXPECT_EQ(corners.size(), 3u);
+    }
+    for (Mesh_data::Index a = 0; a < 60; ++a) {
+      EXPECT_LE(first[a], a);
+      EXPECT_EQ(first[first[a]], first[a]);
+      number_joined += first[a] != a;
+      for (Mesh_data::Index b = 0; b < a; ++b) {
+        const Triple &p = mesh.points[a], &q = mesh.points[b];
+        if (std::hypot(p[0] - q[0], p[1] - q[1]) <= distance && first[a] != first[b]) {
+          EXPECT_TRUE(share_a_face(first[a], first[b])) << a << ' ' << b;
+        }
+      }
+    }
+    EXPECT_GT(number_joined, 0u);
+  }
+}
+
+TEST_F(Pn_subdivide_joins, EveryFormatWithADistance)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> noise(-1e-4, 1e-4);
+  const auto shift = [&](std::size_t, std::size_t) -> Triple {
+    return {noise(random), noise(random), noise(random)};
+  };
+  const std::vector<Triangle> triangles = box(3, {0, 0, 0}, 3, shift);
+  const std::string off = folder.write("a.off", split_off(triangles));
+  ASSERT_EQ(
+    run("surface '" + off + "' '" + folder.file("a.ply") + "' --levels 0 --normals none").code, 0);
+  ASSERT_EQ(
+    run("surface '" + off + "' '" + folder.file("a.obj") + "' --levels 0 --normals none").code, 0);
+  for (const std::string& input : {off, folder.file("a.ply"), folder.file("a.obj"),
+                                   folder.write("a.stl", stl(triangles, false))})
+    for (const std::string distance : {"4e-4", "0.01%"}) {
+      EXPECT_EQ(joined(input, "--merge-distance " + distance).points.size(), vertices_of_box(3));
+      EXPECT_GT(joined(input, "--merge-distance 1e-7").points.size(), vertices_of_box(3));
+      expect_no_part(surface(input, "--merge-distance " + distance).err, "border edge");
+    }
+}
+
+TEST_F(Pn_subdivide_joins, DistancesThatAreNone)
+{
+  const std::string input = folder.write("a.off", split_off(box(1, {0, 0, 0}, 1, none)));
+  for (const std::string distance : {"-1", "-1%", "x", "nan", "inf", "''", "%", "1%%", "1,2"})
+    expect_one_line(surface(input, "--merge-distance=" + distance), 2, "--merge-distance");
+  std::mt19937 random(3);
+  const auto noise = [&](std::size_t, std::size_t) -> Triple {
+    return {1e-6 * double(random() % 1000), 0, 0};
+  };
+  expect_one_line(surface(folder.write("b.off", split_off(box(20, {0, 0, 0}, 1, noise))),
+                          "--merge-distance 200%"),
+                  1, "too large for this mesh");
+}
+
+// --- what is open ---
+
+TEST_F(Pn_subdivide_joins, SplitVerticesAreSaid)
+{
+  const std::vector<Triangle> triangles = box(2, {0, 0, 0}, 1, none);
+  const std::string off = folder.write("a.off", split_off(triangles));
+  ASSERT_EQ(
+    run("surface '" + off + "' '" + folder.file("a.ply") + "' --levels 0 --normals none").code, 0);
+  ASSERT_EQ(
+    run("surface '" + off + "' '" + folder.file("a.obj") + "' --levels 0 --normals none").code, 0);
+  for (const std::string& input : {off, folder.file("a.ply"), folder.file("a.obj")}) {
+    expect_part(surface(input, "--quiet").err,
+                "warning: " + input +
+                  ": 144 of 144 border edges lie on others: --merge-points joins them\n");
+    EXPECT_EQ(surface(input, "--quiet --merge-points").err, "");
+    EXPECT_EQ(joined(input, "--merge-points").points.size(), vertices_of_box(2));
+  }
+  // only where they do: two squares with a common side, one apart
+  const std::string some =
+    folder.write("some.off", "OFF\n12 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n"
+                             "5 0 0\n6 0 0\n6 1 0\n5 1 0\n4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n");
+  expect_part(surface(some, "--quiet").err, ": 2 of 12 border edges lie on others: --merge-points");
+  // borders that lie on nothing are what they are, and closed meshes have none
+  EXPECT_EQ(surface(PN_DATA_DIR "/sphere_cap.ply", "--quiet").err, "");
+  EXPECT_EQ(surface(PN_DATA_DIR "/cube.off", "--quiet").err, "");
+}
+
+TEST_F(Pn_subdivide_joins, TJunctionsAreSaid)
+{
+  // a square beside two half ones
+  const std::string s =
+    "OFF\n10 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 .5 0\n1 .5 0\n2 1 0\n1 1 0\n"
+    "4 0 1 2 3\n4 4 5 6 7\n4 7 6 8 9\n";
+  for (const std::string& input : {folder.write("a.off", s)})
+    for (const std::string options :
+         {"", "--repair --merge-points", "--repair --merge-distance 1e-3"}) {
+      const Outcome outcome = surface(input, "--quiet " + options);
+      EXPECT_EQ(outcome.code, 0);
+      expect_part(outcome.err,
+                  ": 3 of 10 border edges lie along others with other ends (T-junctions)");
+    }
+  // straight borders do not lie along each other, nor do those that meet at an angle
+  const std::string straight =
+    "OFF\n6 2 0\n0 0 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n0 1 0\n4 0 1 4 5\n4 1 2 3 4\n";
+  EXPECT_EQ(surface(folder.write("b.off", straight), "--quiet").err, "");
+}
+
+// Copies that --repair makes of edges with three faces have to be apart.
+TEST_F(Pn_subdivide_joins, CopiesOfRepairAreNotSaid)
+{
+  const std::string input = folder.write(
+    "a.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  const Outcome outcome = surface(input, "--quiet --repair");
+  EXPECT_EQ(outcome.code, 0);
+  expect_no_part(outcome.err, "border edge");
+}
+
+// --- normals of what is merged ---
+
+// Hard edges of split vertices are those of a file with normals of corners, in every format.
+TEST_F(Pn_subdivide_joins, DifferentNormalsBecomeThoseOfCorners)
+{
+  const std::string bolt = PN_DATA_DIR "/parts/";
+  for (const std::string name : {"capped_cylinder", "washer", "lens", "bolt", "d_section"}) {
+    SCOPED_TRACE(name);
+    const Mesh_data part = read_mesh(bolt + name + ".obj");
+    ASSERT_TRUE(part.has_corner_normals());
+    std::ostringstream ply;
+    ply.precision(17);
+    ply << "ply\nformat ascii 1.0\nelement vertex " << part.number_of_corners()
+        << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\n"
+           "property double ny\nproperty double nz\nelement face "
+        << part.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+    std::size_t corner = 0;
+    for (std::size_t f = 0; f < part.number_of_faces(); ++f)
+      for (const Mesh_data::Index v : part.face(f)) {
+        for (const double x : part.points[v]) ply << x << ' ';
+        for (const double x : part.corner_normals[corner]) ply << x << ' ';
+        ply << "\n";
+        ++corner;
+      }
+    corner = 0;
+    for (std::size_t f = 0; f < part.number_of_faces(); ++f) {
+      ply << part.face(f).size();
+      for (std::size_t i = 0; i < part.face(f).size(); ++i) ply << ' ' << corner++;
+      ply << "\n";
+    }
+    const std::string split = folder.write("split.ply", ply.str());
+    const auto refined = [&](const std::string& input, const std::string& options) {
+      const Outcome outcome = run("surface '" + input + "' '" + folder.file("out.obj") +
+                                  "' --levels 2 --quiet " + options);
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      std::multiset<Triple> points;
+      for (const Triple& p : read_mesh(folder.file("out.obj")).points) points.insert(p);
+      return points;
+    };
+    const auto expected = refined(bolt + name + ".obj", "");
+    const auto merged = refined(split, "--merge-points");
+    ASSERT_EQ(expected.size(), merged.size());
+    // vertices have another order, so that sums differ in the last bits
+    std::vector<Triple> a(expected.begin(), expected.end());
+    for (const Triple& p : merged) {
+      double nearest = 1;
+      for (const Triple& q : a)
+        nearest = (std::min)(nearest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      ASSERT_LE(nearest, 1e-13);
+    }
+    expect_part(surface(split, "--merge-points").err, " sharp edges");
+    // summed only if that is asked for
+    expect_part(surface(split, "--merge-points --sharp none").err,
+                "several normals; their normalized sum is taken");
+  }
+}
+
+// Of which one is none: it is the other's.
+TEST_F(Pn_subdivide_joins, NormalsOfMergedVerticesMayBeMissing)
+{
+  const std::string s =
+    "NOFF\n8 2 0\n0 0 0 0 0 1\n1 0 0 0 0 0\n1 1 0 0 0 1\n0 1 0 0 0 1\n"
+    "1 0 0 1 0 1\n2 0 0 1 0 1\n2 1 0 1 0 1\n1 1 0 0 0 1\n4 0 1 2 3\n4 4 5 6 7\n";
+  const Mesh_data mesh = joined(folder.write("a.off", s), "--merge-points --normals file");
+  ASSERT_EQ(mesh.points.size(), 6u);
+  EXPECT_NEAR(mesh.normals[1][0], std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(mesh.normals[2], (Triple{0, 0, 1}));
+}
+
+TEST(Near_points, UnitsOfTheLastPlace)
+{
+  EXPECT_EQ(rounding_of_floats({{1, 0, 0}}), std::ldexp(1., -21));
+  EXPECT_EQ(rounding_of_floats({{0, -1.99, 0}, {1, 1, 1}}), std::ldexp(1., -21));
+  EXPECT_EQ(rounding_of_floats({{0, 0, 1000}}), std::ldexp(1., 9 - 21));
+  EXPECT_EQ(rounding_of_floats({{0, 0, 0}}), 0);
+}

@@ -1,0 +1,198 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Every mode of the command at every scale: the scaled result, bit for bit, or a refusal by name.
+
+#include "Command_test.h"
+#include "io/mesh_io.h"
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+const std::vector<int> exponents = {-600, -300, -100, 100, 300, 600};
+
+std::string number(double x)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, " %.17g", x);
+  return text;
+}
+
+// an uneven box, or its triangles; without two of its faces if it is open
+std::string box(bool is_triangles, bool is_open, int exponent)
+{
+  const double at[8][3] = {{-1, -1.1, -0.9},  {1.2, -1, -1}, {1, 0.9, -1},     {-0.9, 1.05, -1.1},
+                           {-1.15, -0.95, 1}, {1, -1.2, 1},  {1.05, 1.1, 0.9}, {-1, 0.8, 1.2}};
+  const char* const quads[6][2] = {{"3 3 2 1", "3 3 1 0"}, {"3 4 5 6", "3 4 6 7"},
+                                   {"3 0 1 5", "3 0 5 4"}, {"3 1 2 6", "3 1 6 5"},
+                                   {"3 2 3 7", "3 2 7 6"}, {"3 3 0 4", "3 3 4 7"}};
+  const char* const whole[6] = {"4 3 2 1 0", "4 4 5 6 7", "4 0 1 5 4",
+                                "4 1 2 6 5", "4 2 3 7 6", "4 3 0 4 7"};
+  const int faces = is_open ? 5 : 6;
+  std::string off = "OFF\n8 " + std::to_string(is_triangles ? 2 * faces : faces) + " 0\n";
+  for (const auto& p : at) {
+    for (const double x : p) off += number(std::ldexp(x, exponent));
+    off += "\n";
+  }
+  for (int f = 0; f < faces; ++f)
+    off += is_triangles ? std::string(quads[f][0]) + "\n" + quads[f][1] + "\n"
+                        : std::string(whole[f]) + "\n";
+  return off;
+}
+
+std::string circle(int exponent)
+{
+  std::string text;
+  for (int i = 0; i < 9; ++i)
+    text += number(std::ldexp(3 * std::cos(0.7 * i), exponent)) +
+            number(std::ldexp(std::sin(0.7 * i) + 0.2 * (i % 2), exponent)) + "\n";
+  return text;
+}
+
+struct Mode
+{
+  std::string scheme, options;
+};
+
+bool takes_triangles(const std::string& scheme)
+{
+  return scheme.find("loop") != std::string::npos || scheme == "butterfly" || scheme == "sqrt3";
+}
+
+std::vector<Mode> modes()
+{
+  std::vector<Mode> result;
+  for (const std::string scheme :
+       {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly", "kobbelt",
+        "modified-catmull-clark", "modified-loop", "ct-catmull-clark", "ct-loop"}) {
+    const bool is_spline =
+      scheme.find("loop") != std::string::npos || scheme.find("catmull") != std::string::npos;
+    for (const char* const options : {"", "--linear", "--normals angle"})
+      result.push_back({scheme, options});
+    if (scheme != "doo-sabin")
+      for (const char* const options :
+           {"--limit", "--surface-normals", "--linear --limit --surface-normals"})
+        result.push_back({scheme, options});
+    if (!is_spline) continue;
+    for (const char* const options :
+         {"--sharp angle:60", "--sharp angle:60 --sharpness 0.5",
+          "--sharp angle:60 --limit --surface-normals", "--border curve --limit --surface-normals"})
+      result.push_back({scheme, options});
+    if (scheme[0] != 'c' || scheme[1] != 't') result.push_back({scheme, "--interpolate slide"});
+    result.push_back({scheme, "--interpolate points"});
+    result.push_back({scheme, "--interpolate points --normals angle"});
+  }
+  return result;
+}
+
+class Pn_subdivide_scale : public Command_test
+{
+protected:
+  Mesh_data refined(const Mode& mode, bool is_open, int exponent)
+  {
+    const std::string input =
+      folder.write("i.off", box(takes_triangles(mode.scheme), is_open, exponent));
+    const std::string output = folder.file("o.ply");
+    const Outcome outcome =
+      run("surface '" + input + "' '" + output + "' --quiet --levels 2 --scheme " + mode.scheme +
+          " " + mode.options);
+    EXPECT_EQ(outcome.code, 0) << mode.scheme << ' ' << mode.options << ' ' << outcome.err;
+    return outcome.code == 0 ? read_mesh(output) : Mesh_data();
+  }
+};
+
+Triple scaled(const Triple& p, int exponent)
+{
+  return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};
+}
+
+} // namespace
+
+TEST_F(Pn_subdivide_scale, SurfacesAreScaledBitForBit)
+{
+  for (const Mode& mode : modes())
+    for (const bool is_open : {false, true}) {
+      if (is_open && mode.options.find("--border") == std::string::npos && mode.options != "")
+        continue;
+      const Mesh_data one = refined(mode, is_open, 0);
+      for (const int e : exponents) {
+        const Mesh_data mesh = refined(mode, is_open, e);
+        ASSERT_EQ(mesh.points.size(), one.points.size());
+        std::vector<Triple> points;
+        for (const Triple& p : one.points) points.push_back(scaled(p, e));
+        EXPECT_TRUE(mesh.points == points) << mode.scheme << ' ' << mode.options << ' ' << e;
+        EXPECT_TRUE(mesh.normals == one.normals) << mode.scheme << ' ' << mode.options << ' ' << e;
+        EXPECT_TRUE(mesh.corner_normals == one.corner_normals)
+          << mode.scheme << ' ' << mode.options;
+      }
+    }
+}
+
+TEST_F(Pn_subdivide_scale, CurvaturesAreScaledOrRefused)
+{
+  for (const std::string kind : {"gaussian", "mean"}) {
+    const int dimension = kind == "mean" ? 1 : 2;
+    const Mode mode{"catmull-clark", "--curvature " + kind};
+    const auto values = [&](const Mesh_data& mesh) {
+      return mesh.attributes.of_vertices.at(0).values;
+    };
+    std::vector<double> one = values(refined(mode, false, 0));
+    for (const int e : {-400, -300, -100, 100, 300, 400}) {
+      std::vector<double> expected;
+      for (const double x : one) expected.push_back(std::ldexp(x, -dimension * e));
+      EXPECT_TRUE(values(refined(mode, false, e)) == expected) << kind << e;
+    }
+    for (const int e : {-1000, -600, -500, 500, 600, 1000}) {
+      const std::string input = folder.write("i.off", box(false, false, e));
+      const std::string output = folder.file("none.ply");
+      expect_one_line(
+        run("surface '" + input + "' '" + output + "' --levels 1 --quiet --curvature " + kind), 1,
+        "--curvature: the mesh has a size of");
+      EXPECT_EQ(Temporary_folder::content(output), "");
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_scale, CurvesAreScaledBitForBit)
+{
+  for (const std::string options :
+       {"--scheme bspline:3", "--scheme bspline:3 --closed", "--scheme 4-point --closed",
+        "--scheme chaikin", "--scheme bspline:3 --limit",
+        "--scheme bspline:3 --closed --interpolate slide",
+        "--scheme bspline:3 --interpolate points",
+        "--scheme bspline:3 --linear --interpolate points"}) {
+    const auto numbers = [&](int e) {
+      const std::string input = folder.write("i.txt", circle(e)), output = folder.file("o.txt");
+      const Outcome outcome =
+        run("curve '" + input + "' '" + output + "' --quiet --levels 2 " + options);
+      EXPECT_EQ(outcome.code, 0) << options << ' ' << e << outcome.err;
+      std::vector<std::vector<double>> rows;
+      std::istringstream in(Temporary_folder::content(output));
+      for (std::string line; std::getline(in, line);) {
+        std::istringstream words(line);
+        rows.emplace_back();
+        for (std::string word; words >> word;)
+          rows.back().push_back(std::strtod(word.c_str(), nullptr));
+      }
+      return rows;
+    };
+    const auto one = numbers(0);
+    EXPECT_GT(one.size(), 20u);
+    for (const int e : exponents) {
+      auto expected = one;
+      for (auto& row : expected)
+        for (std::size_t k = 0; k < 2 && k < row.size(); ++k) row[k] = std::ldexp(row[k], e);
+      EXPECT_TRUE(numbers(e) == expected) << options << ' ' << e;
+    }
+  }
+}
