@@ -106,7 +106,7 @@ TEST_F(Streams, DevicesWithoutEnd)
   folder.write("cube.off", cube);
   const std::string file = quoted("cube.off"), out = quoted("o.ply");
   const std::string bounded = "ulimit -v 4000000; timeout 60 ";
-  for (const std::string arguments : {"surface " + file + " " + out + " --sharp /dev/zero",
+  for (const std::string& arguments : {"surface " + file + " " + out + " --sharp /dev/zero",
                                       "surface - " + out + " --format ply </dev/zero",
                                       "surface - " + out + " --format obj </dev/zero",
                                       "surface - " + out + " --format off </dev/zero",
