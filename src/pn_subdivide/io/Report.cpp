@@ -47,7 +47,7 @@ void Report::progress(const std::string& text) const
 
 void Report::warn_of_dropped(const std::string& text, const std::vector<std::string>& names)
 {
-  warn(text + enumeration(names));
+  warn(text);
   dropped_.insert(dropped_.end(), names.begin(), names.end());
 }
 

@@ -50,7 +50,7 @@ public:
   // The time since the start is put behind. Not with --quiet.
   void progress(const std::string& text) const;
   void warn(const std::string& text) { warnings_.push_back(text); }
-  // a warning that `names` of the user's are not in the result
+  // the same, of `names` of the user's that are not in the result
   void warn_of_dropped(const std::string& text, const std::vector<std::string>& names);
   // Not with --quiet.
   void note(const std::string& text) { notes_.push_back(text); }

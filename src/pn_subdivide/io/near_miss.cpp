@@ -44,8 +44,8 @@ std::string near_miss(const std::string& word, const std::vector<std::string>& k
   std::size_t least = (std::numeric_limits<std::size_t>::max)();
   for (const std::string& candidate : known) {
     const bool goes_on = word.size() > 3 && candidate.rfind(word, 0) == 0;
-    const std::size_t d = goes_on ? 1 : distance(word, candidate);
-    if (3 * d > candidate.size() || d >= least) continue;
+    const std::size_t d = distance(word, candidate);
+    if ((3 * d > candidate.size() && !goes_on) || d >= least) continue;
     least = d;
     nearest = candidate;
   }

@@ -310,7 +310,7 @@ void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& re
   const std::vector<std::string> names = not_held(plan.output, mesh);
   if (!names.empty())
     report.warn_of_dropped(plan.output.title("standard output") + ": not written, " +
-                             plan.output.format + " files cannot hold it: ",
+                             plan.output.format + " files cannot hold it: " + enumeration(names),
                            names);
 }
 

@@ -389,7 +389,6 @@ TEST_F(Pn_subdivide_curve, BadCommandLines)
        {"bspline:1", "bspline:10", "bspline:", "bspline:2x", "bspline", "0-point", "3-point",
         "22-point", "-4-point", "4point", "cubic", "catmull-clark"})
     expect_failure(square, std::string("--scheme ") + scheme, 2, scheme);
-  expect_failure(square, "", 2, "--scheme");
   expect_failure(square, "--scheme 4-point --end mirror", 2, "--end 'mirror'");
   expect_failure(square, "--scheme 4-point --closed --end none", 2, "--closed");
   expect_failure(square, "--scheme 4-point --linear --normal-scheme 6-point", 2, "--linear");

@@ -391,7 +391,6 @@ TEST_F(Mesh_io, ObjDamage)
   expect_error("a.obj", points + "f 1 2 0\n", "out of range");
   expect_error("a.obj", points + "f 1 2 -4\n", "out of range");
   expect_error("a.obj", points + "f 1 2 x\n", "'x'");
-  expect_error("a.obj", points + "f 1/1/ 2 3\n", "a normal index");
   expect_error("a.obj", points + "vn 0 0 1\nf 1//1 2//2 3//1\n", "normal index 2");
 }
 
@@ -541,7 +540,29 @@ TEST_F(Mesh_io, ByteOrderMarksAreSkipped)
   const std::string mark = "\xEF\xBB\xBF";
   EXPECT_EQ(read("a.off", mark + "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").points.size(), 3u);
   EXPECT_EQ(read("a.obj", mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").points.size(), 3u);
-  expect_error("a.off", "\xFF\xFEO", "not an OFF file");
+}
+
+TEST_F(Mesh_io, TextsInUtf16AreNamed)
+{
+  const std::string ascii = "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  std::string low_first, high_first;
+  for (const char c : ascii) {
+    low_first += {c, '\0'};
+    high_first += {'\0', c};
+  }
+  for (const std::string& text : {"\xFF\xFE" + low_first, "\xFE\xFF" + high_first, low_first, high_first})
+    for (const char* file : {"a.off", "a.obj"}) expect_error(file, text, "UTF-16");
+}
+
+TEST_F(Mesh_io, ObjCornersMayEndWithSlashes)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+  for (const char* face : {"f 1/ 2/ 3/\n", "f 1// 2// 3//\n", "f 1/1/ 2/1/ 3/1/\n", "vn 0 0 1\nf 1//1 2// 3/1/1\n"}) {
+    const Mesh_data mesh = read("a.obj", points + face);
+    ASSERT_EQ(mesh.number_of_faces(), 1u) << face;
+    for (Mesh_data::Index i = 0; i < 3; ++i) EXPECT_EQ(mesh.face(0).begin()[i], i);
+    EXPECT_EQ(mesh.has_normals(), std::string(face).find("//1") != std::string::npos) << face;
+  }
 }
 
 TEST_F(Mesh_io, MissingFilesFoldersAndUnknownFormats)

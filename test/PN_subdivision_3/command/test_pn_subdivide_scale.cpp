@@ -88,9 +88,10 @@ std::vector<Mode> modes()
          {"--sharp angle:60", "--sharp angle:60 --sharpness 0.5",
           "--sharp angle:60 --limit --surface-normals", "--border curve --limit --surface-normals"})
       result.push_back({scheme, options});
-    if (scheme[0] != 'c' || scheme[1] != 't') result.push_back({scheme, "--interpolate slide"});
-    result.push_back({scheme, "--interpolate points"});
-    result.push_back({scheme, "--interpolate points --normals angle"});
+    if (scheme.rfind("ct-", 0) == 0) continue;
+    for (const char* const options :
+         {"--interpolate slide", "--interpolate points", "--interpolate points --normals angle"})
+      result.push_back({scheme, options});
   }
   return result;
 }

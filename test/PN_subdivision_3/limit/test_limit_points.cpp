@@ -100,6 +100,18 @@ TYPED_TEST(Limit_points, LinearTwinEqualsBruteForceAtOnce)
   }
 }
 
+// 1, or -1 where the faces around a vertex turn their backs to its control normal.
+Real side_of_faces(const Surface_mesh& mesh, const Limits& all, std::size_t v)
+{
+  const auto point = [&](Surface_mesh::Vertex_index w) { return all.at[std::size_t(w)].point; };
+  const Kernel::Point_3 center = all.at[v].point;
+  Kernel::Vector_3 area(0, 0, 0);
+  for (const auto h : halfedges_around_target(mesh.halfedge(Surface_mesh::Vertex_index(unsigned(v))), mesh))
+    if (!mesh.is_border(h))
+      area = area + CGAL::cross_product(point(mesh.target(mesh.next(h))) - center, point(mesh.source(h)) - center);
+  return area * all.at[v].control_normal < 0 ? -1 : 1;
+}
+
 // On a sphere and a cylinder all is exact up to rounding: at every vertex, on borders too.
 TYPED_TEST(Limit_points, StayOnSpheresAndCylindersWithTheirNormals)
 {
@@ -125,7 +137,8 @@ TYPED_TEST(Limit_points, StayOnSpheresAndCylindersWithTheirNormals)
         EXPECT_LE(double((to_vector(l.control_normal) - radial / 3).norm()), 4e-15)
           << control.name << " " << v;
         if (!l.has_surface_normal) continue;
-        EXPECT_LE(double((to_vector(l.surface_normal) - radial / 3).norm()), 1e-9)
+        // some of the suite's meshes fold when they are moved to the sphere
+        EXPECT_LE(double((to_vector(l.surface_normal) - side_of_faces(mesh, all, v) * radial / 3).norm()), 1e-9)
           << control.name << " " << v;
       }
     }
