@@ -30,8 +30,8 @@ const std::vector<Option_group>& option_groups()
 {
   static const std::vector<Option_group> groups = {
     {"Common options",
-     {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--linear", "--limit", "--threads",
-      "--quiet", "--help"}},
+     {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--linear", "--limit",
+      "--threads", "--quiet", "--help"}},
     {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
     {"What is read",
      {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
@@ -79,8 +79,10 @@ std::string files_and_exit_codes()
   return "Meshes: reads " + extensions(readable_formats()) + ", writes " +
          extensions(writable_formats()) +
          ".\n"
-         "Exit code: 0 success; 1 failure, 2 wrong command line: one line on standard error tells why,\n"
-         "and OUTPUT is as it was; 3 the deviation exceeds --tolerance, 4 a warning with --strict: OUTPUT\n"
+         "Exit code: 0 success; 1 failure, 2 wrong command line: one line on standard error tells "
+         "why,\n"
+         "and OUTPUT is as it was; 3 the deviation exceeds --tolerance, 4 a warning with --strict: "
+         "OUTPUT\n"
          "is written.\n";
 }
 
@@ -91,10 +93,12 @@ std::string Command_help::make_help(const CLI::App* app, std::string name,
 {
   if (app->get_parent() == nullptr || mode == CLI::AppFormatMode::Sub)
     return CLI::Formatter::make_help(app, std::move(name), mode);
-  std::string help = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
+  std::string help =
+    make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
   std::vector<const CLI::Option*> options =
     app->get_options([](const CLI::Option* option) { return option->nonpositional(); });
-  const auto add_group = [&](const std::string& title, const std::vector<const CLI::Option*>& group) {
+  const auto add_group = [&](const std::string& title,
+                             const std::vector<const CLI::Option*>& group) {
     if (!group.empty()) help += make_group(title, false, group);
   };
   for (const Option_group& group : option_groups()) {
@@ -130,7 +134,8 @@ std::string top_level_footer()
          "  keep its edges           pn_subdivide part.obj smooth.ply --levels 3 --sharp angle:40\n"
          "  compare with the linear  pn_subdivide part.obj linear.ply --levels 3 --linear\n"
          "  color by curvature       pn_subdivide part.obj color.ply --levels 3 --curvature mean\n"
-         "  pass through its points  pn_subdivide part.obj smooth.ply --levels 3 --interpolate slide\n"
+         "  pass through its points  pn_subdivide part.obj smooth.ply --levels 3 --interpolate "
+         "slide\n"
          "  mend what is broken      pn_subdivide part.stl smooth.ply --repair --merge-points\n"
          "  faces by the million     pn_subdivide part.obj huge.ply --levels 10 --memory 2G\n"
          "  a curve                  pn_subdivide curve polygon.txt curve.txt --levels 6\n"
@@ -141,8 +146,10 @@ std::string top_level_footer()
 
 std::string surface_footer()
 {
-  return "Messages count vertices and faces from 0. The normals in OUTPUT are the control normals for a\n"
-         "further round. They are not those of the surface, from which they may be far off (up to 70\n"
+  return "Messages count vertices and faces from 0. The normals in OUTPUT are the control normals "
+         "for a\n"
+         "further round. They are not those of the surface, from which they may be far off (up to "
+         "70\n"
          "degrees on coarse meshes).\n" +
          files_and_exit_codes() +
          "\nExamples:\n"
@@ -153,8 +160,10 @@ std::string surface_footer()
 
 std::string curve_footer()
 {
-  return "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x y or\n"
-         "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal here.\n"
+  return "Files are text with a vertex a line: x y nx ny, or x y z nx ny nz, or without normals x "
+         "y or\n"
+         "x y z; blank lines and # comments are skipped. 0 0 (0 0 0) means: no control normal "
+         "here.\n"
          "Missing normals are estimated. Messages count lines from 1.\n" +
          files_and_exit_codes() +
          "\nExamples:\n"

@@ -22,7 +22,8 @@ class Command_help : public CLI::Formatter
 public:
   Command_help() { column_width(name_column); }
 
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override;
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
 
 private:

@@ -77,8 +77,9 @@ void add_report_options(CLI::App& command, Report_options& options)
                    "No progress and no closing line; warnings are still printed");
   command.add_flag("--strict", options.strict,
                    "Any warning makes the exit code 4; OUTPUT is written all the same");
-  command.add_option("--report", options.file,
-                     "Write what was read, done, mended, dropped and warned of into this JSON file");
+  command.add_option(
+    "--report", options.file,
+    "Write what was read, done, mended, dropped and warned of into this JSON file");
 }
 
 void add_verify_options(CLI::App& command, Verify_options& options, const std::string& shapes)
@@ -281,7 +282,8 @@ std::vector<std::string> with_command(int argc, char** argv)
 {
   std::vector<std::string> words(argv + 1, argv + argc);
   const auto is_known = [](const std::string& word) {
-    return word == "surface" || word == "curve" || word == "--help" || word == "-h" || word == "--version";
+    return word == "surface" || word == "curve" || word == "--help" || word == "-h" ||
+           word == "--version";
   };
   if (!words.empty() && !is_known(words.front())) words.insert(words.begin(), "surface");
   return words;
@@ -314,10 +316,11 @@ std::string unexpected(const CLI::App& app)
 
 Command parse_command_line(int argc, char** argv)
 {
-  CLI::App app("Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what "
-               "they are.\n\n  pn_subdivide INPUT OUTPUT [OPTIONS]   is   pn_subdivide surface INPUT "
-               "OUTPUT [OPTIONS]\n",
-               "pn_subdivide");
+  CLI::App app(
+    "Point-normal subdivision of meshes and curves: spheres, cylinders and circles stay what "
+    "they are.\n\n  pn_subdivide INPUT OUTPUT [OPTIONS]   is   pn_subdivide surface INPUT "
+    "OUTPUT [OPTIONS]\n",
+    "pn_subdivide");
   app.formatter(std::make_shared<Command_help>());
   app.set_version_flag("--version", "pn_subdivide " CGAL_PN_SUBDIVISION_3_VERSION);
   app.require_subcommand(1);

@@ -90,7 +90,8 @@ void require_writable_places(const Curve_options& options)
   if (!options.comb) return;
   require_writable_place(*options.comb);
   if (!boost::algorithm::iends_with(*options.comb, ".svg"))
-    throw Usage_error("--comb " + *options.comb + ": the drawing is an SVG file, whose name ends in .svg");
+    throw Usage_error("--comb " + *options.comb +
+                      ": the drawing is an SVG file, whose name ends in .svg");
   if (same_file(*options.comb, options.output) || same_file(*options.comb, options.input))
     throw Usage_error("--comb " + *options.comb + ": the drawing needs a file of its own");
 }

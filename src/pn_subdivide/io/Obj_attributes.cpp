@@ -45,7 +45,8 @@ void Obj_attributes::read_texture_point(Text_reader& in)
   std::size_t i = 0;
   do {
     t[i] = in.number("a texture coordinate");
-    if (!std::isfinite(t[i])) in.fail(std::string("a texture coordinate that is not finite") + reading_without_it);
+    if (!std::isfinite(t[i]))
+      in.fail(std::string("a texture coordinate that is not finite") + reading_without_it);
   } while (++i < t.size() && !in.at_end_of_line());
   points_.push_back(t);
 }
@@ -61,7 +62,9 @@ void Obj_attributes::read_color(Text_reader& in)
   const double green = in.number("a color");
   const double blue = in.number("a color");
   for (const double x : {red, green, blue})
-    if (!(x >= 0 && x <= 1)) in.fail(std::string("a color out of range: its numbers must be from 0 to 1") + reading_without_it);
+    if (!(x >= 0 && x <= 1))
+      in.fail(std::string("a color out of range: its numbers must be from 0 to 1") +
+              reading_without_it);
   colors_.push_back({red, green, blue});
 }
 

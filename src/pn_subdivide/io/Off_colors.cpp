@@ -36,8 +36,10 @@ void Off_colors::read(Text_reader& in, std::size_t words)
   const double highest = entry.is_whole ? 255 : 1;
   for (std::size_t i = 0; words > 1 && i < words; ++i)
     if (!(entry.channels[i] >= 0 && entry.channels[i] <= highest))
-      in.fail(std::string("a color out of range: its numbers must be whole ones from 0 to 255, or from 0 to 1") +
-              reading_without_it);
+      in.fail(
+        std::string(
+          "a color out of range: its numbers must be whole ones from 0 to 255, or from 0 to 1") +
+        reading_without_it);
   has_alpha_ = has_alpha_ || words == 4;
   entries_.push_back(entry);
 }

@@ -101,7 +101,8 @@ void Report::require_no_warnings() const
 {
   if (!options_.strict || warnings_.empty()) return;
   throw Strict_error("--strict: " + std::to_string(warnings_.size()) +
-                     (warnings_.size() == 1 ? " warning" : " warnings") + "; the result is written");
+                     (warnings_.size() == 1 ? " warning" : " warnings") +
+                     "; the result is written");
 }
 
 void require_report_place(const Report_options& options, const std::vector<std::string>& others)

@@ -39,7 +39,8 @@ Text_reader::Text_reader(const std::string& text, char comment_sign)
   const std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors put it in front
   if (text.compare(0, byte_order_mark.size(), byte_order_mark) == 0) next_ = byte_order_mark.size();
   if (is_utf_16(text))
-    throw Error("the text is in UTF-16: save it as UTF-8, for instance with iconv -f UTF-16 -t UTF-8");
+    throw Error(
+      "the text is in UTF-16: save it as UTF-8, for instance with iconv -f UTF-16 -t UTF-8");
 }
 
 std::string Text_reader::printable(std::string_view word)

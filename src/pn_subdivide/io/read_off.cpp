@@ -135,7 +135,8 @@ void read_rest_of_vertex(Text_reader& in, const Off_header& header, Off_attribut
   while (!in.at_end_of_line()) {
     const double x = in.number("a number");
     if (attributes == nullptr) continue;
-    if (!std::isfinite(x)) in.fail(std::string("a texture coordinate that is not finite") + reading_without_it);
+    if (!std::isfinite(x))
+      in.fail(std::string("a texture coordinate that is not finite") + reading_without_it);
     attributes->texture.push_back(x);
   }
 }

@@ -50,7 +50,8 @@ void require_selection(const std::string& file)
 {
   if (std::filesystem::exists(file)) return;
   if (file.find_first_not_of("0123456789.") == std::string::npos)
-    throw Usage_error("--sharp " + file + ": there is no such file; did you mean angle:" + file + "?");
+    throw Usage_error("--sharp " + file + ": there is no such file; did you mean angle:" + file +
+                      "?");
   const std::string meant = did_you_mean(file, {"auto", "none", "file", "angle:DEG"});
   if (!meant.empty()) throw Usage_error("--sharp " + file + ": there is no such file" + meant);
 }

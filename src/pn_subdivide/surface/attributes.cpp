@@ -94,11 +94,12 @@ void Carried_attributes::suit(const Surface& surface, const std::string& scheme,
   if (!table_.corners.empty() && !keeps_edges(scheme) &&
       CGAL::PN_subdivision_3::has_seam(surface, table_.corners[0])) {
     table_.corners.clear();
-    report.warn_of_dropped(input +
-                             ": not carried over to the result: texture coordinates, because they have "
-                             "seams and " +
-                             scheme + " keeps no edges",
-                           {"texture coordinates"});
+    report.warn_of_dropped(
+      input +
+        ": not carried over to the result: texture coordinates, because they have "
+        "seams and " +
+        scheme + " keeps no edges",
+      {"texture coordinates"});
   }
   const std::vector<std::string> integers = averaged_integers();
   if (!integers.empty())

@@ -40,8 +40,8 @@ void announce_reading(const Mesh_file& file, const Report& report)
 void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Report& report)
 {
   if (!mesh.dropped.empty())
-    report.warn_of_dropped(
-      name + ": not carried over to the result: " + enumeration(mesh.dropped), mesh.dropped);
+    report.warn_of_dropped(name + ": not carried over to the result: " + enumeration(mesh.dropped),
+                           mesh.dropped);
 }
 
 std::string plural(std::size_t n, const std::string& one, const std::string& many)

@@ -420,8 +420,8 @@ void run_surface_command(const Surface_options& options)
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
   report.print_warnings();
-  report.write_file({options.input, options.output, mesh.points.size(), mesh.number_of_faces(),
-                     options.levels});
+  report.write_file(
+    {options.input, options.output, mesh.points.size(), mesh.number_of_faces(), options.levels});
   if (plan.verification) plan.verification->require_tolerance();
   report.print_notes();
   report.require_no_warnings();

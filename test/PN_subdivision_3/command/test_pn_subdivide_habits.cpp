@@ -29,7 +29,8 @@ const char* const square =
   "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n"
   "-1 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 // the second triangle is turned over, and a face has a color that .stl cannot hold
-const char* const twisted = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 255 0 0\n3 1 2 3 0 0 255\n";
+const char* const twisted =
+  "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 255 0 0\n3 1 2 3 0 0 255\n";
 const char* const polygon = "0 0\n4 0\n4 3\n0 3\n";
 
 class Pn_subdivide_habits : public Command_test
@@ -105,7 +106,8 @@ TEST_F(Pn_subdivide_habits, FilesWithTheNameOfACommandNeedAPath)
 
 TEST_F(Pn_subdivide_habits, NearMissesAreNamed)
 {
-  const std::string input = folder.write("cube.off", square), polygon_file = folder.write("p.txt", polygon);
+  const std::string input = folder.write("cube.off", square),
+                    polygon_file = folder.write("p.txt", polygon);
   const auto expect_hint = [&](const std::string& arguments, const std::string& hint) {
     SCOPED_TRACE(arguments);
     expect_one_line(run(arguments), 2, hint);
@@ -113,9 +115,13 @@ TEST_F(Pn_subdivide_habits, NearMissesAreNamed)
   };
   const std::string files = "'" + input + "' '" + folder.file("o.ply") + "' ";
   const std::string curve = "curve '" + polygon_file + "' '" + folder.file("o.txt") + "' ";
-  for (const auto& [miss, meant] : std::vector<std::pair<std::string, std::string>>{
-         {"--level 3", "--levels"}, {"--level=3", "--levels"}, {"--treads 2", "--threads"},
-         {"--triangle", "--triangulate"}, {"--normal none", "--normals"}, {"--curvatur mean", "--curvature"}})
+  for (const auto& [miss, meant] :
+       std::vector<std::pair<std::string, std::string>>{{"--level 3", "--levels"},
+                                                        {"--level=3", "--levels"},
+                                                        {"--treads 2", "--threads"},
+                                                        {"--triangle", "--triangulate"},
+                                                        {"--normal none", "--normals"},
+                                                        {"--curvatur mean", "--curvature"}})
     expect_hint(files + miss, "did you mean " + meant + "?");
   expect_hint(curve + "--close", "did you mean --closed?");
   expect_hint(files + "--sharp 40", "did you mean angle:40?");
@@ -134,7 +140,8 @@ TEST_F(Pn_subdivide_habits, CurvesHaveADefaultScheme)
 {
   const std::string input = folder.write("p.txt", polygon), output = folder.file("o.txt");
   const std::string arguments = "curve '" + input + "' '" + output + "' --closed --levels 3";
-  EXPECT_EQ(content_after(arguments, output), content_after(arguments + " --scheme bspline:3", output));
+  EXPECT_EQ(content_after(arguments, output),
+            content_after(arguments + " --scheme bspline:3", output));
 }
 
 TEST_F(Pn_subdivide_habits, DrawingsAreSvg)
@@ -170,7 +177,8 @@ TEST_F(Pn_subdivide_habits, HelpIsInGroups)
   for (const char* command : {"surface", "curve"}) {
     const std::string help = run(std::string(command) + " --help").out;
     EXPECT_EQ(help.find("Other options"), std::string::npos) << help;
-    const std::size_t groups = help.find("Common options:\n  --levels"), examples = help.find("\nExamples:");
+    const std::size_t groups = help.find("Common options:\n  --levels"),
+                      examples = help.find("\nExamples:");
     EXPECT_NE(groups, std::string::npos) << help;
     EXPECT_LT(groups, help.find("Schemes:"));
     ASSERT_NE(examples, std::string::npos);
@@ -202,7 +210,8 @@ TEST_F(Pn_subdivide_habits, TheManualPageHasTheOptionsOfTheHelp)
       if (all[i - 1] == ".TP") names += all[i] + "\n";
     return options_in(names);
   };
-  const std::set<std::string> both = headings(between(page, ".SH OPTIONS OF BOTH", ".SH OPTIONS FOR"));
+  const std::set<std::string> both =
+    headings(between(page, ".SH OPTIONS OF BOTH", ".SH OPTIONS FOR"));
   const std::pair<const char*, const char*> sections[] = {{"surface", ".SH OPTIONS FOR SURFACES"},
                                                           {"curve", ".SH OPTIONS FOR CURVES"}};
   for (const auto& [command, section] : sections) {
@@ -233,16 +242,20 @@ TEST_F(Pn_subdivide_habits, TheManualPageNamesEveryScheme)
 
 TEST_F(Pn_subdivide_habits, StrictTurnsWarningsIntoAnExitCode)
 {
-  const std::string bad = folder.write("twisted.off", twisted), good = folder.write("cube.off", square);
+  const std::string bad = folder.write("twisted.off", twisted),
+                    good = folder.write("cube.off", square);
   const std::string output = folder.file("o.off");
-  const auto arguments = [&](const std::string& input) { return "'" + input + "' '" + output + "' "; };
+  const auto arguments = [&](const std::string& input) {
+    return "'" + input + "' '" + output + "' ";
+  };
   const std::string expected = content_after(arguments(bad) + "--repair", output);
   std::filesystem::remove(output);
   for (const char* quiet : {"", " --quiet"}) {
     const Outcome outcome = run(arguments(bad) + "--repair --strict" + quiet);
     EXPECT_EQ(outcome.code, 4) << outcome.err;
     EXPECT_NE(outcome.err.find("warning: "), std::string::npos);
-    EXPECT_NE(outcome.err.find("pn_subdivide: --strict: 1 warning"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("pn_subdivide: --strict: 1 warning"), std::string::npos)
+      << outcome.err;
     EXPECT_EQ(Temporary_folder::content(output), expected);
   }
   EXPECT_EQ(run(arguments(good) + "--strict").code, 0);
@@ -252,7 +265,8 @@ TEST_F(Pn_subdivide_habits, StrictTurnsWarningsIntoAnExitCode)
 TEST_F(Pn_subdivide_habits, TheToleranceWinsOverStrict)
 {
   const std::string input = folder.write("twisted.off", twisted), output = folder.file("o.off");
-  const std::string arguments = "'" + input + "' '" + output + "' --repair --strict --verify sphere:0,0,0,1 ";
+  const std::string arguments =
+    "'" + input + "' '" + output + "' --repair --strict --verify sphere:0,0,0,1 ";
   EXPECT_EQ(run(arguments + "--tolerance 1e-9").code, 3);
   EXPECT_EQ(run(arguments + "--tolerance 9").code, 4);
 }
@@ -262,7 +276,8 @@ TEST_F(Pn_subdivide_habits, TheToleranceWinsOverStrict)
 TEST_F(Pn_subdivide_habits, TheReportSaysWhatWasDone)
 {
   const std::string input = folder.write("twisted.off", twisted), output = folder.file("o.stl");
-  const nlohmann::json json = report("'" + input + "' '" + output + "' --repair --levels 2 --limit");
+  const nlohmann::json json =
+    report("'" + input + "' '" + output + "' --repair --levels 2 --limit");
   EXPECT_EQ(json.at("input"), input);
   EXPECT_EQ(json.at("output"), output);
   EXPECT_EQ(json.at("vertices"), 25); // a square of two triangles, cut twice
@@ -277,12 +292,16 @@ TEST_F(Pn_subdivide_habits, TheReportSaysWhatWasDone)
 
 TEST_F(Pn_subdivide_habits, TheReportOfALinearSchemeAndOfACurve)
 {
-  const std::string input = folder.write("cube.off", square), curve = folder.write("p.txt", polygon);
-  nlohmann::json json = report("'" + input + "' '" + folder.file("o.ply") + "' --linear --levels 0");
+  const std::string input = folder.write("cube.off", square),
+                    curve = folder.write("p.txt", polygon);
+  nlohmann::json json =
+    report("'" + input + "' '" + folder.file("o.ply") + "' --linear --levels 0");
   EXPECT_EQ(json.at("vertices"), 8);
   EXPECT_EQ(json.at("faces"), 6);
-  for (const char* list : {"warnings", "dropped"}) EXPECT_EQ(json.at(list), nlohmann::json::array());
-  for (const char* object : {"repaired", "limit"}) EXPECT_EQ(json.at(object), nlohmann::json::object());
+  for (const char* list : {"warnings", "dropped"})
+    EXPECT_EQ(json.at(list), nlohmann::json::array());
+  for (const char* object : {"repaired", "limit"})
+    EXPECT_EQ(json.at(object), nlohmann::json::object());
   json = report("curve '" + curve + "' '" + folder.file("o.txt") + "' --closed --levels 3 --limit");
   EXPECT_EQ(json.at("vertices"), 32);
   EXPECT_EQ(json.at("faces"), 0);
@@ -292,7 +311,8 @@ TEST_F(Pn_subdivide_habits, TheReportOfALinearSchemeAndOfACurve)
 TEST_F(Pn_subdivide_habits, TheReportOfPieces)
 {
   const std::string input = folder.write("cube.off", square);
-  const nlohmann::json json = report("'" + input + "' '" + folder.file("o.ply") + "' --pieces 3 --levels 3");
+  const nlohmann::json json =
+    report("'" + input + "' '" + folder.file("o.ply") + "' --pieces 3 --levels 3");
   EXPECT_EQ(json.at("vertices"), 386);
   EXPECT_EQ(json.at("faces"), 384);
 }

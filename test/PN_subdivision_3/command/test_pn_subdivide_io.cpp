@@ -550,14 +550,16 @@ TEST_F(Mesh_io, TextsInUtf16AreNamed)
     low_first += {c, '\0'};
     high_first += {'\0', c};
   }
-  for (const std::string& text : {"\xFF\xFE" + low_first, "\xFE\xFF" + high_first, low_first, high_first})
+  for (const std::string& text :
+       {"\xFF\xFE" + low_first, "\xFE\xFF" + high_first, low_first, high_first})
     for (const char* file : {"a.off", "a.obj"}) expect_error(file, text, "UTF-16");
 }
 
 TEST_F(Mesh_io, ObjCornersMayEndWithSlashes)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
-  for (const char* face : {"f 1/ 2/ 3/\n", "f 1// 2// 3//\n", "f 1/1/ 2/1/ 3/1/\n", "vn 0 0 1\nf 1//1 2// 3/1/1\n"}) {
+  for (const char* face :
+       {"f 1/ 2/ 3/\n", "f 1// 2// 3//\n", "f 1/1/ 2/1/ 3/1/\n", "vn 0 0 1\nf 1//1 2// 3/1/1\n"}) {
     const Mesh_data mesh = read("a.obj", points + face);
     ASSERT_EQ(mesh.number_of_faces(), 1u) << face;
     for (Mesh_data::Index i = 0; i < 3; ++i) EXPECT_EQ(mesh.face(0).begin()[i], i);

@@ -107,11 +107,11 @@ TEST_F(Streams, DevicesWithoutEnd)
   const std::string file = quoted("cube.off"), out = quoted("o.ply");
   const std::string bounded = "ulimit -v 4000000; timeout 60 ";
   for (const std::string& arguments : {"surface " + file + " " + out + " --sharp /dev/zero",
-                                      "surface - " + out + " --format ply </dev/zero",
-                                      "surface - " + out + " --format obj </dev/zero",
-                                      "surface - " + out + " --format off </dev/zero",
-                                      "surface - " + out + " --format stl </dev/zero",
-                                      "curve /dev/zero " + quoted("o.txt") + " --scheme chaikin"})
+                                       "surface - " + out + " --format ply </dev/zero",
+                                       "surface - " + out + " --format obj </dev/zero",
+                                       "surface - " + out + " --format off </dev/zero",
+                                       "surface - " + out + " --format stl </dev/zero",
+                                       "curve /dev/zero " + quoted("o.txt") + " --scheme chaikin"})
     expect_one_line(run(arguments, bounded), 1, "device");
   EXPECT_EQ(folder.number_of_files(), 1u);
 }

@@ -106,9 +106,11 @@ Real side_of_faces(const Surface_mesh& mesh, const Limits& all, std::size_t v)
   const auto point = [&](Surface_mesh::Vertex_index w) { return all.at[std::size_t(w)].point; };
   const Kernel::Point_3 center = all.at[v].point;
   Kernel::Vector_3 area(0, 0, 0);
-  for (const auto h : halfedges_around_target(mesh.halfedge(Surface_mesh::Vertex_index(unsigned(v))), mesh))
+  for (const auto h :
+       halfedges_around_target(mesh.halfedge(Surface_mesh::Vertex_index(unsigned(v))), mesh))
     if (!mesh.is_border(h))
-      area = area + CGAL::cross_product(point(mesh.target(mesh.next(h))) - center, point(mesh.source(h)) - center);
+      area = area + CGAL::cross_product(point(mesh.target(mesh.next(h))) - center,
+                                        point(mesh.source(h)) - center);
   return area * all.at[v].control_normal < 0 ? -1 : 1;
 }
 
@@ -138,7 +140,9 @@ TYPED_TEST(Limit_points, StayOnSpheresAndCylindersWithTheirNormals)
           << control.name << " " << v;
         if (!l.has_surface_normal) continue;
         // some of the suite's meshes fold when they are moved to the sphere
-        EXPECT_LE(double((to_vector(l.surface_normal) - side_of_faces(mesh, all, v) * radial / 3).norm()), 1e-9)
+        EXPECT_LE(
+          double((to_vector(l.surface_normal) - side_of_faces(mesh, all, v) * radial / 3).norm()),
+          1e-9)
           << control.name << " " << v;
       }
     }
