@@ -15,7 +15,7 @@
 #   scripts/render.py needs; --manual: also what the target doc needs; --page: only what the page needs
 set -euo pipefail
 
-compiling=(g++ cmake ninja-build libcgal-dev)
+compiling=(g++ cmake ninja-build make libcgal-dev) # make: what CMake takes where no generator is named
 drawing=(python3-vtk9 python3-numpy xvfb)
 required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libgtest-dev)
 optional=(libtbb-dev libcli11-dev nlohmann-json3-dev libbenchmark-dev libopenmesh-dev libosd-dev libcgal-demo python3

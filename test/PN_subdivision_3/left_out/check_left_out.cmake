@@ -1,10 +1,10 @@
-# cmake -DSCRIPT=.../left_out.sh -DBASH=... -DCTEST=... -DFOLDER=... -P: what is missing is counted, and fails with
-# --strict only.
+# cmake -DSCRIPT=.../left_out.sh -DBASH=... -DCTEST=... -DGENERATOR=... -DFOLDER=... -P: what is missing is
+# counted, and fails with --strict only.
 
 # expect(name strict code last option...): the exit code of left_out.sh and what it says last, after the tests of
 # the project have run, configured with the options
 function(expect name strict code last)
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${FOLDER}/${name} ${ARGN}
+  execute_process(COMMAND ${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR} -B ${FOLDER}/${name} ${ARGN}
                   RESULT_VARIABLE failed OUTPUT_VARIABLE log ERROR_VARIABLE log)
   execute_process(COMMAND ${CTEST} WORKING_DIRECTORY ${FOLDER}/${name} RESULT_VARIABLE tests_failed
                   OUTPUT_VARIABLE tests ERROR_VARIABLE tests)
