@@ -60,10 +60,12 @@ function(pn_test_settings target)
   target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
 endfunction()
 
-pn_precompile(
-  pn_test_headers <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h>
-  <CGAL/PN_subdivision_3.h> <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h>
-  <CGAL/subdivision_method_3.h>)
+set(pn_headers_of_tests <gtest/gtest.h>)
+if(NOT PN_TEST_PART STREQUAL "others") # tests of the command see little of CGAL
+  list(APPEND pn_headers_of_tests <CGAL/Exact_predicates_exact_constructions_kernel.h> <CGAL/PN_subdivision_3.h>
+       <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/subdivision_method_3.h>)
+endif()
+pn_precompile(pn_test_headers ${pn_headers_of_tests})
 pn_test_settings(pn_test_headers)
 
 # What of the reference implementations takes long to compile.
@@ -78,6 +80,11 @@ set(pn_computing_tests
     test_creases_shapes test_estimate_curvature test_exact_schemes test_extraordinary_curvature
     test_extraordinary_measure test_failures test_interpolation test_limit_masks test_limit_points test_pieces
     test_reproduction test_scheme_properties)
+if(PN_TEST_OPTIMIZATION STREQUAL "-O0" AND NOT PN_TEST_PART STREQUAL "others")
+  pn_precompile(pn_computing_test_headers ${pn_headers_of_tests})
+  pn_test_settings(pn_computing_test_headers)
+  target_compile_options(pn_computing_test_headers PRIVATE -O1)
+endif()
 
 # pn_add_test(name source... [WHOLE]): a GoogleTest program. Each of its tests is an entry of its own
 # in ctest; with WHOLE the program is one entry (for costly set-up that its tests share).
@@ -90,8 +97,9 @@ function(pn_add_test name)
   if(TARGET pn_test_references)
     target_link_libraries(${name} PRIVATE pn_test_references)
   endif()
-  if(name IN_LIST pn_computing_tests AND PN_TEST_OPTIMIZATION STREQUAL "-O0")
-    target_compile_options(${name} PRIVATE -O1) # the precompiled headers are not
+  if(TARGET pn_computing_test_headers AND name IN_LIST pn_computing_tests)
+    target_compile_options(${name} PRIVATE -O1)
+    target_precompile_headers(${name} REUSE_FROM pn_computing_test_headers)
   else()
     target_precompile_headers(${name} REUSE_FROM pn_test_headers)
   endif()
