@@ -9,12 +9,17 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 
-#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Corner_normals.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimations.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Face_neighbors.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/property_map/transform_value_property_map.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -85,27 +90,38 @@ template <class FT, class Access, class Point_map, class Normal_map>
 Curvature_data curvature_data(const Access& access, Point_map points, Normal_map normals)
 {
   using Index = Level_connectivity::Index;
-  Curvature_data data;
-  data.level = checked_level(access);
-  const Index n = data.level.number_of_vertices();
-  for (Index v = 0; v < n; ++v)
-    data.points.push_back(to_double_3(checked_point<FT>(access, points, v)));
-  data.face_normals.resize(n);
-  angle_weighted_normals<double>(
-    data.level, [&](Index v) -> const Coordinates<double, 3>& { return data.points[v]; },
-    [&](Index v, const Coordinates<double, 3>& m) { data.face_normals[v] = m; });
-  data.fits_normals = !std::is_same_v<Normal_map, No_normal_map>;
-  if constexpr (std::is_same_v<Normal_map, No_normal_map>)
-    data.normals = data.face_normals;
-  else
-    for (Index v = 0; v < n; ++v) {
+  Level_connectivity level = checked_level(access);
+  std::vector<Coordinates<double, 3>> p;
+  p.reserve(level.number_of_vertices());
+  for (Index v = 0; v < level.number_of_vertices(); ++v)
+    p.push_back(to_double_3(checked_point<FT>(access, points, v)));
+  Curvature_data data(std::move(level), p);
+  if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+    data.fits_normals = true;
+    data.face_normals.resize(p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Index v = data.old_number[i];
       const auto name = [&] { return access.vertex_name(v); };
       const Coordinates<FT, 3> m = coordinates_3<FT>(get(normals, access.vertex(v)));
       check_finite<FT, 3>(m, "normal", name);
-      data.normals.push_back(to_double_3(m));
-      normalize_control_normal<double, 3>(data.normals.back());
+      data.vertices[i].normal = to_double_3(m);
+      normalize_control_normal<double, 3>(data.vertices[i].normal);
     }
+  }
   return data;
+}
+
+// both walk round the vertices
+inline void set_faces(Curvature_data& data, Face_neighbors& faces, const For_chunks& for_chunks)
+{
+  using Index = Level_connectivity::Index;
+  for_chunks(data.level.number_of_vertices(), [&](Index begin, Index end) {
+    const Corner_normals normal(data);
+    for (Index v = begin; v < end; ++v) {
+      faces.set(v);
+      (data.fits_normals ? data.face_normals[v] : data.vertices[v].normal) = normal(v);
+    }
+  });
 }
 
 } // namespace internal
@@ -198,17 +214,26 @@ void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
   using Value = typename boost::property_traits<CurvatureMap>::value_type;
   using Index = Level_connectivity::Index;
   const auto points = Parameters::const_point_map(mesh, np);
+  const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
   internal::with_mesh_access(mesh, [&](const auto& access) {
-    const internal::Curvature_data data =
+    internal::Curvature_data data =
       internal::curvature_data<typename Parameters::FT>(access, points, Parameters::normal_map(np));
+    internal::Face_neighbors faces(data);
+    internal::set_faces(data, faces, for_chunks);
+    // from here on nothing is refused: what is written need not wait for the rest
     const Index n = data.level.number_of_vertices();
-    std::vector<internal::Principal_curvatures> results(n);
-    internal::For_chunks::with(Concurrency_tag())(n, [&](Index begin, Index end) {
-      internal::Curvature_estimation estimate(data);
-      for (Index v = begin; v < end; ++v) results[v] = estimate(v);
-    });
-    for (Index v = 0; v < n; ++v)
-      put(curvatures, access.vertex(v), internal::to_vertex_curvature<Value>(results[v]));
+    constexpr Index some = 1 << 15;
+    std::vector<internal::Principal_curvatures> results((std::min)(n, some));
+    for (Index first = 0, number; first < n; first += number) {
+      number = (std::min)(n - first, some);
+      for_chunks(number, [&](Index begin, Index end) {
+        internal::Curvature_estimations estimate(data, faces);
+        estimate(first + begin, first + end, results.data() + begin);
+      });
+      for (Index i = 0; i < number; ++i)
+        put(curvatures, access.vertex(data.old_number[first + i]),
+            internal::to_vertex_curvature<Value>(results[i]));
+    }
   });
 }
 

@@ -14,6 +14,8 @@
 
 #if __has_include(<Eigen/Core>)
 #  include <CGAL/PN_subdivision_3/estimate_curvature.h>
+
+#  include <boost/property_map/property_map.hpp>
 #endif
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -55,7 +57,27 @@ double end_of_colors(const Mesh_data& mesh, const std::vector<double>& values, C
   return least > 0 && std::isfinite(least) ? least : 1;
 }
 
-Curvature_values measure(Surface& surface, Curvature_kind kind, unsigned threads)
+#if __has_include(<Eigen/Core>)
+// Writes the curvature that is asked for, and nothing else.
+struct Scalar_map
+{
+  using key_type = Surface::Vertex_index;
+  using value_type = PN::Vertex_curvature<Kernel>;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Scalar_map& map, key_type v, const value_type& c)
+  {
+    map.result->values[v] = map.kind == Curvature_kind::gaussian ? c.gaussian : c.mean;
+    if (!c.is_estimated) ++map.result->without_estimate;
+  }
+
+  Curvature_values* result;
+  Curvature_kind kind;
+};
+#endif
+
+Curvature_values measure(const Surface& surface, Curvature_kind kind, unsigned threads)
 {
   Curvature_values result;
 #if __has_include(<Eigen/Core>)
@@ -64,16 +86,8 @@ Curvature_values measure(Surface& surface, Curvature_kind kind, unsigned threads
 #  else
   (void)threads;
 #  endif
-  using Curvature = PN::Vertex_curvature<Kernel>;
-  const auto curvatures =
-    surface.add_property_map<Surface::Vertex_index, Curvature>("v:curvature").first;
-  PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, curvatures);
-  result.values.reserve(surface.number_of_vertices());
-  for (const Surface::Vertex_index v : surface.vertices()) {
-    const Curvature& c = curvatures[v];
-    result.values.push_back(kind == Curvature_kind::gaussian ? c.gaussian : c.mean);
-    if (!c.is_estimated) ++result.without_estimate;
-  }
+  result.values.resize(surface.number_of_vertices());
+  PN::estimate_curvature<CGAL::Parallel_if_available_tag>(surface, Scalar_map{&result, kind});
 #else
   (void)surface;
   (void)kind;
@@ -180,14 +194,14 @@ std::string Curvature_range::description(Curvature_kind kind) const
          " vertices allow no estimate (too few neighbors, no area or out of range) and get 0";
 }
 
-Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_maps>& creases,
-                                   Curvature_kind kind, unsigned threads)
+Curvature_values measure_curvature(const Surface& surface,
+                                   const std::optional<Crease_maps>& creases, Curvature_kind kind,
+                                   unsigned threads)
 {
   require_size_for_curvature(surface);
   if (!creases) return measure(surface, kind, threads);
   const Wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
-  Surface cut = cut_between(surface, wedges);
-  return means_of_wedges(measure(cut, kind, threads), wedges);
+  return means_of_wedges(measure(cut_between(surface, wedges), kind, threads), wedges);
 }
 
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature)

@@ -43,8 +43,9 @@ struct Curvature_values
   std::size_t without_estimate = 0;
 };
 // Across creases nothing is measured: vertices with several wedges have the mean of their curvatures.
-Curvature_values measure_curvature(Surface& surface, const std::optional<Crease_maps>& creases,
-                                   Curvature_kind kind, unsigned threads);
+Curvature_values measure_curvature(const Surface& surface,
+                                   const std::optional<Crease_maps>& creases, Curvature_kind kind,
+                                   unsigned threads);
 
 // Gives the vertices the values and colors for them, in place of attributes of the same name.
 Curvature_range set_curvature(Mesh_data& mesh, Curvature_kind kind, Curvature_values curvature);

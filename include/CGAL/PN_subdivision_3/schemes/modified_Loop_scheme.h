@@ -11,8 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Long_rings.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Tuned_Loop_frequencies.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
@@ -52,8 +54,8 @@ e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))
 \tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
   computed by the number type's own `cos()` and `acos()` if it has them, otherwise with about 104 bits,
   and rounded to `double` in exact number types. All rows sum to 1.
-<br><b>Cost:</b> of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
-  separated vertex
+<br><b>Cost:</b> of construction: linear in the size of the level. The n edges of a separated vertex of valence n have
+  rows of n entries.
 \cgalModels{PNSubdivisionMask_3}
 */
 template <class FT>
@@ -77,6 +79,7 @@ public:
     if (tuning.holds_in(round))
       separated_ = {level, 6, 3, [&](Index n) { return weights(n, tuning); },
                     [all](Index n) { return all || (n != 4 && n != 5); }};
+    rings_ = internal::Long_rings(level, separated_);
   }
 
   /// the row of the new vertex of an old vertex.
@@ -96,12 +99,10 @@ public:
   {
     const auto [h, w] = separated_.at_edge(level_, e);
     if (w == nullptr) return plain_.edge(e, s);
-    Index g = h;
-    for (const FT& weight : w->edge_to_neighbor) {
-      s.add(level_.source(g), weight);
-      g = level_.next_around_target(g);
-    }
-    s.add_rest(level_.target(h));
+    const Index v = level_.target(h);
+    auto weight = w->edge_to_neighbor.begin();
+    rings_.for_each_neighbor(level_, h, [&](Index u) { s.add(u, *weight++); });
+    s.add(v, w->edge_to_vertex);
   }
 
   /// the vertices with rules of their own, in ascending order.
@@ -112,6 +113,7 @@ private:
   {
     FT vertex_to_neighbor;
     std::vector<FT> edge_to_neighbor; // from its own neighbor on
+    FT edge_to_vertex; // the rest, as Stencil::add_rest() would find it for every row
   };
 
   // the cosines of valences 3 and 4 are rational
@@ -124,32 +126,27 @@ private:
   template <class Number>
   static Weights tuned(Index n, const internal::Ring_tuning& tuning)
   {
+    const internal::Tuned_Loop_frequencies<Number> frequencies(n, tuning);
     const Number size = Number(int(n)), three_8ths = Number(3) / Number(8);
-    std::vector<Number> cosine(n), eigenvalue(n);
-    for (Index k = 0; k < n; ++k) cosine[k] = cosine_weight<Number>(k, n);
-    for (Index k = 1; k < n; ++k) eigenvalue[k] = three_8ths + cosine[k] / Number(4);
-    const Number lambda = eigenvalue[1], lambda2 = lambda * lambda;
-    const Number new_lambda = n <= 4 ? Number(Number(1) / Number(2)) : lambda;
-    for (Index k = 2; k + 1 < n; ++k)
-      eigenvalue[k] = tuning.other(eigenvalue[k], k == 2 || k == n - 2, new_lambda);
-    eigenvalue[1] = eigenvalue[n - 1] = new_lambda;
+    const Number lambda2 = frequencies.lambda * frequencies.lambda;
     const Number kappa =
-      (Number(1) - tuning.other(lambda2, true, new_lambda)) / (Number(1) - lambda2);
+      (Number(1) - tuning.other(lambda2, true, frequencies.new_lambda)) / (Number(1) - lambda2);
 
     Weights w;
     w.vertex_to_neighbor =
       internal::rounded_weight<FT>(Number((Number(5) / Number(8) - lambda2) * kappa / size));
-    for (Index d = 0; d < n; ++d) {
-      Number sum = Number(1) - three_8ths * kappa;
-      for (Index k = 1, kd = d; k < n; ++k, kd = (kd + d) % n) sum += eigenvalue[k] * cosine[kd];
+    for (const Number& sum : frequencies.sums(Number(1) - three_8ths * kappa))
       w.edge_to_neighbor.push_back(internal::rounded_weight<FT>(Number(sum / size)));
-    }
+    FT sum(0);
+    for (const FT& weight : w.edge_to_neighbor) sum += weight;
+    w.edge_to_vertex = FT(1) - sum;
     return w;
   }
 
   const Level_connectivity& level_;
   Loop_mask<FT> plain_;
   internal::Separated_vertices<Weights> separated_;
+  internal::Long_rings rings_;
 };
 
 /*!

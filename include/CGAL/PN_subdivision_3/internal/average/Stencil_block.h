@@ -48,6 +48,7 @@ public:
   }
 
   std::size_t number_of_rows() const { return rows_; }
+  std::size_t number_of_entries() const { return row_.begin_; }
   const Entry* begin(std::size_t row) const
   {
     return row_.entries_.get() + (row == 0 ? 0 : ends_[row - 1]);

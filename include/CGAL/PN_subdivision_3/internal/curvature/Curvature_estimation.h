@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_fit.h>
 
 #include <algorithm>
@@ -20,17 +21,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// What is known of the vertices of a mesh. A normal is a unit vector or zero; it takes part in the
-// fit if `fits_normals`, and otherwise only tells the sides of the surface apart.
-struct Curvature_data
-{
-  Level_connectivity level;
-  std::vector<Coordinates<double, 3>> points, normals;
-  // Where a vertex has no normal of its own, the normal of its faces gives the plane of the fit.
-  std::vector<Coordinates<double, 3>> face_normals;
-  bool fits_normals = false;
-};
 
 // The curvatures at one vertex after the other. The neighborhood of a vertex grows by rings, each
 // the vertices that share a face with the ring before, until a cubic is determined; where none is,
@@ -73,8 +63,8 @@ private:
 
   Eigen::Vector3d frame_normal(Index v) const
   {
-    const Eigen::Vector3d own = vector(data_.normals[v]);
-    return own.isZero(0) ? vector(data_.face_normals[v]) : own;
+    const Eigen::Vector3d own = vector(data_.vertices[v].normal);
+    return own.isZero(0) && data_.fits_normals ? vector(data_.face_normals[v]) : own;
   }
 
   void start(Index v)
@@ -89,19 +79,22 @@ private:
   // surface and is not entered.
   bool grow(const Eigen::Vector3d& normal)
   {
+    const auto is_before = [&](Index v, Index w) { return data_.is_before(v, w); };
     next_ring_.clear();
     for (Index v : ring_) add_face_neighbors(v);
-    std::sort(next_ring_.begin(), next_ring_.end());
+    std::sort(next_ring_.begin(), next_ring_.end(), is_before);
     next_ring_.erase(std::unique(next_ring_.begin(), next_ring_.end()), next_ring_.end());
     const auto is_known_or_behind = [&](Index v) {
-      return v == vertex_ || std::binary_search(neighbors_.begin(), neighbors_.end(), v) ||
+      return v == vertex_ ||
+             std::binary_search(neighbors_.begin(), neighbors_.end(), v, is_before) ||
              cosine(v, normal) <= 0;
     };
     next_ring_.erase(std::remove_if(next_ring_.begin(), next_ring_.end(), is_known_or_behind),
                      next_ring_.end());
     const auto old_size = static_cast<std::ptrdiff_t>(neighbors_.size());
     neighbors_.insert(neighbors_.end(), next_ring_.begin(), next_ring_.end());
-    std::inplace_merge(neighbors_.begin(), neighbors_.begin() + old_size, neighbors_.end());
+    std::inplace_merge(neighbors_.begin(), neighbors_.begin() + old_size, neighbors_.end(),
+                       is_before);
     ring_.swap(next_ring_);
     ++number_of_rings_;
     return !ring_.empty();
@@ -122,18 +115,18 @@ private:
 
   double cosine(Index v, const Eigen::Vector3d& normal) const
   {
-    const Eigen::Vector3d n = vector(data_.normals[v]);
+    const Eigen::Vector3d n = vector(data_.vertices[v].normal);
     return n.isZero(0) ? 1 : n.dot(normal);
   }
 
   // Lengths are divided by the mean distance of the neighbors, which is returned.
   double set_samples(Index v, const Eigen::Vector3d& normal)
   {
-    const Eigen::Vector3d center = vector(data_.points[v]);
+    const Eigen::Vector3d center = vector(data_.vertices[v].point);
     double scale = 0;
     samples_.clear();
     for (Index w : neighbors_) {
-      const Eigen::Vector3d offset = vector(data_.points[w]) - center;
+      const Eigen::Vector3d offset = vector(data_.vertices[w].point) - center;
       samples_.push_back({offset, fitted_normal(w), cosine(w, normal)});
       scale += offset.stableNorm() / static_cast<double>(neighbors_.size());
     }
@@ -144,7 +137,7 @@ private:
 
   Eigen::Vector3d fitted_normal(Index v) const
   {
-    return data_.fits_normals ? vector(data_.normals[v]) : Eigen::Vector3d::Zero();
+    return data_.fits_normals ? vector(data_.vertices[v].normal) : Eigen::Vector3d::Zero();
   }
 
   const Curvature_data& data_;

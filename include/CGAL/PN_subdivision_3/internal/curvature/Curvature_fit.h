@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_FIT_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_FIT_H
 
+#include <CGAL/PN_subdivision_3/internal/curvature/principal_curvatures.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -28,14 +30,6 @@ struct Curvature_sample
   Eigen::Vector3d offset;
   Eigen::Vector3d normal;
   double weight;
-};
-
-// The derivatives of the unit normal in an orthonormal basis of eigenvectors.
-struct Principal_curvatures
-{
-  double minimal = 0, maximal = 0, gaussian = 0, mean = 0;
-  Eigen::Vector3d minimal_direction{0, 0, 0}, maximal_direction{0, 0, 0};
-  bool is_estimated = false;
 };
 
 // The graph z = f(u), f(0) = 0, a polynomial of degree 2 or 3 over the plane normal to a given unit
@@ -73,40 +67,18 @@ public:
     return solve();
   }
 
-  // The fitted surface at the vertex. The shape operator is that of the derivative of the normal
-  // (-grad f, 1)/W, so that a sphere with outward normals has positive curvatures.
+  // The fitted surface at the vertex.
   Principal_curvatures curvatures(double scale) const
   {
-    const double a = gradient_[0], b = gradient_[1], w = std::sqrt(1 + a * a + b * b);
-    // the columns of `basis` are the projections of an orthonormal basis of the tangent plane
-    Eigen::Matrix2d first, basis;
-    first << 1 + a * a, a * b, a * b, 1 + b * b;
-    const double l = std::sqrt(first(0, 0));
-    basis << 1 / l, -first(0, 1) / (l * w), 0, l / w;
-    const Eigen::Matrix2d shape = -basis.transpose() * hessian_ * basis / (w * scale);
-
-    Principal_curvatures c;
-    const double difference = (shape(0, 0) - shape(1, 1)) / 2;
-    const double radius = std::hypot(difference, shape(0, 1));
-    c.mean = (shape(0, 0) + shape(1, 1)) / 2;
-    c.minimal = c.mean - radius;
-    c.maximal = c.mean + radius;
-    c.gaussian = shape(0, 0) * shape(1, 1) - shape(0, 1) * shape(0, 1);
-    const double angle = std::atan2(shape(0, 1), difference) / 2;
-    const Eigen::Vector2d across(std::sin(angle), -std::cos(angle));
-    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
-    c.minimal_direction = in_space(basis * across);
-    c.maximal_direction = in_space(basis * along);
-    c.is_estimated = std::isfinite(c.gaussian) && std::isfinite(c.mean) && std::isfinite(radius);
-    return c.is_estimated ? c : Principal_curvatures();
+    return principal_curvatures(graph_, scale);
   }
 
 private:
   void set_frame(const Eigen::Vector3d& normal)
   {
-    frame_.col(2) = normal;
-    frame_.col(0) = normal.unitOrthogonal();
-    frame_.col(1) = normal.cross(frame_.col(0));
+    graph_.frame.col(2) = normal;
+    graph_.frame.col(0) = normal.unitOrthogonal();
+    graph_.frame.col(1) = normal.cross(graph_.frame.col(0));
   }
 
   // Units in which the second moments of the samples are 1 make the fit independent of affine maps
@@ -115,7 +87,7 @@ private:
   {
     Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
     for (const Curvature_sample& s : samples) {
-      const Eigen::Vector2d u = frame_.leftCols<2>().transpose() * s.offset;
+      const Eigen::Vector2d u = graph_.frame.leftCols<2>().transpose() * s.offset;
       moments += u * u.transpose() / double(samples.size());
     }
     constexpr double on_a_line = 1e-12;
@@ -130,8 +102,8 @@ private:
   // there z = nu.u / (1 + n_w), the height of the arc in the average of points and normals.
   void add(const Curvature_sample& s)
   {
-    const Eigen::Vector3d p = frame_.transpose() * s.offset;
-    const Eigen::Vector3d n = frame_.transpose() * s.normal;
+    const Eigen::Vector3d p = graph_.frame.transpose() * s.offset;
+    const Eigen::Vector3d n = graph_.frame.transpose() * s.normal;
     const Eigen::Vector2d u = units_.triangularView<Eigen::Lower>().solve(p.head<2>());
     const double x = u[0], y = u[1], weight = s.weight / (1 + u.squaredNorm() / 2);
     double z = p[2];
@@ -178,24 +150,17 @@ private:
     Eigen::Matrix2d second;
     second << x[2], x[3] / root_2, x[3] / root_2, x[4];
     const Eigen::Matrix2d inverse_units = units_.inverse();
-    gradient_ = inverse_units.transpose() * x.head<2>();
-    hessian_ = inverse_units.transpose() * second * inverse_units;
+    graph_.gradient = inverse_units.transpose() * x.head<2>();
+    graph_.hessian = inverse_units.transpose() * second * inverse_units;
     return true;
   }
 
-  Eigen::Vector3d in_space(const Eigen::Vector2d& u) const
-  {
-    return (frame_ * Eigen::Vector3d(u[0], u[1], gradient_.dot(u))).normalized();
-  }
-
-  Eigen::Matrix3d frame_;
+  Graph_derivatives graph_;
   Eigen::Matrix2d units_; // lower triangular
   Matrix matrix_;
   Eigen::VectorXd right_side_;
   Eigen::Index rows_ = 0;
   Eigen::HouseholderQR<Matrix> qr_;
-  Eigen::Vector2d gradient_;
-  Eigen::Matrix2d hessian_;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/PN_row_blocks.h>
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
@@ -27,6 +28,9 @@ namespace internal {
 // The smallest smooth change d of control points, sum |U d|^2 + 1e-6 |d|^2 with the umbrella Laplacian
 // U, that fulfils linear conditions on it. Vertices further than some rings of faces from all that have
 // conditions stay. Conditions that contradict each other are met as well as they can be.
+//
+// A row of U at a vertex of large valence n would give the matrix n^2 entries. Its value is an unknown s instead,
+// with the equations U d - s = 0 and, in place of U^T U d, U^T s: 2n entries.
 class Smooth_correction
 {
 public:
@@ -49,7 +53,7 @@ public:
   bool set_conditions(const std::vector<Condition>& conditions)
   {
     std::vector<Eigen::Triplet<double>> entries = energy_;
-    const auto n = static_cast<int>(3 * free_.size());
+    const int n = number_of_unknowns();
     const auto m = static_cast<int>(conditions.size());
     for (int i = 0; i < m; ++i) {
       for (const auto& [v, c] : conditions[static_cast<std::size_t>(i)]) {
@@ -61,19 +65,19 @@ public:
       }
       entries.emplace_back(n + i, n + i, -1e-13);
     }
-    Eigen::SparseMatrix<double> system(n + m, n + m);
+    Matrix system(n + m, n + m);
     system.setFromTriplets(entries.begin(), entries.end());
-    factor_.compute(system);
-    return factor_.info() == Eigen::Success;
+    return sums_ == 0 ? is_factored(factor_, system) : is_factored(factor_with_sums_, system);
   }
 
   // Adds the change for which the conditions have these values. \pre set_conditions()
   bool add_to(Vectors<3>& points, const std::vector<double>& values) const
   {
-    const auto n = static_cast<Eigen::Index>(3 * free_.size());
+    const Eigen::Index n = number_of_unknowns();
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n + static_cast<Eigen::Index>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) b[n + static_cast<Eigen::Index>(i)] = values[i];
-    const Eigen::VectorXd x = factor_.solve(b);
+    const Eigen::VectorXd x =
+      sums_ == 0 ? factor_.solve(b).eval() : factor_with_sums_.solve(b).eval();
     if (!x.allFinite()) return false;
     for (std::size_t i = 0; i < free_.size(); ++i)
       points[free_[i]] += x.segment<3>(3 * static_cast<Eigen::Index>(i));
@@ -81,6 +85,20 @@ public:
   }
 
 private:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Umbrella = std::vector<std::pair<int, double>>; // a row of U
+  static constexpr std::size_t longest_multiplied = 64;
+
+  // but for those of the conditions
+  int number_of_unknowns() const { return 3 * (static_cast<int>(free_.size()) + sums_); }
+
+  template <class Factor>
+  static bool is_factored(Factor& factor, const Matrix& system)
+  {
+    factor.compute(system);
+    return factor.info() == Eigen::Success;
+  }
+
   void find_free(const std::vector<Index>& vertices, unsigned rings)
   {
     std::vector<Index> front, next;
@@ -116,7 +134,7 @@ private:
   void set_energy()
   {
     std::vector<char> is_done(level_.number_of_vertices(), 0);
-    std::vector<std::pair<int, double>> umbrella; // a row of U
+    Umbrella umbrella;
     const auto add_row = [&](Index v) {
       if (is_done[v] != 0 || level_.is_isolated(v)) return;
       is_done[v] = 1;
@@ -126,6 +144,7 @@ private:
       level_.for_each_neighbor(level_.halfedge_of_vertex(v), [&](Index w) {
         if (place_[w] >= 0) umbrella.emplace_back(place_[w], -share);
       });
+      if (umbrella.size() > longest_multiplied) return add_sum(umbrella);
       for (const auto& [i, x] : umbrella)
         for (const auto& [j, y] : umbrella)
           for (int k = 0; k < 3; ++k) energy_.emplace_back(3 * i + k, 3 * j + k, x * y);
@@ -137,11 +156,27 @@ private:
     for (int i = 0; i < static_cast<int>(3 * free_.size()); ++i) energy_.emplace_back(i, i, 1e-6);
   }
 
+  void add_sum(const Umbrella& umbrella)
+  {
+    const int first = number_of_unknowns();
+    ++sums_;
+    for (int k = 0; k < 3; ++k) {
+      for (const auto& [i, x] : umbrella) {
+        energy_.emplace_back(3 * i + k, first + k, x);
+        energy_.emplace_back(first + k, 3 * i + k, x);
+      }
+      energy_.emplace_back(first + k, first + k, -1);
+    }
+  }
+
   const Level_connectivity& level_;
   std::vector<int> place_; // of a vertex among the free ones
   std::vector<Index> free_;
   std::vector<Eigen::Triplet<double>> energy_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor_;
+  int sums_ = 0; // three unknowns each
+  Eigen::SparseLU<Matrix> factor_;
+  // an order that leaves unknowns with many entries for the end
+  Eigen::SparseLU<Matrix, Eigen::AMDOrdering<int>> factor_with_sums_;
 };
 
 } // namespace internal

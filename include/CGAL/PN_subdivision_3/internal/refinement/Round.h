@@ -163,12 +163,16 @@ private:
     Stencil_block<FT> rows;
     [[maybe_unused]] Normal_rows normal_rows{};
     std::array<Value, block_size_v<FT>> values;
+    Index most = block_size_v<FT>;
     for (Index first = begin; first < end;) {
-      const Index n = (std::min<Index>)(end - first, block_size_v<FT>);
+      const Index n = (std::min<Index>)(end - first, most);
       compute(first, n, vertex, rows, normal_rows, old, values.data());
       if (rows_sink != nullptr) (*rows_sink)(first, rows);
       sink(first, values.data(), n);
       first += n;
+      // rows as long as large valences come alone, so that a block stays in the cache
+      constexpr std::size_t many_entries = 1 << 14;
+      most = rows.number_of_entries() > many_entries ? 1 : Index(block_size_v<FT>);
     }
   }
 

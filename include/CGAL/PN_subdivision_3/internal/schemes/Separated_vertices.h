@@ -94,6 +94,16 @@ public:
     return result;
   }
 
+  // those of at least that valence
+  std::vector<Index> vertices_of_valence(Index least) const
+  {
+    std::vector<Index> result;
+    if (weights_.empty() || weights_.rbegin()->first < least) return result;
+    for (Index v = 0; v < valence_.size(); ++v)
+      if (valence_[v] >= least) result.push_back(v);
+    return result;
+  }
+
   // the weights about v, null if it is not separated
   const Weights* at(Index v) const
   {
