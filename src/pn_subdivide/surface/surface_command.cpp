@@ -244,6 +244,8 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   announce_long_work(surface, options, scheme, report);
   if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
+  Wedge_list wedges;
+  rounds.wedges = &wedges;
   if (creases.any() || creases.border != Border::surface)
     rounds.creases = add_creases(surface, creases, options.limit.is_used());
   if (options.levels > 0) {
@@ -253,8 +255,10 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
     refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
-  if (options.limit.is_used())
+  if (options.limit.is_used()) {
+    if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
+  }
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
@@ -262,8 +266,10 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                       " vertices");
     curvature = measure_curvature(surface, rounds.creases, *plan.curvature, plan.threads);
   }
+  if (rounds.creases)
+    remove_creases(surface, *rounds.creases); // the output is made beside what is left
   if (must_split) split_for_output(surface, plan.output, report);
-  mesh = to_mesh_data(surface);
+  mesh = to_mesh_data(surface, wedges);
   mesh.attributes = std::move(attributes);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
 }
