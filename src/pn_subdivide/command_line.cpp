@@ -231,6 +231,11 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");
+  surface.add_option("--texture-rule", options.texture_rule,
+                     "What stays of texture coordinates where charts end, as in OpenSubdiv: none, "
+                     "corners-only (corners of one face), corners-plus1 (default; and where three "
+                     "charts meet), corners-plus2 (and concave corners and ends of seams), "
+                     "boundaries (all of seams and borders) or all (linear inside faces)");
   surface.add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->transform(whole_number())
     ->capture_default_str();

@@ -36,10 +36,18 @@ struct Flat_shading
   bool makes_creases() const { return normals <= 6 || faces >= 20 * normals; }
 };
 
+struct Corner_normal
+{
+  std::size_t corner;
+  std::uint32_t vertex;
+  Triple normal;
+};
+
 // A polygon soup as the files hold it: nothing is said about manifoldness or orientation.
 // `normals` is empty or has one vector per point, zero where a point has no control normal.
 // `corner_normals` is empty but where corners of one vertex have different normals; then it has one
-// vector per corner, face by face, and `normals` has the normalized sum of the different ones.
+// vector per corner, face by face, and `normals` has the normalized sum of the different ones. Refined meshes have
+// `several_normals` in its place, of the corners of those vertices only.
 class Mesh_data
 {
 public:
@@ -49,6 +57,7 @@ public:
 
   std::vector<Triple> points;
   std::vector<Triple> normals, corner_normals;
+  std::vector<Corner_normal> several_normals; // in the order of the corners
   Attributes attributes;
 
   // What the file says and this does not hold, for people: "materials".
@@ -63,7 +72,7 @@ public:
   std::vector<Index> merged_into, copied_from;
 
   bool has_normals() const { return !normals.empty(); }
-  bool has_corner_normals() const { return !corner_normals.empty(); }
+  bool has_corner_normals() const { return !corner_normals.empty() || !several_normals.empty(); }
   void drop(const std::string& what)
   {
     if (std::find(dropped.begin(), dropped.end(), what) == dropped.end()) dropped.push_back(what);

@@ -11,6 +11,8 @@
 #include "io/Different_values.h"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 namespace pn_subdivide {
 
@@ -33,6 +35,25 @@ void set_vertex_normals(Mesh_data& mesh)
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (number[v] == 2) mesh.normals[v] = normalized(mesh.normals[v]);
   if (all_same) mesh.corner_normals.clear();
+}
+
+void set_several_normals(Mesh_data& mesh, std::vector<Corner_normal>&& normals)
+{
+  std::unordered_map<Mesh_data::Index, std::vector<Triple>> different;
+  for (const Corner_normal& n : normals) {
+    std::vector<Triple>& of_vertex = different[n.vertex];
+    const auto is_same = [&](const Triple& other) { return are_equal(other, n.normal); };
+    if (std::none_of(of_vertex.begin(), of_vertex.end(), is_same)) of_vertex.push_back(n.normal);
+  }
+  bool all_same = true;
+  for (const auto& [v, values] : different) {
+    Triple sum = values[0];
+    for (std::size_t i = 1; i < values.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += values[i][k];
+    mesh.normals[v] = values.size() == 1 ? sum : normalized(sum);
+    all_same = all_same && values.size() == 1;
+  }
+  if (!all_same) mesh.several_normals = std::move(normals);
 }
 
 std::size_t vertices_with_several_normals(const Mesh_data& mesh)

@@ -34,6 +34,9 @@ inline bool directions_differ(const Triple& m, const Triple& n)
 // the corners if they are the same at every vertex.
 void set_vertex_normals(Mesh_data& mesh);
 
+// The same where only the corners of some vertices have normals of their own.
+void set_several_normals(Mesh_data& mesh, std::vector<Corner_normal>&& normals);
+
 // Vertices whose corners have normals in clearly different directions.
 std::size_t vertices_with_several_normals(const Mesh_data& mesh);
 

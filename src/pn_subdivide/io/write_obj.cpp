@@ -12,9 +12,11 @@
 #include "io/formats.h"
 #include "io/write_text.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,9 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 class Numbers
 {
 public:
+  using Sparse = std::unordered_map<std::size_t, Mesh_data::Index>;
+  static constexpr Mesh_data::Index no_number = static_cast<Mesh_data::Index>(-1);
+
   Numbers() = default;
   explicit Numbers(std::vector<std::size_t> of_corner)
     : of_corner_(std::move(of_corner))
@@ -39,14 +44,25 @@ public:
     return numbers;
   }
 
+  // `of_corner` has the numbers of the corners of vertices without a number
+  Numbers(std::vector<Mesh_data::Index> of_vertex, Sparse of_corner)
+    : of_vertex_(std::move(of_vertex))
+    , sparse_(std::move(of_corner))
+    , are_given_(true)
+  {}
+
   std::size_t operator()(std::size_t corner, Mesh_data::Index vertex) const
   {
     if (!are_given_) return none;
+    if (!of_vertex_.empty())
+      return of_vertex_[vertex] != no_number ? of_vertex_[vertex] : sparse_.at(corner);
     return of_corner_.empty() ? std::size_t(vertex) : of_corner_[corner];
   }
 
 private:
   std::vector<std::size_t> of_corner_;
+  std::vector<Mesh_data::Index> of_vertex_;
+  Sparse sparse_;
   bool are_given_ = false;
 };
 
@@ -171,6 +187,44 @@ Numbers write_texture(Output_file& out, const Mesh_data& mesh)
   return Numbers(std::move(different.of_corner));
 }
 
+// The normals of a mesh where some vertices have several, in the order of the first corners that have them.
+struct Some_several
+{
+  explicit Some_several(const Mesh_data& mesh)
+    : of_vertex(mesh.points.size(), Numbers::no_number)
+  {
+    std::unordered_map<Mesh_data::Index, std::vector<Mesh_data::Index>> of_several;
+    auto several = mesh.several_normals.begin();
+    std::size_t corner = 0;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (const Mesh_data::Index v : mesh.face(f)) {
+        const bool is_several = several != mesh.several_normals.end() && several->corner == corner;
+        ++corner;
+        if (!is_several) {
+          if (of_vertex[v] == Numbers::no_number) of_vertex[v] = add(mesh.normals[v]);
+          continue;
+        }
+        std::vector<Mesh_data::Index>& numbers = of_several[v];
+        const auto same = std::find_if(numbers.begin(), numbers.end(), [&](Mesh_data::Index i) {
+          return are_equal(values[i], several->normal);
+        });
+        const bool is_new = same == numbers.end();
+        of_corner[several->corner] = is_new ? add(several->normal) : *same;
+        if (is_new) numbers.push_back(of_corner[several->corner]);
+        ++several;
+      }
+  }
+  Mesh_data::Index add(const Triple& n)
+  {
+    values.push_back(n);
+    return static_cast<Mesh_data::Index>(values.size() - 1);
+  }
+
+  std::vector<Triple> values;
+  std::vector<Mesh_data::Index> of_vertex;
+  Numbers::Sparse of_corner;
+};
+
 Numbers write_normals(Output_file& out, const Mesh_data& mesh)
 {
   const auto write = [&out](const std::vector<Triple>& normals) {
@@ -184,6 +238,11 @@ Numbers write_normals(Output_file& out, const Mesh_data& mesh)
   if (!mesh.has_corner_normals()) {
     write(mesh.normals);
     return Numbers::those_of_vertices();
+  }
+  if (!mesh.several_normals.empty()) {
+    Some_several some(mesh);
+    write(some.values);
+    return Numbers(std::move(some.of_vertex), std::move(some.of_corner));
   }
   Different_values different(mesh, mesh.corner_normals);
   write(different.values);

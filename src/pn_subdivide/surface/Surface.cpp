@@ -18,6 +18,9 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 namespace pn_subdivide {
 namespace {
@@ -204,6 +207,67 @@ Corner_normal_map add_corner_normals(Surface& surface)
   return normals;
 }
 
+std::vector<Vector_3> take_corner_normals(Surface& surface)
+{
+  std::vector<Vector_3> result;
+  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  const Normal_map of_vertices = *normals_of(surface);
+  for (const Halfedge h : surface.halfedges())
+    result.push_back(normals ? (*normals)[h] : of_vertices[surface.target(h)]);
+  if (normals) surface.remove_property_map(*normals);
+  return result;
+}
+
+namespace {
+
+// calls f(half-edge, normal) for all corners of the wedges
+template <class Function>
+void for_each_corner_of(const Surface& surface, const Wedge_list& wedges, const Function& f)
+{
+  std::unordered_set<Index> begins;
+  for (const auto& [first, n] : wedges) begins.insert(Index(first));
+  for (const auto& [first, n] : wedges) {
+    Halfedge h = first;
+    do {
+      f(h, n);
+      h = surface.opposite(surface.next(h));
+    } while (!surface.is_border(h) && begins.count(Index(h)) == 0);
+  }
+}
+
+// The normals of corners at vertices that have several.
+class Normals_of_several
+{
+public:
+  Normals_of_several(const Surface& surface, const Wedge_list& wedges)
+    : has_several_(wedges.empty() ? 0 : surface.number_of_vertices(), false)
+  {
+    for_each_corner_of(surface, wedges, [&](Halfedge h, const Vector_3& n) {
+      of_corner_.emplace(Index(h), n);
+      has_several_[surface.target(h)] = true;
+    });
+  }
+  bool at(Vertex v) const { return !has_several_.empty() && has_several_[v]; }
+  // \pre at(the target)
+  Vector_3 operator()(Halfedge h, const Vector_3& of_vertex) const
+  {
+    const auto own = of_corner_.find(Index(h));
+    return own == of_corner_.end() ? of_vertex : own->second;
+  }
+
+private:
+  std::vector<bool> has_several_;
+  std::unordered_map<Index, Vector_3> of_corner_;
+};
+
+} // namespace
+
+void put_corner_normals(Surface& surface, const Wedge_list& wedges)
+{
+  Corner_normal_map normals = add_corner_normals(surface);
+  for_each_corner_of(surface, wedges, [&](Halfedge h, const Vector_3& n) { normals[h] = n; });
+}
+
 std::vector<Halfedge> corners_of(const Surface& surface)
 {
   std::vector<Halfedge> corners;
@@ -214,28 +278,36 @@ std::vector<Halfedge> corners_of(const Surface& surface)
   return corners;
 }
 
-Mesh_data to_mesh_data(const Surface& surface)
+Mesh_data to_mesh_data(const Surface& surface, const Wedge_list& wedges)
 {
   Mesh_data mesh;
   mesh.points.reserve(surface.number_of_vertices());
   for (const Vertex v : surface.vertices()) mesh.points.push_back(to_triple(surface.point(v)));
-  if (const std::optional<Normal_map> normals = normals_of(surface)) {
+  const std::optional<Normal_map> normals = normals_of(surface);
+  if (normals) {
     mesh.normals.reserve(surface.number_of_vertices());
     for (const Vertex v : surface.vertices()) mesh.normals.push_back(to_triple((*normals)[v]));
   }
 
   mesh.reserve_faces(surface.number_of_faces(), surface.number_of_halfedges());
   const std::optional<Corner_normal_map> corner_normals = corner_normals_of(surface);
+  const Normals_of_several of_several(surface, wedges);
+  std::vector<Corner_normal> several;
   std::vector<Index> face;
   for (const Surface::Face_index f : surface.faces()) {
     face.clear();
     for (const Halfedge h : halfedges_around_face(surface.halfedge(f), surface)) {
-      face.push_back(static_cast<Index>(surface.target(h)));
+      const Vertex v = surface.target(h);
       if (corner_normals) mesh.corner_normals.push_back(to_triple((*corner_normals)[h]));
+      if (of_several.at(v))
+        several.push_back({mesh.number_of_corners() + face.size(), static_cast<Index>(v),
+                           to_triple(of_several(h, (*normals)[v]))});
+      face.push_back(static_cast<Index>(v));
     }
     mesh.add_face(face);
   }
   if (corner_normals) set_vertex_normals(mesh);
+  if (!several.empty()) set_several_normals(mesh, std::move(several));
   return mesh;
 }
 

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
@@ -27,6 +28,10 @@ using Surface = CGAL::Surface_mesh<Point_3>;
 using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
 // the normal of a half-edge's face at its target
 using Corner_normal_map = Surface::Property_map<Surface::Halfedge_index, Vector_3>;
+
+// Of vertices with several wedges the normals of these, with the half-edges that they begin at, clockwise. The first
+// wedge of a border vertex may be missing, and has the normal of the vertex.
+using Wedge_list = std::vector<std::pair<Surface::Halfedge_index, Vector_3>>;
 
 inline Point_3 to_point(const Triple& t)
 {
@@ -56,11 +61,17 @@ std::optional<Corner_normal_map> corner_normals_of(const Surface& surface);
 // Gives each corner the normal of its vertex, which there must be.
 Corner_normal_map add_corner_normals(Surface& surface);
 
+// Takes the normals of the corners off the mesh, in the order of its half-edges; those of the vertices if there
+// are none.
+std::vector<Vector_3> take_corner_normals(Surface& surface);
+// Gives each corner the normal of its wedge.
+void put_corner_normals(Surface& surface, const Wedge_list& wedges);
+
 // zero at all vertices; the mesh must have none yet
 Normal_map add_normals(Surface& surface);
 
 // Points, normals and faces in the order of the mesh, which must not hold garbage.
-Mesh_data to_mesh_data(const Surface& surface);
+Mesh_data to_mesh_data(const Surface& surface, const Wedge_list& wedges = {});
 
 // The half-edges that stand for the corners of the faces, face by face in the order of to_mesh_data():
 // each ends at its corner.

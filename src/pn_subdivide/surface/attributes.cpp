@@ -8,12 +8,15 @@
 
 #include "surface/attributes.h"
 
+#include "io/Error.h"
 #include "io/Text_reader.h"
+#include "io/near_miss.h"
 #include "surface/surface_schemes.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pn_subdivide {
@@ -40,7 +43,40 @@ std::vector<Range> ranges_of(const Columns& columns)
   return ranges;
 }
 
+struct Rule_name
+{
+  const char* name;
+  Texture_rule rule;
+};
+constexpr std::array<Rule_name, 6> rule_names{{{"none", Texture_rule::none},
+                                               {"corners-only", Texture_rule::corners_only},
+                                               {"corners-plus1", Texture_rule::corners_plus1},
+                                               {"corners-plus2", Texture_rule::corners_plus2},
+                                               {"boundaries", Texture_rule::boundaries},
+                                               {"all", Texture_rule::all}}};
+
 } // namespace
+
+Texture_rule parse_texture_rule(const std::string& text)
+{
+  std::vector<std::string> names;
+  for (const Rule_name& known : rule_names) {
+    if (text == known.name) return known.rule;
+    names.emplace_back(known.name);
+  }
+  throw Usage_error("--texture-rule '" + text +
+                    "': expected none, corners-only, corners-plus1, "
+                    "corners-plus2, boundaries or all" +
+                    did_you_mean(text, names));
+}
+
+void require_texture_rule(Texture_rule rule, const std::string& text, const std::string& scheme)
+{
+  const bool needs_edges = rule == Texture_rule::boundaries || rule == Texture_rule::all;
+  if (needs_edges && !keeps_edges(scheme))
+    throw Usage_error("--texture-rule " + text + " and --scheme " + scheme +
+                      " exclude each other: this scheme keeps no edges that could stay straight");
+}
 
 Old_elements::Old_elements(const Surface& surface)
   : corner_(surface.number_of_halfedges())
@@ -65,7 +101,8 @@ void Old_elements::follow(const Surface& surface, const Triangulation& triangula
   select(attributes.of_faces, faces);
 }
 
-Carried_attributes::Carried_attributes(const Surface& surface, Attributes attributes)
+Carried_attributes::Carried_attributes(const Surface& surface, Attributes attributes,
+                                       Texture_rule rule)
   : attributes_(std::move(attributes))
   , ranges_(ranges_of(attributes_.of_vertices))
 {
@@ -77,6 +114,7 @@ Carried_attributes::Carried_attributes(const Surface& surface, Attributes attrib
   if (attributes_.texture.empty()) return;
 
   CGAL::PN_subdivision_3::Attribute_array texture;
+  texture.rule = rule;
   texture.dimension = has_depth(attributes_.texture) ? 3 : 2;
   texture.values.resize(texture.dimension * surface.number_of_halfedges());
   std::size_t corner = 0;

@@ -36,6 +36,14 @@ private:
   std::vector<std::size_t> corner_, face_; // by half-edge
 };
 
+using Texture_rule = CGAL::PN_subdivision_3::Corner_rule;
+
+// Throws Usage_error unless it is one of the words of --texture-rule.
+Texture_rule parse_texture_rule(const std::string& text);
+
+// Throws Usage_error if the scheme keeps no edges and the rule needs them.
+void require_texture_rule(Texture_rule rule, const std::string& text, const std::string& scheme);
+
 // Attributes on their way through the rounds: the library gets the numbers of vertices and corners,
 // which follow the rows of the scheme, and tells the parents of faces, from which these have their
 // values.
@@ -44,7 +52,7 @@ class Carried_attributes
 public:
   using Table = CGAL::PN_subdivision_3::Attribute_table;
 
-  Carried_attributes(const Surface& surface, Attributes attributes);
+  Carried_attributes(const Surface& surface, Attributes attributes, Texture_rule rule);
 
   // To be refined along with the mesh.
   Table& table() { return table_; }

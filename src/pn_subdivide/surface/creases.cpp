@@ -256,4 +256,11 @@ Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tang
   return maps;
 }
 
+void remove_creases(Surface& surface, Crease_maps& maps)
+{
+  surface.remove_property_map(maps.edges);
+  surface.remove_property_map(maps.vertices);
+  if (maps.tangents.map) surface.remove_property_map(*maps.tangents.map);
+}
+
 } // namespace pn_subdivide

@@ -75,6 +75,7 @@ struct Crease_maps
 };
 // with_tangents: whether there is a map of them, for what goes on from the refined mesh
 Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents = false);
+void remove_creases(Surface& surface, Crease_maps& maps);
 
 } // namespace pn_subdivide
 

@@ -11,6 +11,9 @@
 #include "io/Error.h"
 #include "surface/refine.h"
 
+#include <utility>
+#include <vector>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
 #endif
@@ -29,19 +32,38 @@ void require_threads(unsigned threads)
 
 namespace {
 
+// of vertices without faces, which have no corner to read them from
+struct Isolated_normals
+{
+  Isolated_normals(const Surface& surface, Normal_map normals)
+  {
+    for (const Surface::Vertex_index v : surface.vertices())
+      if (surface.is_isolated(v)) of_vertices.emplace_back(v, normals[v]);
+  }
+  void put_back(Normal_map normals) const
+  {
+    for (const auto& [v, n] : of_vertices) normals[v] = n;
+  }
+  std::vector<std::pair<Surface::Vertex_index, Vector_3>> of_vertices;
+};
+
 void refine_with_creases(Surface& surface, const Scheme_choice& choice,
                          const Refinement& refinement)
 {
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const Crease_maps& creases = *refinement.creases;
-  if (!normals_of(surface)) return refine_linearly(surface, scheme, creases, refinement);
-  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  if (!normals) normals = add_corner_normals(surface);
+  std::optional<Normal_map> of_vertices = normals_of(surface);
+  if (!of_vertices) return refine_linearly(surface, scheme, creases, refinement);
+  const std::vector<Vector_3> of_corners = take_corner_normals(surface);
+  const Isolated_normals isolated(surface, *of_vertices);
+  const Wedge_normals normals{{&of_corners}, *of_vertices, refinement.wedges};
   if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return refine_with_normal_scheme(surface, *normals, scheme,
-                                     make_scheme("--normal-scheme", *choice.normal_scheme, choice),
-                                     creases, refinement);
-  refine_with_normals(surface, *normals, scheme, creases, refinement);
+    refine_with_normal_scheme(surface, normals, scheme,
+                              make_scheme("--normal-scheme", *choice.normal_scheme, choice),
+                              creases, refinement);
+  else
+    refine_with_normals(surface, normals, scheme, creases, refinement);
+  isolated.put_back(*of_vertices);
 }
 
 } // namespace

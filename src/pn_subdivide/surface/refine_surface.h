@@ -26,6 +26,7 @@ struct Refinement
   unsigned levels = 1;
   unsigned threads = 1;
   std::optional<Crease_maps> creases;
+  Wedge_list* wedges = nullptr;                                  // with creases: gets the normals
   CGAL::PN_subdivision_3::Attribute_table* attributes = nullptr; // there must be one, perhaps empty
   std::function<void(unsigned, std::size_t)> round_done;         // (round, faces), after each round
 };
@@ -35,7 +36,8 @@ void require_threads(unsigned threads);
 
 // Refines with the scheme, point-normal if the mesh has normals, linear if not. Old vertices come
 // first in the result, in their order, but for Doo-Sabin. With creases, which the schemes must have
-// rules for, the mesh has a normal per corner afterwards. Passes on the library's exceptions.
+// rules for, the normals of vertices that have several are in the list of wedges afterwards. Passes on the library's
+// exceptions.
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement);
 
 } // namespace pn_subdivide

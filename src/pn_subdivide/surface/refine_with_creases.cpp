@@ -18,7 +18,7 @@ namespace PN = CGAL::PN_subdivision_3;
 namespace {
 
 template <class S>
-void refine(Surface& surface, Corner_normal_map normals, const S& scheme,
+void refine(Surface& surface, const Wedge_normals& normals, const S& scheme,
             const Crease_maps& creases, const Refinement& refinement)
 {
   PN::subdivide<Tag>(
@@ -33,7 +33,7 @@ void refine(Surface& surface, Corner_normal_map normals, const S& scheme,
 
 } // namespace
 
-void refine_with_normals(Surface& surface, Corner_normal_map normals, const Scheme& scheme,
+void refine_with_normals(Surface& surface, const Wedge_normals& normals, const Scheme& scheme,
                          const Crease_maps& creases, const Refinement& refinement)
 {
   std::visit(
@@ -44,7 +44,7 @@ void refine_with_normals(Surface& surface, Corner_normal_map normals, const Sche
     scheme);
 }
 
-void refine_with_normal_scheme(Surface& surface, Corner_normal_map normals, const Scheme& scheme,
+void refine_with_normal_scheme(Surface& surface, const Wedge_normals& normals, const Scheme& scheme,
                                const Scheme& normal_scheme, const Crease_maps& creases,
                                const Refinement& refinement)
 {

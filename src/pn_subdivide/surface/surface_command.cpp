@@ -45,6 +45,7 @@ struct Plan
   std::optional<Interpolation_mode> interpolation;
   std::optional<Curvature_kind> curvature;
   std::optional<Verification> verification;
+  Texture_rule texture_rule;
   unsigned threads;
 };
 
@@ -67,6 +68,18 @@ void require_consistent(const Surface_options& options)
                     " and --linear exclude each other: in linear schemes normals take no part");
 }
 
+Texture_rule texture_rule(const Surface_options& options)
+{
+  if (!options.texture_rule) return Texture_rule::corners_plus1;
+  const Texture_rule rule = parse_texture_rule(*options.texture_rule);
+  if (options.drop_attributes)
+    throw Usage_error("--texture-rule and --drop-attributes exclude each other: no texture "
+                      "coordinates are read");
+  if (!options.scheme.scheme.empty())
+    require_texture_rule(rule, *options.texture_rule, options.scheme.scheme);
+  return rule;
+}
+
 unsigned number_of_threads(const Surface_options& options)
 {
   const unsigned threads =
@@ -84,6 +97,7 @@ Plan make_plan(const Surface_options& options)
             parse_interpolation(options.interpolate),
             std::nullopt,
             std::nullopt,
+            texture_rule(options),
             1};
   require_consistent(options);
   if (options.merge_distance) parse_merge_distance(*options.merge_distance);
@@ -230,17 +244,21 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   announce_long_work(surface, options, scheme, report);
   if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
+  Wedge_list wedges;
+  rounds.wedges = &wedges;
   if (creases.any() || creases.border != Border::surface)
     rounds.creases = add_creases(surface, creases, options.limit.is_used());
   if (options.levels > 0) {
-    Carried_attributes carried(surface, std::move(attributes));
+    Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
     rounds.attributes = &carried.table();
     refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
-  if (options.limit.is_used())
+  if (options.limit.is_used()) {
+    if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
+  }
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
@@ -248,8 +266,10 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                       " vertices");
     curvature = measure_curvature(surface, rounds.creases, *plan.curvature, plan.threads);
   }
+  if (rounds.creases)
+    remove_creases(surface, *rounds.creases); // the output is made beside what is left
   if (must_split) split_for_output(surface, plan.output, report);
-  mesh = to_mesh_data(surface);
+  mesh = to_mesh_data(surface, wedges);
   mesh.attributes = std::move(attributes);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
 }

@@ -12,14 +12,34 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
-/// \ingroup PkgPNSubdivision3Attributes
-/// how the values of corners are refined.
+/*!
+\ingroup PkgPNSubdivision3Attributes
+how the values of corners are refined: by the scheme's linear rows inside the charts, that is where values agree, and
+at seams and borders of charts by one of the six rules that OpenSubdiv has for face-varying data.
+
+Seams and borders are refined as borders of the surface. The rules differ in what stays where it is. Whatever the
+rule, the value of a chart stays at a vertex with a sharp edge inside the chart, at one that is a corner of the surface, and at one
+that several parts of the chart meet at.
+*/
 enum class Corner_rule {
-  /// by the scheme's linear rows inside the charts, that is where values agree. Seams and borders of charts are
-  /// refined as borders of the surface, and corners of charts stay.
-  smooth,
-  /// linearly inside every face.
-  linear
+  /// nothing else stays.
+  none,
+  /// the values of charts that have one face at a vertex.
+  corners_only,
+  /// as `corners_only`, and all values at vertices that three or more charts meet at; of two charts at a vertex,
+  /// both or none are kept for sharp edges inside.
+  corners_plus1,
+  /// as `corners_plus1`, and the values at ends of seams inside a chart, and both values at vertices where one of
+  /// two charts has one face, so also that of the concave corner beside it.
+  corners_plus2,
+  /// all values at seams and borders, which are straight then.
+  boundaries,
+  /// all values: linearly inside every face.
+  all,
+  /// the same as `corners_plus1`.
+  smooth = corners_plus1,
+  /// the same as `all`.
+  linear = all
 };
 
 } // namespace PN_subdivision_3

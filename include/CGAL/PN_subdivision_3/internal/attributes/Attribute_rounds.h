@@ -208,19 +208,21 @@ private:
                      const Element_names& names)
   {
     Row_values<FT>& values = *corner.values;
-    if (corner.rule == Corner_rule::linear) {
+    if (corner.rule == Corner_rule::all) {
       if (!Splits_edges<Host>::value) refuse("an attribute of corners is linear, but the");
       values.begin(faced_halfedges(level));
       linear_.push_back(&values);
       corner_kinds_.push_back({Corner_kind::linear, 0});
       return;
     }
-    Charts<FT> charts(level, sharpness, [&](Index h, Index g) { return values.are_equal(h, g); });
+    Charts<FT> charts(level, corner.rule, sharpness,
+                      [&](Index h, Index g) { return values.are_equal(h, g); });
     std::vector<Index> corner_of_slots = charts.corner_of_slots();
-    if (charts.has_seams()) {
+    if (charts.is_cut()) {
       if (!Splits_edges<Host>::value)
-        refuse("an attribute of corners has a seam at the edge of " +
-               names.halfedge_name(2 * charts.first_seam()) + ", but the");
+        refuse(charts.has_seams() ? "an attribute of corners has a seam at the edge of " +
+                                      names.halfedge_name(2 * charts.first_seam()) + ", but the"
+                                  : "an attribute of corners has straight borders, but the");
       values.begin(corner_of_slots);
       corner_kinds_.push_back({Corner_kind::smooth, smooth_.size()});
       smooth_.emplace_back(values, std::move(charts));

@@ -9,13 +9,15 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CHARTS_H
 
+#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Chart_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +32,7 @@ struct Control_sharpness
 };
 
 // The charts of the values of corners: the level cut open at their seams and at its creases. An edge is a seam if
-// the values of its two faces differ at one of its ends. A vertex on other than two seams and borders is a
-// corner.
+// the values of its two faces differ at one of its ends.
 template <class FT>
 class Charts
 {
@@ -41,31 +42,37 @@ public:
 
   // are_equal(h, g): of the values of two corners, given by the half-edges that lead to them
   template <class Are_equal>
-  Charts(const Level_connectivity& level, const Control_sharpness& sharpness,
+  Charts(const Level_connectivity& level, Corner_rule rule, const Control_sharpness& sharpness,
          const Are_equal& are_equal)
     : level_(level)
-    , is_seam_(level.number_of_edges(), false)
   {
-    find_seams(are_equal);
-    if (has_seams()) make_creases(sharpness);
-    find_kept_vertices();
+    std::vector<bool> is_seam = find_seams(are_equal);
+    const bool is_straight = rule == Corner_rule::boundaries;
+    is_cut_ = has_seams() || (is_straight && level.has_border());
+    if (is_cut_) {
+      make_creases(is_seam, sharpness, is_straight);
+      rules_ = Chart_rules(level, rule, std::move(is_seam));
+      Find_kept_spans<FT, Are_equal>(level, creases_, are_equal)(rules_);
+    } else if (rule != Corner_rule::none)
+      find_kept_vertices();
   }
 
   bool has_seams() const { return first_seam_ != null; }
   Index first_seam() const { return first_seam_; }
-  const std::vector<bool>& is_seam() const { return is_seam_; }
-  // \pre has_seams()
+  // whether the charts have creases and rules of their own
+  bool is_cut() const { return is_cut_; }
+  // \pre is_cut()
   Creases<FT>& creases() { return creases_; }
-  const Creases<FT>& creases() const { return creases_; }
-  // border vertices with a single face
+  Chart_rules& rules() { return rules_; }
+  // border vertices with a single face, if those stay; charts that are cut have this in their rules
   const std::vector<Index>& kept_vertices() const { return kept_vertices_; }
 
-  // for each slot, or for each vertex if there is no seam, one of its corners or null
+  // for each slot, or for each vertex if nothing is cut, one of its corners or null
   std::vector<Index> corner_of_slots() const
   {
-    std::vector<Index> corner(has_seams() ? creases_.number_of_slots : level_.number_of_vertices(),
+    std::vector<Index> corner(is_cut_ ? creases_.number_of_slots : level_.number_of_vertices(),
                               null);
-    if (has_seams())
+    if (is_cut_)
       for_each_corner(level_, Cut_level<FT>(level_, creases_).connectivity(),
                       [&](Index h, Index slot) { corner[slot] = h; });
     else
@@ -76,37 +83,34 @@ public:
 
 private:
   template <class Are_equal>
-  void find_seams(const Are_equal& are_equal)
+  std::vector<bool> find_seams(const Are_equal& are_equal)
   {
+    std::vector<bool> is_seam(level_.number_of_edges(), false);
     std::vector<Index> previous(level_.number_of_halfedges());
     for (Index h = 0; h < level_.number_of_halfedges(); ++h) previous[level_.next(h)] = h;
     for (Index e = 0; e < level_.number_of_edges(); ++e) {
       if (level_.is_border_edge(e)) continue;
       const Index h = 2 * e, o = 2 * e + 1;
       if (are_equal(h, previous[o]) && are_equal(previous[h], o)) continue;
-      is_seam_[e] = true;
+      is_seam[e] = true;
       if (first_seam_ == null) first_seam_ = e;
     }
+    return is_seam;
   }
 
-  void make_creases(const Control_sharpness& sharpness)
+  // the rules of charts need the border among the creases; its rows are the same
+  void make_creases(const std::vector<bool>& is_seam, const Control_sharpness& sharpness,
+                    bool is_straight)
   {
-    std::vector<Index> seams_and_borders(level_.number_of_vertices(), 0);
-    std::vector<bool> is_on_seam(level_.number_of_vertices(), false);
-    for (Index e = 0; e < level_.number_of_edges(); ++e)
-      for (const Index h : {2 * e, 2 * e + 1}) {
-        if (is_seam_[e]) is_on_seam[level_.target(h)] = true;
-        if (is_seam_[e] || level_.is_border_edge(e)) ++seams_and_borders[level_.target(h)];
-      }
-    creases_ = Make_creases<FT>(level_, sharpness.border)(
+    const Border border = is_straight                           ? Border::fixed
+                          : sharpness.border == Border::surface ? Border::curve
+                                                                : sharpness.border;
+    creases_ = Make_creases<FT>(level_, border)(
       [&](Index e) {
-        if (is_seam_[e]) return infinite_sharpness;
+        if (is_seam[e]) return infinite_sharpness;
         return sharpness.edges.empty() ? 0 : sharpness.edges[e];
       },
-      [&](Index v) {
-        if (is_on_seam[v] && seams_and_borders[v] != 2) return infinite_sharpness;
-        return sharpness.vertices.empty() ? 0 : sharpness.vertices[v];
-      });
+      [&](Index v) { return sharpness.vertices.empty() ? 0 : sharpness.vertices[v]; });
   }
 
   void find_kept_vertices()
@@ -118,9 +122,10 @@ private:
   }
 
   const Level_connectivity& level_; // during the construction and corner_of_slots() only
-  std::vector<bool> is_seam_;       // by control edges
   Index first_seam_ = null;
+  bool is_cut_ = false;
   Creases<FT> creases_;
+  Chart_rules rules_;
   std::vector<Index> kept_vertices_;
 };
 

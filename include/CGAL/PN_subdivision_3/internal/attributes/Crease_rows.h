@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Chart_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
@@ -40,17 +41,17 @@ public:
   using Row = Entry_row<FT>;
   using Entry = typename Row::Entry;
 
-  // `mask` is that of the cut level, `smooth_mask` that of the uncut one, or null if no rule needs it. If some
-  // creases are seams (by their control edges), slots between them with a single face keep their values.
+  // `mask` is that of the cut level, `smooth_mask` that of the uncut one, or null if no rule needs it. `charts` are
+  // the rules of charts, or null if the values have none.
   Crease_rows(const Level_connectivity& level, const Cut_level<FT>& cut, const Creases<FT>& creases,
               const Refined_creases<FT>& refined, const Mask& mask, const Mask* smooth_mask,
-              const std::vector<bool>* is_seam = nullptr)
+              const Chart_rules* charts = nullptr)
     : level_(level)
     , cut_(cut)
     , creases_(creases)
     , refined_(refined)
     , mask_(mask)
-    , is_seam_(is_seam)
+    , charts_(charts)
   {
     if (smooth_mask == nullptr) return;
     slots_.emplace(level, creases);
@@ -72,33 +73,38 @@ private:
   void star(Index i, const Function& f)
   {
     const Crease_star& star = creases_.stars[i];
-    const Wedge_join join =
-      keep(creases_, star, [&](const Crease_end& e) { return refined_.rank[e.crease] != null; });
-    const Vertex_rule parent = creases_.rule(star);
-    const Vertex_rule child = vertex_rule(refined_sharpness(star.sharpness), join.ends.size(),
-                                          star.is_border && join.has_inner_end);
+    const bool is_on_seam = charts_ != nullptr && charts_->is_on_seam(creases_, star);
+    const Wedge_join join = keep(creases_, star, [&](const Crease_end& e) { return remains(e); });
     const Index new_star = refined_.star[i];
     const Index wedges = new_star == null ? 1 : refined_.creases.stars[new_star].number_of_wedges;
     for (Index w = 0; w < wedges; ++w) {
       const auto old = std::find(join.wedge.begin(), join.wedge.end(), w);
-      const Index slot = star.slot(static_cast<Index>(old - join.wedge.begin()));
-      vertex_row(star, slot, parent);
-      if (!is_same_rule(parent, child)) {
-        const double part = weight_of_parent_rule(creases_, star);
-        if (part < 1) {
-          blended_ = row_;
-          child_row(star, slot, child, join, w);
-          blend(FT(part));
-        }
-      }
+      const auto wedge = static_cast<Index>(old - join.wedge.begin());
+      if (is_on_seam)
+        vertex_on_seam(star, wedge);
+      else
+        vertex(star, star.slot(wedge), join, w);
       f(new_star == null ? star.vertex : refined_.creases.stars[new_star].slot(w), row_);
     }
   }
+  bool remains(const Crease_end& e) const { return refined_.rank[e.crease] != null; }
 
+  void vertex(const Crease_star& star, Index slot, const Wedge_join& join, Index wedge)
+  {
+    const bool is_kept =
+      charts_ != nullptr && star.is_border && charts_->is_kept(creases_, star, 0);
+    const Vertex_rule parent = is_kept ? Vertex_rule::corner : creases_.rule(star);
+    const Vertex_rule child = is_kept
+                                ? Vertex_rule::corner
+                                : vertex_rule(refined_sharpness(star.sharpness), join.ends.size(),
+                                              star.is_border && join.has_inner_end);
+    vertex_row(star, slot, parent);
+    blend_rules(star, parent, child, [&] { child_row(star, slot, child, join, wedge); });
+  }
   void vertex_row(const Crease_star& star, Index slot, Vertex_rule rule)
   {
     row_.clear();
-    if (rule == Vertex_rule::corner || (is_on_seam(star) && is_on_one_face(slot)))
+    if (rule == Vertex_rule::corner)
       row_.add(slot, FT(1));
     else if (rule == Vertex_rule::crease)
       mask_.vertex(slot, row_);
@@ -106,17 +112,32 @@ private:
       shares_->vertex(star.vertex, row_);
   }
 
-  bool is_on_seam(const Crease_star& star) const
+  void vertex_on_seam(const Crease_star& star, Index wedge)
   {
-    if (is_seam_ == nullptr) return false;
-    for (Index i = 0; i < star.number_of_ends; ++i)
-      if ((*is_seam_)[creases_.edge(creases_.end(star, i)).control_edge]) return true;
-    return false;
+    const Index slot = star.slot(wedge);
+    const Chart_span span = charts_->span(creases_, star, wedge);
+    const Vertex_rule parent =
+      charts_->rule(creases_, star, span, star.sharpness, [](const Crease_end&) { return true; });
+    const Vertex_rule child = charts_->rule(creases_, star, span, refined_sharpness(star.sharpness),
+                                            [&](const Crease_end& e) { return remains(e); });
+    vertex_row(star, slot, parent);
+    blend_rules(star, parent, child, [&] {
+      along_crease(star, slot, far_after(creases_.end(star, span.first)),
+                   far_before(creases_.end(star, span.last)));
+    });
   }
-  bool is_on_one_face(Index slot) const
+
+  // make_child_row() makes the row of the child rule
+  template <class Function>
+  void blend_rules(const Crease_star& star, Vertex_rule parent, Vertex_rule child,
+                   const Function& make_child_row)
   {
-    const Level_connectivity& cut = cut_.connectivity();
-    return cut.is_border_vertex(slot) && cut.valence(slot) == 2;
+    if (is_same_rule(parent, child)) return;
+    const double part = weight_of_parent_rule(creases_, star);
+    if (!(part < 1)) return;
+    blended_ = row_;
+    make_child_row();
+    blend(FT(part));
   }
 
   // as if only the ends of `join` existed
@@ -125,6 +146,16 @@ private:
   {
     if (rule != Vertex_rule::crease || join.ends.size() == star.number_of_ends)
       return vertex_row(star, slot, rule);
+    const std::array<Crease_end, 2> ends{creases_.end(star, join.ends[0]),
+                                         creases_.end(star, join.ends[1])};
+    const Crease_edge<FT>& first = creases_.edge(ends[0]);
+    const bool is_behind_first =
+      first.has_after(ends[0].side) && join.wedge[star.wedge(first.after[ends[0].side])] == wedge;
+    along_crease(star, slot, is_behind_first ? far_after(ends[0]) : far_before(ends[0]),
+                 is_behind_first ? far_before(ends[1]) : far_after(ends[1]));
+  }
+  void along_crease(const Crease_star& star, Index slot, Index a, Index b)
+  {
     row_.clear();
     mask_.vertex(star.vertex, row_); // its weights are those of any crease
     FT own(0);
@@ -132,14 +163,9 @@ private:
     std::size_t next = 0;
     for (const Entry* e = row_.begin(); e != row_.end(); ++e)
       (e->vertex == star.vertex ? own : along[(std::min)(next++, std::size_t(1))]) += e->weight;
-    const std::array<Crease_end, 2> ends{creases_.end(star, join.ends[0]),
-                                         creases_.end(star, join.ends[1])};
-    const Crease_edge<FT>& first = creases_.edge(ends[0]);
-    const bool is_behind_first =
-      first.has_after(ends[0].side) && join.wedge[star.wedge(first.after[ends[0].side])] == wedge;
     row_.clear();
-    row_.add(is_behind_first ? far_after(ends[0]) : far_before(ends[0]), along[0]);
-    row_.add(is_behind_first ? far_before(ends[1]) : far_after(ends[1]), along[1]);
+    row_.add(a, along[0]);
+    row_.add(b, along[1]);
     row_.add(slot, own);
   }
   // the slot of the other end of an edge, behind it and before it
@@ -157,7 +183,11 @@ private:
     const Index wedges = star == nullptr ? 1 : star->number_of_wedges;
     for (Index w = 0; w < wedges; ++w) {
       row_.clear();
-      mask_.edge(w == 0 ? e.edge : cut_.second_copy(i), row_);
+      const Index copy = w == 0 ? e.edge : cut_.second_copy(i);
+      if (charts_ != nullptr && charts_->has_straight_bounds() && charts_->is_bound(e))
+        middle(copy);
+      else
+        mask_.edge(copy, row_);
       if (e.sharpness < 1) {
         blended_ = row_;
         row_.clear();
@@ -166,6 +196,11 @@ private:
       }
       f(star == nullptr ? vertex : star->slot(w), row_);
     }
+  }
+
+  void middle(Index e)
+  {
+    for (const Index h : {2 * e, 2 * e + 1}) row_.add(cut_.connectivity().target(h), FT(1) / FT(2));
   }
 
   // row becomes part * blended + (1 - part) * row
@@ -184,7 +219,7 @@ private:
   const Creases<FT>& creases_;
   const Refined_creases<FT>& refined_;
   const Mask& mask_;
-  const std::vector<bool>* is_seam_;
+  const Chart_rules* charts_;
   std::optional<Corner_slots<FT>> slots_;
   std::optional<Slot_shares<FT, Mask>> shares_;
   Row row_, blended_;

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Chart_rules.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
@@ -29,7 +30,7 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The values of corners in charts that have seams: a value for every slot, by the rows of the level cut open.
+// The values of corners in charts that are cut: a value for every slot, by the rows of the level cut open.
 template <class FT>
 class Smooth_corners
 {
@@ -39,8 +40,7 @@ public:
   Smooth_corners(Row_values<FT>& values, Charts<FT>&& charts)
     : values_(values)
     , creases_(std::move(charts.creases()))
-    , is_seam_(charts.is_seam())
-    , kept_vertices_(charts.kept_vertices())
+    , rules_(std::move(charts.rules()))
   {}
 
   // Takes the rows of the level, as long as they are those of its vertices, and finds out where the charts need
@@ -71,11 +71,10 @@ public:
     const Cut_level<FT> cut(level, creases_);
     const Mask mask = scheme.template mask<FT>(cut.connectivity(), round.number());
     evaluate_own_rows(round.host(), mask, for_chunks);
-    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, &is_seam_);
+    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, &rules_);
     rows.for_each([&](Index slot, const Entry_row<FT>& row) {
       values_.evaluate(slot, row.begin(), row.end());
     });
-    keep_values(values_, kept_vertices_);
     values_.end_round();
     creases_ = std::move(refined_->creases);
   }
@@ -117,8 +116,7 @@ private:
 
   Row_values<FT>& values_;
   Creases<FT> creases_;
-  std::vector<bool> is_seam_; // by control edges
-  std::vector<Index> kept_vertices_;
+  Chart_rules rules_;
   // of a round
   std::vector<char> is_special_;    // of the old vertices
   std::vector<char> needs_own_row_; // of the new ones

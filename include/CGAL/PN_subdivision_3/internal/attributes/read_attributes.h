@@ -218,7 +218,7 @@ template <class Access, class Map>
 bool has_seam(const Access& access, const Level_connectivity& level, const Map& map)
 {
   Row_map<Access, Map, Corner_keys, double> values(access, map, corners_of(level));
-  return Charts<double>(level, Control_sharpness(),
+  return Charts<double>(level, Corner_rule::none, Control_sharpness(),
                         [&](auto h, auto g) { return values.are_equal(h, g); })
     .has_seams();
 }
@@ -227,7 +227,7 @@ bool has_seam(const Access&, const Level_connectivity& level, const Attribute_ar
 {
   Attribute_array copy = array;
   Array_values<double> values(copy, level.number_of_halfedges(), "corners (half-edges)");
-  return Charts<double>(level, Control_sharpness(),
+  return Charts<double>(level, Corner_rule::none, Control_sharpness(),
                         [&](auto h, auto g) { return values.are_equal(h, g); })
     .has_seams();
 }

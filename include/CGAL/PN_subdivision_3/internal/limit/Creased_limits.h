@@ -16,8 +16,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Crease_vertex_limit.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Creased_sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Dart_limit.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -27,6 +29,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -72,7 +75,8 @@ public:
       evaluate_creases(level, creases, limits, results);
       if constexpr (!is_pn)
         if (demand_.surface_normals) evaluate_normals(level, creases, next_round, results);
-      rest = evaluate_rest(level, creases, limits, rest, next_round, 0, results);
+      rest =
+        selected(rest, evaluate_rest(level, creases, limits, {rest, rest}, next_round, 0, results));
     }
     if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
     if (demand_.surface_normals) {
@@ -90,6 +94,9 @@ private:
   using Vector = Coordinates<FT, 3>;
   using Crease_limit = Crease_vertex_limit<FT, is_pn>;
   using Dart = Dart_class<Scheme, FT>;
+
+  using Sub = Creased_sub_level<FT, Value>;
+  static constexpr unsigned cut_rings = Limit_neighborhood<Scheme>::cut_rings;
 
   // open while it lives
   struct Cut
@@ -124,48 +131,76 @@ private:
     return vertices;
   }
 
-  // of the level cut open; returns the vertices that have to be refined first
+  // numbers in a part of a refined level, and in the whole level that the limits are asked of
+  struct Vertices
+  {
+    const std::vector<Index>&here, &whole;
+  };
+
+  static std::vector<Index> selected(const std::vector<Index>& all,
+                                     const std::vector<Index>& positions)
+  {
+    std::vector<Index> result;
+    for (const Index i : positions) result.push_back(all[i]);
+    return result;
+  }
+
+  // of the level cut open; returns the positions of the vertices that have to be refined first
   std::vector<Index> evaluate_rest(const Level& level, const Creases<FT>& creases,
-                                   Creases<FT>& limits, const std::vector<Index>& vertices,
+                                   Creases<FT>& limits, const Vertices& vertices,
                                    unsigned next_round, unsigned depth,
                                    std::vector<Result>& results)
   {
     std::map<Index, const Crease_star*> darts;
     for (const Crease_star& star : creases.stars)
       if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
-    std::vector<Index> smooth, rest;
+    std::vector<Index> smooth, smooth_positions, rest;
     const bool is_final = next_round >= First_tuned_round<Scheme>::of(scheme_);
     const Settled_neighborhood<Scheme> is_settled(level.level, is_final);
-    for (const Index v : vertices) {
+    for (Index i = 0; i < vertices.here.size(); ++i) {
+      const Index v = vertices.here[i], whole = vertices.whole[i];
       const auto dart = darts.find(v);
-      if (dart == darts.end())
+      if (dart == darts.end()) {
         smooth.push_back(v);
-      else if (is_settled(v))
-        evaluate_dart(level, creases, *dart->second, limits, depth, results[v]);
+        smooth_positions.push_back(i);
+      } else if (is_settled(v))
+        evaluate_dart(level, creases, *dart->second, limits, whole, depth, results[whole]);
       else
-        rest.push_back(v);
+        rest.push_back(i);
     }
-    const std::vector<Index> unsettled = evaluation_.evaluate_settled(
-      level, smooth, next_round, depth, [&](Index i) -> Result& { return results[smooth[i]]; });
-    for (const Index i : unsettled) rest.push_back(smooth[i]);
+    const std::vector<Index> unsettled =
+      evaluation_.evaluate_settled(level, smooth, next_round, depth, [&](Index i) -> Result& {
+        return results[vertices.whole[smooth_positions[i]]];
+      });
+    for (const Index i : unsettled) rest.push_back(smooth_positions[i]);
     return rest;
   }
 
-  // old vertices keep their numbers
+  // Refines the level about the vertices only, and is then left with those that are not settled there.
   void refine(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
               std::vector<Index>&& vertices, unsigned next_round, std::vector<Result>& results)
   {
-    Refiner refiner(scheme_, Level_connectivity(level.level), Creases<FT>(creases),
-                    {level.values.begin(), level.values.end()}, for_chunks_, next_round - 1);
-    for (unsigned depth = 0; !vertices.empty();) {
+    std::optional<Sub> part(std::in_place, level.level, creases, level.values, vertices, cut_rings);
+    for (unsigned depth = 0;;) {
       evaluation_.require_depth(depth, next_round);
-      refiner.refine();
+      const std::vector<Index> here = part->centers();
+      Refiner refiner(scheme_, Level_connectivity(part->level()), Creases<FT>(part->creases()),
+                      {part->values().begin(), part->values().end()}, for_chunks_, next_round - 1);
+      part.reset();
+      refiner.refine(); // old vertices keep their numbers
       ++depth;
       ++next_round;
       Level refined{refiner.level(), {refiner.values().begin(), refiner.values().end()}};
-      const Cut cut(refined.level, refiner.creases());
-      vertices =
-        evaluate_rest(refined, refiner.creases(), limits, vertices, next_round, depth, results);
+      std::vector<Index> rest;
+      {
+        const Cut cut(refined.level, refiner.creases());
+        rest = evaluate_rest(refined, refiner.creases(), limits, {here, vertices}, next_round,
+                             depth, results);
+      }
+      if (rest.empty()) return;
+      vertices = selected(vertices, rest);
+      part.emplace(refined.level, refiner.creases(), refined.values, selected(here, rest),
+                   cut_rings);
     }
   }
 
@@ -285,7 +320,7 @@ private:
 
   // \name Darts
   void evaluate_dart(const Level& level, const Creases<FT>& creases, const Crease_star& star,
-                     Creases<FT>& limits, unsigned depth, Result& result)
+                     Creases<FT>& limits, Index whole_vertex, unsigned depth, Result& result)
   {
     const Crease_end& e = creases.end(star, 0);
     std::vector<Index> places;
@@ -302,7 +337,7 @@ private:
     result.error = steps.error();
     result.depth = depth + steps.depth();
     const auto of_limits =
-      std::lower_bound(limits.stars.begin(), limits.stars.end(), star.vertex,
+      std::lower_bound(limits.stars.begin(), limits.stars.end(), whole_vertex,
                        [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
     tangent_from(limits, limits.end(*of_limits, 0)) = limit.tangent;
   }

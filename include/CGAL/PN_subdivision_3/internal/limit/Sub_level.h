@@ -56,8 +56,10 @@ class Sub_level
 public:
   using Index = Level_connectivity::Index;
 
-  // `centers` has no vertex twice, and none without edges
-  Sub_level(const Level_connectivity& level, const std::vector<Index>& centers, unsigned rings)
+  // `centers` has no vertex twice, and none without edges. keeps_walks: whether inner vertices keep their half-edge,
+  // from which rows and stars go on
+  Sub_level(const Level_connectivity& level, const std::vector<Index>& centers, unsigned rings,
+            bool keeps_walks = false)
     : whole_(level)
     , are_many_(16 * centers.size() >= level.number_of_vertices())
     , edge_(level.number_of_edges(), are_many_)
@@ -67,6 +69,7 @@ public:
     link_faces();
     link_border();
     number_vertices();
+    if (keeps_walks) keep_walks();
     build();
     for (const Index v : centers)
       centers_.push_back(vertex_[halfedge(whole_.halfedge_of_vertex(v))]);
@@ -77,6 +80,9 @@ public:
   const std::vector<Index>& centers() const { return centers_; }
   // of each vertex its number in the whole level
   const std::vector<Index>& origin() const { return origin_; }
+  // the same of edges, and of a half-edge
+  const std::vector<Index>& edge_origin() const { return edges_; }
+  Index halfedge_origin(Index h) const { return 2 * edges_[h / 2] + h % 2; }
 
 private:
   static constexpr Index null = Level_connectivity::null;
@@ -159,7 +165,7 @@ private:
     for (Index first = 0; first < next_.size(); ++first) {
       if (vertex_[first] != null) continue;
       const auto v = static_cast<Index>(origin_.size());
-      origin_.push_back(whole_.target(2 * edges_[first / 2] + first % 2));
+      origin_.push_back(whole_.target(halfedge_origin(first)));
       halfedge_of_vertex_.push_back(first);
       Index h = first;
       do {
@@ -168,6 +174,13 @@ private:
         h = opposite(next_[h]);
       } while (h != first);
     }
+  }
+
+  void keep_walks()
+  {
+    for (Index v = 0; v < origin_.size(); ++v)
+      if (face_[halfedge_of_vertex_[v]] != null)
+        halfedge_of_vertex_[v] = halfedge(whole_.halfedge_of_vertex(origin_[v]));
   }
 
   void build()

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Wedge_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
@@ -36,6 +37,37 @@ template <class Scheme, class Access, class Normal_map, class Edge_map, class Ve
 constexpr bool may_be_creased_v =
   is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
   has_crease_tangents_v<Scheme> || is_of_halfedges_v<Access, Normal_map>;
+
+// the map of vertices that takes normals of a map, and what takes those of its corners
+struct Nothing_of_corners
+{
+  template <class Access, class Map>
+  Nothing_of_corners(const Access&, const Level_connectivity&, Map)
+  {}
+  void keep() {}
+};
+template <class Access, class Map, bool is_of_halfedges = is_of_halfedges_v<Access, Map>>
+struct Normal_writers
+{
+  using Vertex_map = Map;
+  using Corner_writer = Nothing_of_corners;
+  static Vertex_map vertex_map(const Map& map) { return map; }
+};
+template <class Access, class Map>
+struct Normal_writers<Access, Map, true>
+{
+  using Vertex_map = No_normal_map;
+  using Corner_writer = Corner_normal_writer<Access, Map>;
+  static Vertex_map vertex_map(const Map&) { return {}; }
+};
+template <class Access, class Corners, class Vertices>
+struct Normal_writers<Access, Wedge_normals<Corners, Vertices>, true>
+{
+  using Map = Wedge_normals<Corners, Vertices>;
+  using Vertex_map = Vertices;
+  using Corner_writer = Wedge_normal_writer<Access, Map>;
+  static Vertex_map vertex_map(const Map& map) { return map.vertices; }
+};
 
 // What the maps of a mesh with creases tell of it, and what is written to those of its sharpness.
 template <class Scheme, class FT>
@@ -67,30 +99,14 @@ public:
     Crease_tangents<FT, Access,
                     std::conditional_t<is_pn, Crease_tangent_map<Scheme>, No_tangent_map>>;
 
-  // in the place of a Corner_normal_writer
-  struct Nothing
+  template <class Access, class Normal_map>
+  using Vertex_normal_map = typename Normal_writers<Access, Normal_map>::Vertex_map;
+  template <class Access, class Normal_map>
+  using Corner_writer = typename Normal_writers<Access, Normal_map>::Corner_writer;
+  template <class Access, class Normal_map>
+  static Vertex_normal_map<Access, Normal_map> make_vertex_normal_map(const Normal_map& normals)
   {
-    template <class Access, class Map>
-    Nothing(const Access&, const Level_connectivity&, Map)
-    {}
-    void keep() {}
-  };
-
-  // the one of the two that takes the normals of a map
-  template <class Access, class Normal_map>
-  using Vertex_normal_map =
-    std::conditional_t<is_of_halfedges_v<Access, Normal_map>, No_normal_map, Normal_map>;
-  template <class Access, class Normal_map>
-  using Corner_writer = std::conditional_t<is_of_halfedges_v<Access, Normal_map>,
-                                           Corner_normal_writer<Access, Normal_map>, Nothing>;
-  template <class Access, class Normal_map>
-  static Vertex_normal_map<Access, Normal_map>
-  make_vertex_normal_map([[maybe_unused]] Normal_map normals)
-  {
-    if constexpr (is_of_halfedges_v<Access, Normal_map>)
-      return {};
-    else
-      return normals;
+    return Normal_writers<Access, Normal_map>::vertex_map(normals);
   }
 
   // the values of the slots, and the tangents that are missing

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Creased_control.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Wedge_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
@@ -80,7 +81,8 @@ private:
   void subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
                  Vertex_map vertex_map, const Carry& carry) const
   {
-    constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
+    constexpr bool lists_wedges = Is_wedge_normals<Normal_map>::value;
+    constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map> && !lists_wedges;
     using Vertex_normal_map = typename Control::template Vertex_normal_map<Access, Normal_map>;
 
     Level_connectivity level = checked_level(access);
@@ -126,9 +128,15 @@ private:
     else
       Plain::template put_and_grow<Writer>(access, size, refiner, [&] {
         Plain::put_values(refiner.refiner(), last.round(), writer, carried.rows());
-        for_each_crease_vertex<Average>(
-          on_creases, last.number_of_vertices(),
-          [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
+        const Index n = last.number_of_vertices();
+        if constexpr (lists_wedges) {
+          for (const auto& [slot, value] : on_creases)
+            if (slot < n) writer.put_values(slot, &value, 1);
+          corners.list(last.refined_creases(), on_creases);
+        } else
+          for_each_crease_vertex<Average>(
+            on_creases, n,
+            [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
       });
     last.close();
     carried.put(refiner.refiner(), last.round());
