@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
@@ -264,16 +265,20 @@ void estimate_normals(const Level_connectivity& level, Control_normal_estimate e
                       const Sectors& sectors, const Point_of& point, const Given& given,
                       const Set_normal& set_normal)
 {
-  if (estimate == Control_normal_estimate::reciprocal) {
-    Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
-    estimation(given, set_normal);
-    return;
-  }
-  Angle_weighted_normals<FT, Sectors> normals(level, sectors);
-  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-    normals.add_face(f, point);
-  for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
-    if (given(s) == nullptr) set_normal(s, normals.normal(s));
+  decided<FT>(
+    [&] {
+      if (estimate == Control_normal_estimate::reciprocal) {
+        Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
+        estimation(given, set_normal);
+        return;
+      }
+      Angle_weighted_normals<FT, Sectors> normals(level, sectors);
+      for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
+        normals.add_face(f, point);
+      for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
+        if (given(s) == nullptr) set_normal(s, normals.normal(s));
+    },
+    [] { return "whether an estimated control normal vanishes"; });
 }
 
 template <class FT>
