@@ -283,28 +283,30 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
-  using FT = typename Parameters::FT;
-  constexpr int dimension = Parameters::dimension;
-  using Limits = internal::Curve_limits<FT, dimension, Mask>;
-  using Maker = internal::Curve_limit_maker<typename Parameters::Point, typename Parameters::Vector,
-                                            FT, dimension>;
-  const auto values = internal::limit_polygon<Limits, Parameters>(polygon, np);
-  const internal::Curve_limit_demand demand =
-    internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
-  Limits limits(mask, end, demand);
-  std::vector<typename Maker::Limit> result;
-  Limit_report report;
-  report.tolerance = demand.tolerance;
-  const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
-  for (std::int64_t v = first; v < first + number; ++v) {
-    const auto l = limits(values, v);
-    internal::check_in_range<FT, dimension>(Limits::point_of(l.value), [v = v] {
-      return "the limit point of point " + std::to_string(v);
-    });
-    internal::add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
-    result.push_back(Maker::make(l, static_cast<double>(v) + (limits.is_primal() ? 0. : 0.5)));
+  if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
+    using FT = typename Parameters::FT;
+    constexpr int dimension = Parameters::dimension;
+    using Limits = internal::Curve_limits<FT, dimension, Mask>;
+    using Maker = internal::Curve_limit_maker<typename Parameters::Point, typename Parameters::Vector,
+                                              FT, dimension>;
+    const auto values = internal::limit_polygon<Limits, Parameters>(polygon, np);
+    const internal::Curve_limit_demand demand =
+      internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
+    Limits limits(mask, end, demand);
+    std::vector<typename Maker::Limit> result;
+    Limit_report report;
+    report.tolerance = demand.tolerance;
+    const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
+    for (std::int64_t v = first; v < first + number; ++v) {
+      const auto l = limits(values, v);
+      internal::check_in_range<FT, dimension>(Limits::point_of(l.value), [v = v] {
+        return "the limit point of point " + std::to_string(v);
+      });
+      internal::add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
+      result.push_back(Maker::make(l, static_cast<double>(v) + (limits.is_primal() ? 0. : 0.5)));
+    }
+    return std::make_pair(std::move(result), report);
   }
-  return std::make_pair(std::move(result), report);
 }
 
 } // namespace PN_subdivision_3

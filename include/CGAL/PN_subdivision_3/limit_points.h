@@ -170,20 +170,22 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
   using FT = typename Parameters::FT;
   using Limit = typename boost::property_traits<LimitMap>::value_type;
   Limit_report report;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    const auto level = internal::read_limit_level<Scheme, FT>(
-      access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
-    internal::Limit_demand demand = internal::limit_demand<FT>(options, internal::box_size(level));
-    demand.curvatures = false;
-    internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
-                                                 internal::For_chunks::with(Concurrency_tag()));
-    const auto results = evaluation(level);
-    internal::check_limits<FT>(results,
-                               [](std::size_t f) { return "face number " + std::to_string(f); });
-    std::size_t i = 0;
-    for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
-    report = internal::limit_report(results, demand);
-  });
+  if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      const auto level = internal::read_limit_level<Scheme, FT>(
+        access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+      internal::Limit_demand demand = internal::limit_demand<FT>(options, internal::box_size(level));
+      demand.curvatures = false;
+      internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
+                                                   internal::For_chunks::with(Concurrency_tag()));
+      const auto results = evaluation(level);
+      internal::check_limits<FT>(results,
+                                 [](std::size_t f) { return "face number " + std::to_string(f); });
+      std::size_t i = 0;
+      for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
+      report = internal::limit_report(results, demand);
+    });
+  }
   return report;
 }
 
