@@ -10,11 +10,13 @@
 
 #include "Mesh_cases.h"
 
+#include <CGAL/Gmpfr.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/boost_multiprecision_floats.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -102,6 +104,43 @@ TYPED_TEST(Boost_float, RefusesNaNAndInfinity)
     EXPECT_THROW(PN::Loop_subdivision(mesh), std::invalid_argument) << bad;
     EXPECT_EQ(mesh.number_of_faces(), 10u);
   }
+}
+
+// Angles in the number type: at the origin edges to (1, 0, 0), (0, 1, 0) and (0, 1, 1) include 90, 45 and 90 degrees,
+// so that the angle-weighted normal is along (1, sqrt(2), 2 - sqrt(2)).
+template <class FT>
+void expect_angle_weighted_normal(const FT& epsilon)
+{
+  using D = Data<FT>;
+  typename D::Mesh mesh;
+  for (const auto& [x, y, z] : {std::array<int, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1}})
+    mesh.add_vertex({FT(x), FT(y), FT(z)});
+  const auto v = [](int i) { return D::vertex(i); };
+  mesh.add_face(v(0), v(2), v(1));
+  mesh.add_face(v(0), v(3), v(2));
+  mesh.add_face(v(0), v(1), v(3));
+  mesh.add_face(v(1), v(2), v(3));
+  auto normals = mesh.template add_property_map<typename D::Vertex, typename D::Vector>("n").first;
+  PN::estimate_control_normals(mesh, normals, params::default_values(),
+                               PN::Control_normal_estimate::angle);
+  const FT root = FT(CGAL::sqrt(FT(2)));
+  const typename D::Vector n = normals[v(0)], expected(FT(1), root, FT(FT(2) - root));
+  EXPECT_LE(CGAL::to_double(FT(CGAL::cross_product(n, expected).squared_length() /
+                               (epsilon * epsilon))),
+            1e4);
+  EXPECT_LT(CGAL::to_double(FT(n * expected)), 0);
+}
+
+TEST(Boost_floats, NormalsAreWeightedByAnglesInTheNumberType)
+{
+  using boost::multiprecision::cpp_bin_float_100;
+  expect_angle_weighted_normal<cpp_bin_float_100>(std::numeric_limits<cpp_bin_float_100>::epsilon());
+  expect_angle_weighted_normal<double>(std::numeric_limits<double>::epsilon());
+  const auto old = CGAL::Gmpfr::set_default_precision(300);
+  CGAL::Gmpfr epsilon(1);
+  for (int i = 1; i < 300; ++i) epsilon = epsilon / 2;
+  expect_angle_weighted_normal<CGAL::Gmpfr>(epsilon);
+  CGAL::Gmpfr::set_default_precision(old);
 }
 
 // The transfer of curvature in the number type: in 50 digits the normals are those of 100, and those of long double

@@ -220,11 +220,23 @@ private:
     const Estimate& e = estimates_[s];
     const Vector other = to_double_3<FT>(angle_weighted);
     if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
+    if constexpr (Angle_weighted_normals<FT, Sectors>::has_own_angles)
+      if (const Fan fan = sectors_.fan(s); fan.closed) return blended_in_number_type(fan, e, angle_weighted);
     Vector n = multiple(e.weight, e.normal);
     add_multiple<double, 3>(n, 1 - e.weight, other);
     const double n_length = length(n);
     if (!(n_length > vanishing_tolerance<FT>())) return angle_weighted;
     return converted(quotient(n, n_length));
+  }
+
+  Coordinates<FT, 3> blended_in_number_type(const Fan& fan, const Estimate& e,
+                                            const Coordinates<FT, 3>& angle_weighted) const
+  {
+    Coordinates<FT, 3> n = exact_normal(fan, e.normal);
+    scale<FT, 3>(n, FT(e.weight));
+    add_multiple<FT, 3>(n, FT(1 - e.weight), angle_weighted);
+    const Coordinates<FT, 3> unit = unit_or_zero<FT, 3>(n, FT(1));
+    return is_zero_not_unit<FT, 3>(unit) ? angle_weighted : unit;
   }
 
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double

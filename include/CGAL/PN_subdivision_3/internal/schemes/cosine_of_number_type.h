@@ -64,6 +64,28 @@ Gmpfr mpfr_cosine(std::int64_t k, std::int64_t n, typename Gmpfr::Precision_type
 }
 #endif
 
+// the angle of a vector in the plane
+template <class FT>
+FT own_angle(const FT& y, const FT& x)
+{
+#ifdef CGAL_USE_MPFR
+  if constexpr (Is_mpfr_number<FT>::value) {
+    FT result(0, FT::get_default_precision());
+    mpfr_atan2(result.fr(), y.fr(), x.fr(), MPFR_RNDN);
+    return result;
+  } else
+#endif
+    return FT(atan2(y, x));
+}
+template <class FT, class = void>
+struct Has_own_angle : Is_mpfr_number<FT>
+{};
+template <class FT>
+struct Has_own_angle<
+  FT, std::void_t<decltype(FT(atan2(std::declval<const FT&>(), std::declval<const FT&>())))>>
+  : std::true_type
+{};
+
 // whether its weights are computed in the number type
 template <class FT>
 struct Has_trigonometry
