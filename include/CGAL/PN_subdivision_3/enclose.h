@@ -9,29 +9,30 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ENCLOSE_H
 #define CGAL_PN_SUBDIVISION_3_ENCLOSE_H
 
-#ifndef CGAL_USE_MPFI
-#  error "PN_subdivision_3: enclose() needs MPFI: define CGAL_USE_MPFI and link mpfi"
-#endif
+#include <CGAL/config.h>
 
-#include <CGAL/Gmpfi.h>
-#include <CGAL/Gmpfr.h>
-#include <CGAL/PN_subdivision_3/internal/exact/measure_number.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/subdivide.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/iterator.h>
+// as CGAL's Gmpfi, it is there with MPFI only
+#if defined(CGAL_USE_MPFI) || defined(DOXYGEN_RUNNING)
 
-#include <boost/graph/graph_traits.hpp>
+#  include <CGAL/Gmpfi.h>
+#  include <CGAL/Gmpfr.h>
+#  include <CGAL/PN_subdivision_3/internal/exact/measure_number.h>
+#  include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#  include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#  include <CGAL/PN_subdivision_3/subdivide.h>
+#  include <CGAL/Simple_cartesian.h>
+#  include <CGAL/Surface_mesh.h>
+#  include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
-#include <map>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <vector>
+#  include <boost/graph/graph_traits.hpp>
+
+#  include <algorithm>
+#  include <map>
+#  include <sstream>
+#  include <stdexcept>
+#  include <string>
+#  include <type_traits>
+#  include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -115,7 +116,8 @@ inline double greatest_width(const Enclosure::Mesh& mesh)
   for (const auto& p : mesh.points())
     for (int c = 0; c < 3; ++c) {
       const CGAL::Gmpfi x = p[c];
-      width = (std::max)(width, CGAL::to_interval(CGAL::Gmpfi(x.sup()) - CGAL::Gmpfi(x.inf())).second);
+      width =
+        (std::max)(width, CGAL::to_interval(CGAL::Gmpfi(x.sup()) - CGAL::Gmpfi(x.inf())).second);
     }
   return width;
 }
@@ -131,7 +133,8 @@ precision is raised, from 64 bits on, until the intervals of the coordinates are
 Coordinates of exact and of floating point kernels are taken as they are. Control normals that are estimated are rounded to double before;
 give a `vertex_normal_map` for enclosures of given normals, and a `linear()` scheme where there are none.
 
-The header needs MPFI, and is not included by the umbrella header.
+The header `CGAL/PN_subdivision_3/enclose.h` needs MPFI: it is empty unless `CGAL_USE_MPFI` is defined. The umbrella header does not include
+it.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin; none that transfers curvature
@@ -145,13 +148,15 @@ The header needs MPFI, and is not included by the umbrella header.
 \throws std::domain_error if the ceiling is reached: the message tells how wide the intervals are then, or what is not decided
 \throws std::invalid_argument as `subdivide()` does, and if the width is negative or not a number
 */
-template <class PolygonMesh, class Scheme, class NamedParameters = parameters::Default_named_parameters>
+template <class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
 Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds, double width,
                   const NamedParameters& np = parameters::default_values(), long most_bits = 4096)
 {
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   if (!(width >= 0))
-    throw std::invalid_argument("PN_subdivision_3: the width must be a number that is not negative");
+    throw std::invalid_argument(
+      "PN_subdivision_3: the width must be a number that is not negative");
   std::string reason;
   for (long bits = (std::min)(64L, most_bits);; bits = (std::min)(2 * bits, most_bits)) {
     const internal::Precision_of_intervals precision(bits);
@@ -160,8 +165,8 @@ Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds
       result.mesh = internal::mesh_of_intervals(mesh, Parameters::const_point_map(mesh, np),
                                                 Parameters::normal_map(np));
       auto normals =
-        result.mesh.add_property_map<Enclosure::Mesh::Vertex_index, Enclosure::Kernel::Vector_3>(
-            "v:normal")
+        result.mesh
+          .add_property_map<Enclosure::Mesh::Vertex_index, Enclosure::Kernel::Vector_3>("v:normal")
           .first;
       const auto iterations = parameters::number_of_iterations(rounds);
       if constexpr (std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>)
@@ -185,5 +190,7 @@ Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds
 
 } // namespace PN_subdivision_3
 } // namespace CGAL
+
+#endif // CGAL_USE_MPFI
 
 #endif // CGAL_PN_SUBDIVISION_3_ENCLOSE_H

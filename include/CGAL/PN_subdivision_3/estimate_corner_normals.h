@@ -77,8 +77,9 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
       const Index n = level.number_of_vertices();
       internal::Creases<FT> creases = internal::Make_creases<FT>(level, Border::surface)(
         [&](Index e) {
-          return internal::checked_sharpness(internal::sharpness_in(edge_map, access.edge_at(e)),
-                                             [&] { return internal::Edge_of_mesh::name(access, e); });
+          return internal::checked_sharpness(
+            internal::sharpness_in(edge_map, access.edge_at(e)),
+            [&] { return internal::Edge_of_mesh::name(access, e); });
         },
         [&](Index v) {
           if constexpr (internal::is_constraint_map_v<Vertex_map>)

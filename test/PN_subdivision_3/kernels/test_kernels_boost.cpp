@@ -125,16 +125,17 @@ void expect_angle_weighted_normal(const FT& epsilon)
                                PN::Control_normal_estimate::angle);
   const FT root = FT(CGAL::sqrt(FT(2)));
   const typename D::Vector n = normals[v(0)], expected(FT(1), root, FT(FT(2) - root));
-  EXPECT_LE(CGAL::to_double(FT(CGAL::cross_product(n, expected).squared_length() /
-                               (epsilon * epsilon))),
-            1e4);
+  EXPECT_LE(
+    CGAL::to_double(FT(CGAL::cross_product(n, expected).squared_length() / (epsilon * epsilon))),
+    1e4);
   EXPECT_LT(CGAL::to_double(FT(n * expected)), 0);
 }
 
 TEST(Boost_floats, NormalsAreWeightedByAnglesInTheNumberType)
 {
   using boost::multiprecision::cpp_bin_float_100;
-  expect_angle_weighted_normal<cpp_bin_float_100>(std::numeric_limits<cpp_bin_float_100>::epsilon());
+  expect_angle_weighted_normal<cpp_bin_float_100>(
+    std::numeric_limits<cpp_bin_float_100>::epsilon());
   expect_angle_weighted_normal<double>(std::numeric_limits<double>::epsilon());
   const auto old = CGAL::Gmpfr::set_default_precision(300);
   CGAL::Gmpfr epsilon(1);

@@ -233,7 +233,9 @@ TYPED_TEST(Interval_kernel, WeightsContainTheRealOnes)
 {
   using Kernel = CGAL::Simple_cartesian<TypeParam>;
   CGAL::Surface_mesh<typename Kernel::Point_3> mesh;
-  const auto v = [&](int i) { return CGAL::SM_Vertex_index(static_cast<CGAL::SM_Vertex_index::size_type>(i)); };
+  const auto v = [&](int i) {
+    return CGAL::SM_Vertex_index(static_cast<CGAL::SM_Vertex_index::size_type>(i));
+  };
   for (int i = 0; i < 7; ++i) mesh.add_vertex({TypeParam(i == 0), 0, TypeParam(i == 6)});
   for (int i = 0; i < 5; ++i) {
     mesh.add_face(v(0), v(1 + i), v(1 + (i + 1) % 5));

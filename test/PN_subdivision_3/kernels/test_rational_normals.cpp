@@ -39,8 +39,12 @@ Q power_of_two(int e)
 TEST(Rational_normals, AreUnitVectorsNearTheDirection)
 {
   const Q tiny = Q(1) / power_of_two(900);
-  const Vector vectors[] = {Vector(1, 2, 3), Vector(Q(-5, 7), Q(1, 3), Q(11, 13)), Vector(1, 1, 1),
-                            Vector(0, 0, -4), Vector(-1, tiny, 0), Vector(tiny, -tiny, Q(2) * tiny),
+  const Vector vectors[] = {Vector(1, 2, 3),
+                            Vector(Q(-5, 7), Q(1, 3), Q(11, 13)),
+                            Vector(1, 1, 1),
+                            Vector(0, 0, -4),
+                            Vector(-1, tiny, 0),
+                            Vector(tiny, -tiny, Q(2) * tiny),
                             Vector(Q(1) / tiny, Q(3) / tiny, Q(-1) / tiny)};
   for (const int bits : {1, 2, 10, 53, 200, 1500})
     for (const Vector& v : vectors) {

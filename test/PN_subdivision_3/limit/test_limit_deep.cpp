@@ -85,13 +85,12 @@ struct Sphere
     options.tolerance = options.normal_tolerance = 0;
     options.max_depth = depth;
     options.surface_normals = true;
-    PN::limit_points(mesh, scheme, limits, options,
-                     CGAL::parameters::vertex_normal_map(normals));
+    PN::limit_points(mesh, scheme, limits, options, CGAL::parameters::vertex_normal_map(normals));
     std::vector<Error> result;
     for (Vertex v : mesh.vertices())
-      result.push_back({sine(triple(limits[v].surface_normal),
-                             triple((limits[v].point - CGAL::ORIGIN) - center)),
-                        limits[v].normal_error});
+      result.push_back(
+        {sine(triple(limits[v].surface_normal), triple((limits[v].point - CGAL::ORIGIN) - center)),
+         limits[v].normal_error});
     return result;
   }
 
@@ -109,7 +108,8 @@ constexpr unsigned depths[] = {1,  2,  3,  4,  5,  6,  8,  10, 12, 14, 17, 20,
 
 // what is claimed is true, and as good as double can do
 template <class FT>
-void expect_true_claims(const typename Sphere<FT>::Vector& center, double least, unsigned rounds = 0)
+void expect_true_claims(const typename Sphere<FT>::Vector& center, double least,
+                        unsigned rounds = 0)
 {
   for (const bool is_turned : {false, true}) {
     Sphere<FT> sphere(center, is_turned);
@@ -168,7 +168,8 @@ void expect_true_tangents(double least)
 {
   using K = CGAL::Simple_cartesian<FT>;
   std::vector<std::pair<typename K::Point_2, typename K::Vector_2>> polygon;
-  for (const auto& [p, q, r] : {std::array<int, 3>{3, 4, 5}, {-5, 12, 13}, {-15, -8, 17}, {7, -24, 25}}) {
+  for (const auto& [p, q, r] :
+       {std::array<int, 3>{3, 4, 5}, {-5, 12, 13}, {-15, -8, 17}, {7, -24, 25}}) {
     const FT x = FT(p) / FT(r), y = FT(q) / FT(r);
     polygon.emplace_back(typename K::Point_2(x, y), typename K::Vector_2(x, y));
   }

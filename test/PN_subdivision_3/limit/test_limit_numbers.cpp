@@ -61,8 +61,9 @@ CGAL::Gmpfr power_of_two(int exponent)
 CGAL::Gmpfr twice_cosine(int n)
 {
   using FT = CGAL::Gmpfr;
-  const std::vector<int> polynomial = n == 5   ? std::vector<int>{-1, 1, 1}     // x^2 + x - 1
-                                      : n == 7 ? std::vector<int>{-1, -2, 1, 1} // x^3 + x^2 - 2x - 1
+  const std::vector<int> polynomial = n == 5   ? std::vector<int>{-1, 1, 1} // x^2 + x - 1
+                                      : n == 7 ? std::vector<int>{-1, -2, 1, 1}
+                                               // x^3 + x^2 - 2x - 1
                                                : std::vector<int>{1, -3, 0, 1}; // 9: x^3 - 3x + 1
   FT x(2 * std::cos(2 * std::acos(-1.) / n));
   for (int step = 0; step < 8; ++step) {
@@ -127,7 +128,10 @@ void expect_weights(const std::pair<CGAL::Gmpfr, CGAL::Gmpfr>& w, const CGAL::Gm
 // 2 cos(2 pi / n)
 CGAL::Gmpfr twice_any_cosine(int n)
 {
-  return n == 3 ? CGAL::Gmpfr(-1) : n == 4 ? CGAL::Gmpfr(0) : n == 6 ? CGAL::Gmpfr(1) : twice_cosine(n);
+  return n == 3   ? CGAL::Gmpfr(-1)
+         : n == 4 ? CGAL::Gmpfr(0)
+         : n == 6 ? CGAL::Gmpfr(1)
+                  : twice_cosine(n);
 }
 
 // alpha / (3/8 + alpha), alpha = 5/8 - (3 + 2 cos)^2 / 64, is the weight of all neighbors
@@ -136,7 +140,8 @@ TEST_F(Limit_precision, OfLoop)
   for (const int n : {3, 4, 5, 6, 7, 9}) {
     const FT a = FT(3) + twice_any_cosine(n), alpha = FT(5) / FT(8) - a * a / FT(64);
     const FT all = alpha / (FT(3) / FT(8) + alpha);
-    expect_weights(weights<FT>(PN::Loop_scheme(), n, Cells::triangles), FT(1) - all, all / FT(n), n);
+    expect_weights(weights<FT>(PN::Loop_scheme(), n, Cells::triangles), FT(1) - all, all / FT(n),
+                   n);
   }
 }
 
@@ -148,8 +153,8 @@ TEST_F(Limit_precision, OfCatmullClark)
 }
 
 template <class FT>
-using Polygon_of = std::vector<std::pair<CGAL::Point_2<CGAL::Simple_cartesian<FT>>,
-                                         CGAL::Vector_2<CGAL::Simple_cartesian<FT>>>>;
+using Polygon_of = std::vector<
+  std::pair<CGAL::Point_2<CGAL::Simple_cartesian<FT>>, CGAL::Vector_2<CGAL::Simple_cartesian<FT>>>>;
 
 // 0, ..., 0, 1, 0, ..., 0
 template <class FT>
@@ -158,7 +163,8 @@ Polygon_of<FT> unit_polygon()
   using K = CGAL::Simple_cartesian<FT>;
   Polygon_of<FT> polygon;
   for (int i = 0; i < 9; ++i)
-    polygon.emplace_back(typename K::Point_2(FT(i == 4 ? 1 : 0), FT(i)), typename K::Vector_2(0, 1));
+    polygon.emplace_back(typename K::Point_2(FT(i == 4 ? 1 : 0), FT(i)),
+                         typename K::Vector_2(0, 1));
   return polygon;
 }
 
@@ -212,12 +218,14 @@ TEST(Limits_in_intervals, OfPointNormalSchemesAreRefused)
   using Star_of_intervals = Star<Interval>;
   Star_of_intervals star(5, Cells::triangles, 0);
   const auto map =
-    star.mesh.add_property_map<Star_of_intervals::Vertex, PN::Limit_point<Star_of_intervals::Kernel>>(
+    star.mesh
+      .add_property_map<Star_of_intervals::Vertex, PN::Limit_point<Star_of_intervals::Kernel>>(
         "limit")
       .first;
   const auto normals =
     star.mesh
-      .add_property_map<Star_of_intervals::Vertex, Star_of_intervals::Kernel::Vector_3>("n", {0, 0, 1})
+      .add_property_map<Star_of_intervals::Vertex, Star_of_intervals::Kernel::Vector_3>("n",
+                                                                                        {0, 0, 1})
       .first;
   const auto expect_refused = [](const auto& call) {
     try {

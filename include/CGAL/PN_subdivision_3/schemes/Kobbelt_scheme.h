@@ -276,7 +276,7 @@ public:
   /// the default tension.
   static constexpr double default_parameter() { return 1. / 16; }
 
-  /// \pre `-1/2 < tension < 1/2`
+  /// The tension is a `double` or, for exact number types, a fraction. \pre `-1/2 < tension < 1/2`
   /// \throws std::invalid_argument otherwise
   explicit Kobbelt_scheme(const Scheme_parameter& tension = default_parameter())
     : tension_(tension)

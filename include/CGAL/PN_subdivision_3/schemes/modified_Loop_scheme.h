@@ -50,8 +50,8 @@ e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))
 </ul>
 
 \tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
-  computed by the number type's own `cos()` and `acos()` if it has them, otherwise with about 104 bits,
-  and rounded to `double` in exact number types. All rows sum to 1.
+  computed to the precision of `Gmpfr` and of number types with their own `cos()` and `acos()`, enclosed in
+  intervals, otherwise with about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
   separated vertex
 \cgalModels{PNSubdivisionMask_3}
@@ -182,7 +182,8 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit modified_Loop_scheme(const Scheme_parameter& cap = default_parameter(), unsigned first_round = 1,
+  explicit modified_Loop_scheme(const Scheme_parameter& cap = default_parameter(),
+                                unsigned first_round = 1,
                                 Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}

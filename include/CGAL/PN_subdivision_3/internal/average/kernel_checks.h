@@ -49,14 +49,16 @@ struct Has_ends : std::false_type
 template <class FT>
 struct Has_ends<
   FT, std::void_t<decltype(lower(std::declval<const FT&>()), upper(std::declval<const FT&>()))>>
-  : std::bool_constant<!std::is_same_v<std::decay_t<decltype(lower(std::declval<const FT&>()))>, FT>>
+  : std::bool_constant<
+      !std::is_same_v<std::decay_t<decltype(lower(std::declval<const FT&>()))>, FT>>
 {};
 
 template <class Kernel, class = void>
 struct Has_points : std::false_type
 {};
 template <class Kernel>
-struct Has_points<Kernel, std::void_t<typename Kernel::FT, typename Kernel::Point_3>> : std::true_type
+struct Has_points<Kernel, std::void_t<typename Kernel::FT, typename Kernel::Point_3>>
+  : std::true_type
 {};
 
 template <class Kernel, class = void>
@@ -120,7 +122,8 @@ template <class T, class FT>
 struct Has_coordinates_3<
   T, FT,
   std::void_t<decltype(T(std::declval<FT>(), std::declval<FT>(), std::declval<FT>())),
-              decltype(FT(std::declval<const T&>().x())), decltype(FT(std::declval<const T&>().y())),
+              decltype(FT(std::declval<const T&>().x())),
+              decltype(FT(std::declval<const T&>().y())),
               decltype(FT(std::declval<const T&>().z()))>> : std::true_type
 {};
 

@@ -53,10 +53,10 @@ FT sign_of(const FT& x)
 // The number type of what is computed with roots: long double, and other types that round and have them; double
 // for all others.
 template <class FT>
-using Rooted_number = std::conditional_t<
-  std::is_same_v<FT, long double> ||
-    (!std::is_floating_point_v<FT> && !is_exact_v<FT> && !is_interval_v<FT> && has_sqrt_v<FT>),
-  FT, double>;
+using Rooted_number = std::conditional_t<std::is_same_v<FT, long double> ||
+                                           (!std::is_floating_point_v<FT> && !is_exact_v<FT> &&
+                                            !is_interval_v<FT> && has_sqrt_v<FT>),
+                                         FT, double>;
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -38,7 +38,8 @@ Coordinates<double, 3> direction_of_face(const Level_connectivity& level,
   FT size(0);
   for (Index h = level.next(first); h != first; h = level.next(h)) {
     const FT length = length_of<FT, 3>(difference<FT, 3>(points[level.target(h)], origin));
-    if (CGAL::possibly(is_greater(length, size)) && !(CGAL::to_double(length) < CGAL::to_double(size)))
+    if (CGAL::possibly(is_greater(length, size)) &&
+        !(CGAL::to_double(length) < CGAL::to_double(size)))
       size = length;
   }
   if (!CGAL::certainly(is_greater(size, FT(0)))) return {0, 0, 0};

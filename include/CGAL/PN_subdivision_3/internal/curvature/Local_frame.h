@@ -47,7 +47,9 @@ public:
     : origin_(origin)
     , normal_(normal)
   {
-    const auto smaller = [](const FT& a, const FT& b) { return absolute_value(a) < absolute_value(b); };
+    const auto smaller = [](const FT& a, const FT& b) {
+      return absolute_value(a) < absolute_value(b);
+    };
     const auto smallest = std::min_element(normal.begin(), normal.end(), smaller);
     Vector axis{};
     axis[static_cast<std::size_t>(smallest - normal.begin())] = FT(1);

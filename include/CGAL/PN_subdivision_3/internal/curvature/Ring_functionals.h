@@ -115,7 +115,8 @@ private:
 
   void make_quadratic_of_quads()
   {
-    const FT n(static_cast<int>(n_)), mu = (3 * n - 7 + square_root_of<FT>(5 * n * n - 30 * n + 49)) / (8 * n);
+    const FT n(static_cast<int>(n_)),
+      mu = (3 * n - 7 + square_root_of<FT>(5 * n * n - 30 * n + 49)) / (8 * n);
     const FT edges = 8 * n * mu - 2 * n + 2, faces = n - 2;
     const FT largest = edges + faces;
     Functional mean(size(), edges / n / largest);

@@ -285,8 +285,7 @@ private:
     double change = 0;
     for (std::size_t c = 0; c < dimension; ++c) change = std::hypot(change, t[c] - last[c]);
     // small windows have the rounding of large coordinates
-    const double rounding =
-      4 * (rounding_ / largest + std::numeric_limits<double>::epsilon());
+    const double rounding = 4 * (rounding_ / largest + std::numeric_limits<double>::epsilon());
     // as for points, with 1/2 = 3/2 of 1/4 + 1/16 + ..., but 1 while it is not this series yet
     const double error = (std::max)({change, tangents.last_change / 4, rounding});
     tangents.last_change = change;

@@ -97,7 +97,8 @@ private:
   {
     constexpr long step = 900, most = 5; // more is beyond the ends of double anyway
     Interval result = mantissa_;
-    const Interval factor(std::ldexp(1., exponent < 0 ? -static_cast<int>(step) : static_cast<int>(step)));
+    const Interval factor(
+      std::ldexp(1., exponent < 0 ? -static_cast<int>(step) : static_cast<int>(step)));
     long rest = std::abs(exponent);
     for (long i = 0; i < most && rest >= step; ++i, rest -= step) result = result * factor;
     const auto last = static_cast<int>((std::min)(rest, step));

@@ -40,10 +40,11 @@ constexpr bool is_rounded_v =
 template <class FT>
 struct Measure_number_of
 {
-  static_assert(is_exact_v<FT> || is_interval_v<FT> || is_rounded_v<FT>,
-                "PN_subdivision_3: deviations of numbers that round are measured in exact ones, which "
-                "these cannot be converted to: specialize std::numeric_limits with radix 2, if they are "
-                "sums of powers of 2");
+  static_assert(
+    is_exact_v<FT> || is_interval_v<FT> || is_rounded_v<FT>,
+    "PN_subdivision_3: deviations of numbers that round are measured in exact ones, which "
+    "these cannot be converted to: specialize std::numeric_limits with radix 2, if they are "
+    "sums of powers of 2");
   using type = std::conditional_t<is_rounded_v<FT>, CGAL::Exact_rational, FT>;
 };
 template <class FT>
@@ -121,9 +122,10 @@ Number measure_number(const FT& x)
   else if constexpr (Is_lazy<FT>::value)
     return measure_number<Number>(x.exact());
   else {
-    static_assert(is_fraction_v<FT>,
-                  "PN_subdivision_3: the numbers of the shape are no exact ones, or cannot be converted "
-                  "to those of the points: take doubles, fractions or the kernel of the points");
+    static_assert(
+      is_fraction_v<FT>,
+      "PN_subdivision_3: the numbers of the shape are no exact ones, or cannot be converted "
+      "to those of the points: take doubles, fractions or the kernel of the points");
     std::ostringstream text;
     text << x;
     return Number(text.str().c_str());

@@ -195,15 +195,14 @@ private:
   // takes fractions that are as near as rounding tells; the largest weight is what the others leave of 1
   void round(Vector& x) const
   {
-    const FT near =
-      FT(64) * FT(static_cast<int>(x.size())) * machine_epsilon<FT>();
+    const FT tolerance = FT(64) * FT(static_cast<int>(x.size())) * machine_epsilon<FT>();
     std::size_t largest = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
       const auto approximate = static_cast<double>(CGAL::to_double(x[k]));
       const auto fraction = as_fraction(approximate);
       if (fraction) {
         const FT exact = FT(fraction->first) / FT(fraction->second);
-        if (CGAL::abs(FT(exact - x[k])) <= near) x[k] = exact;
+        if (CGAL::abs(FT(exact - x[k])) <= tolerance) x[k] = exact;
       }
       if (std::abs(approximate) > std::abs(static_cast<double>(CGAL::to_double(x[largest]))))
         largest = k;

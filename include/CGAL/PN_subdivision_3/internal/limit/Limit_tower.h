@@ -195,7 +195,8 @@ private:
       is_last = note_normal(c, depth) && is_last;
     if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
     is_last = is_last || depth * class_.rounds() >= demand_.max_depth;
-    if (demand_.curvatures && (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
+    if (demand_.curvatures &&
+        (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
       note_curvature(c);
     if (!is_last) {
       state.last_limit = point;
@@ -269,7 +270,8 @@ private:
       // a turn may be small by chance, two in a row hardly are
       const double ratio = class_.normal_ratio();
       const double turn = std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
-      error = (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
+      error =
+        (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
       state.last_turn = turn;
       // further rounds have more rounding still
       if (depth > 1 && (rounding >= result.normal_error ||
@@ -344,7 +346,7 @@ private:
   std::vector<Value> next_, limits_;
   std::vector<State> states_;
   std::vector<Point_normal<double, 3>> ring_;
-  int exponent_ = 0; // of the power of two by which `ring_` is divided
+  int exponent_ = 0;    // of the power of two by which `ring_` is divided
   double rounding_ = 0; // of the coordinates that `ring_` was taken from, divided like these
   std::optional<Normal_transfer<FT>> transfer_;
   std::size_t count_ = 0;

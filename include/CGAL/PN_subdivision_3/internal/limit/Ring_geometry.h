@@ -62,7 +62,8 @@ public:
   double size() const
   {
     const auto [a, b] = size_;
-    return std::abs(a[0] * b[1] - a[1] * b[0]) / std::hypot(std::hypot(a[0], a[1]), std::hypot(b[0], b[1]));
+    return std::abs(a[0] * b[1] - a[1] * b[0]) /
+           std::hypot(std::hypot(a[0], a[1]), std::hypot(b[0], b[1]));
   }
 
   // \pre is_regular()

@@ -23,7 +23,8 @@ void refuse_intervals()
 {
   if constexpr (is_interval_v<FT>)
     throw std::invalid_argument(
-      "PN_subdivision_3: limits of point-normal schemes are estimated, so that intervals around them "
+      "PN_subdivision_3: limits of point-normal schemes are estimated, so that intervals around "
+      "them "
       "need not contain them: take linear() of the scheme, or a number type that is no interval");
 }
 

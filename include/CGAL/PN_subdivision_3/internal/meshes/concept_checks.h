@@ -13,8 +13,8 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
@@ -168,8 +168,7 @@ constexpr bool check_is_point_map()
                         "vertices (a function object is none: see "
                         "boost::make_function_property_map())");
   if constexpr (is_map)
-    return check_kernel<
-      typename GetGeomTraits<std::remove_const_t<Mesh>, NamedParameters>::type>();
+    return check_kernel<typename GetGeomTraits<std::remove_const_t<Mesh>, NamedParameters>::type>();
   else
     return false;
 }
@@ -179,7 +178,8 @@ constexpr bool check_point_map()
 {
   constexpr bool is_accessible = has_category_v<Map, Access_tag>;
   static_assert(is_accessible, "PN_subdivision_3: vertex_point_map cannot be written");
-  constexpr bool has_points = may_be_point_3<typename boost::property_traits<Map>::value_type, FT>();
+  constexpr bool has_points =
+    may_be_point_3<typename boost::property_traits<Map>::value_type, FT>();
   static_assert(has_points, "PN_subdivision_3: the values of vertex_point_map are not Point_3");
   return is_accessible && has_points;
 }

@@ -221,7 +221,8 @@ private:
     const Vector other = to_double_3<FT>(angle_weighted);
     if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
     if constexpr (Angle_weighted_normals<FT, Sectors>::has_own_angles)
-      if (const Fan fan = sectors_.fan(s); fan.closed) return blended_in_number_type(fan, e, angle_weighted);
+      if (const Fan fan = sectors_.fan(s); fan.closed)
+        return blended_in_number_type(fan, e, angle_weighted);
     Vector n = multiple(e.weight, e.normal);
     add_multiple<double, 3>(n, 1 - e.weight, other);
     const double n_length = length(n);

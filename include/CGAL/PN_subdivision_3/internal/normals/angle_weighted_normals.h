@@ -117,7 +117,7 @@ private:
   }
 
   static Angle corner_angle(const Coordinates<T, 3>& before, const Coordinates<T, 3>& at,
-                             const Coordinates<T, 3>& after)
+                            const Coordinates<T, 3>& after)
   {
     Coordinates<T, 3> u, w;
     for (int k = 0; k < 3; ++k) {

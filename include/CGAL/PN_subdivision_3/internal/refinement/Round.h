@@ -198,7 +198,8 @@ private:
       sizes += CGAL::abs(e->weight);
     }
     const FT error = CGAL::abs(FT(sum - FT(1)));
-    return begin != end && !CGAL::certainly(is_greater(error, FT(FT(64) * machine_epsilon<FT>() * sizes)));
+    return begin != end &&
+           !CGAL::certainly(is_greater(error, FT(FT(64) * machine_epsilon<FT>() * sizes)));
   }
 
   template <class Vertex>
