@@ -12,6 +12,7 @@
 #include <CGAL/Mpzf.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Simple_homogeneous.h>
 #include <CGAL/Surface_mesh.h>
@@ -36,6 +37,45 @@ struct Own_number
   friend bool operator==(Own_number, Own_number) { return true; }
   friend bool operator<(Own_number, Own_number) { return true; }
 };
+
+// a field with CGAL's traits: 0 rounds, with a radix that nobody tells; 1 is an interval whose comparisons are bool
+template <int kind>
+struct Own_field : Own_number
+{
+  Own_field(double = 0) {}
+  friend Own_field operator+(Own_field a, Own_field) { return a; }
+  friend Own_field operator-(Own_field a, Own_field) { return a; }
+  friend Own_field operator*(Own_field a, Own_field) { return a; }
+  friend Own_field operator/(Own_field a, Own_field) { return a; }
+  friend bool operator==(Own_field, Own_field) { return true; }
+  friend bool operator<(Own_field, Own_field) { return true; }
+};
+double lower(const Own_field<1>&);
+double upper(const Own_field<1>&);
+
+namespace CGAL {
+template <int kind>
+class Algebraic_structure_traits<Own_field<kind>>
+  : public Algebraic_structure_traits_base<Own_field<kind>, Field_tag>
+{
+public:
+  using Is_exact = Tag_false;
+};
+template <int kind>
+class Real_embeddable_traits<Own_field<kind>>
+  : public INTERN_RET::Real_embeddable_traits_base<Own_field<kind>, Tag_true>
+{
+public:
+  struct To_double
+  {
+    double operator()(const Own_field<kind>&) const;
+  };
+  struct To_interval
+  {
+    std::pair<double, double> operator()(const Own_field<kind>&) const;
+  };
+};
+} // namespace CGAL
 
 // points of no kernel
 template <int>
@@ -72,6 +112,13 @@ void reject()
   Mesh_of<Own_number> numbers;
   PN::CatmullClark_subdivision(numbers);
   // expected: has no CGAL::Algebraic_structure_traits
+
+  Mesh_of<Own_field<1>> intervals_of_bool;
+  PN::CatmullClark_subdivision(intervals_of_bool);
+  // expected: comparisons of this interval type cannot be undecided
+
+  [[maybe_unused]] PN::Deviation_number<Own_field<0>>* deviation = nullptr;
+  // expected: deviations of numbers that round are measured in exact ones
 
   CGAL::Surface_mesh<Own_point<1>> points;
   PN::CatmullClark_subdivision(points);
