@@ -37,6 +37,13 @@ if(NOT TARGET OpenMeshCore)
   pn_left_out(openmesh "OpenMesh not found, the tests on it are left out (Debian package libopenmesh-dev)")
 endif()
 
+# intervals of any precision; headers of CGAL alone use it
+find_path(PN_MPFI_INCLUDE_DIR mpfi.h)
+find_library(PN_MPFI_LIBRARY mpfi)
+if(NOT PN_MPFI_INCLUDE_DIR OR NOT PN_MPFI_LIBRARY)
+  pn_left_out(mpfi "MPFI not found, the tests of Gmpfi are left out (Debian package libmpfi-dev, from Debian 13 on)" OPTIONAL)
+endif()
+
 function(pn_test_settings target)
   pn_own_target(${target})
   pn_use_data(${target})
@@ -47,6 +54,11 @@ function(pn_test_settings target)
     ${target}
     PRIVATE PN_TEST_REAL_MESH_DIR="${PN_TEST_REAL_MESH_DIR}"
             PN_TEST_EXTRA_MESH_DIR="${PN_TEST_EXTRA_MESH_DIR}")
+  if(PN_MPFI_INCLUDE_DIR AND PN_MPFI_LIBRARY)
+    target_compile_definitions(${target} PRIVATE CGAL_USE_MPFI)
+    target_include_directories(${target} SYSTEM PRIVATE ${PN_MPFI_INCLUDE_DIR})
+    target_link_libraries(${target} PRIVATE ${PN_MPFI_LIBRARY})
+  endif()
   if(TARGET OpenMeshCore)
     target_link_libraries(${target} PRIVATE OpenMeshCore)
     target_compile_definitions(${target} PRIVATE PN_TEST_WITH_OPENMESH)

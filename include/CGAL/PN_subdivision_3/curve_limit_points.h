@@ -252,9 +252,10 @@ degree 3 and more, but for the ends of dual ones, and Dubuc-Deslauriers masks on
 side of their limit points, and that of 4 points does not converge. Its error is not estimated; ten rounds
 are done.
 
-In exact number types limit masks are exact, the limit points of `linear()` masks, too; with normals one round is
+Limit masks have the precision of the number type. Intervals contain the limits of linear and of interpolatory masks; others
+are refused. In exact number types limit masks are exact, the limit points of `linear()` masks, too; with normals one round is
 done at most about a vertex that is not near an end, so that the tolerance may be missed. Tangents, curvatures
-and errors are computed in `double`.
+and errors are computed in `double`, from differences in the number type.
 
 \tparam Range a model of `ConstRange`, as for `subdivide_curve()`
 \tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one
@@ -270,8 +271,8 @@ and errors are computed in `double`.
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
 
-\throws std::invalid_argument as `subdivide_curve()` does, if a tolerance is negative or not a number, and if the
-  powers of the mask's matrix do not converge
+\throws std::invalid_argument as `subdivide_curve()` does, if a tolerance is negative or not a number, if an interval number type is
+  to contain an estimate, and if the powers of the mask's matrix do not converge
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
 
@@ -283,28 +284,30 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
-  using FT = typename Parameters::FT;
-  constexpr int dimension = Parameters::dimension;
-  using Limits = internal::Curve_limits<FT, dimension, Mask>;
-  using Maker = internal::Curve_limit_maker<typename Parameters::Point, typename Parameters::Vector,
-                                            FT, dimension>;
-  const auto values = internal::limit_polygon<Limits, Parameters>(polygon, np);
-  const internal::Curve_limit_demand demand =
-    internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
-  Limits limits(mask, end, demand);
-  std::vector<typename Maker::Limit> result;
-  Limit_report report;
-  report.tolerance = demand.tolerance;
-  const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
-  for (std::int64_t v = first; v < first + number; ++v) {
-    const auto l = limits(values, v);
-    internal::check_in_range<FT, dimension>(Limits::point_of(l.value), [v = v] {
-      return "the limit point of point " + std::to_string(v);
-    });
-    internal::add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
-    result.push_back(Maker::make(l, static_cast<double>(v) + (limits.is_primal() ? 0. : 0.5)));
+  if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
+    using FT = typename Parameters::FT;
+    constexpr int dimension = Parameters::dimension;
+    using Limits = internal::Curve_limits<FT, dimension, Mask>;
+    using Maker = internal::Curve_limit_maker<typename Parameters::Point,
+                                              typename Parameters::Vector, FT, dimension>;
+    const auto values = internal::limit_polygon<Limits, Parameters>(polygon, np);
+    const internal::Curve_limit_demand demand =
+      internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
+    Limits limits(mask, end, demand);
+    std::vector<typename Maker::Limit> result;
+    Limit_report report;
+    report.tolerance = demand.tolerance;
+    const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
+    for (std::int64_t v = first; v < first + number; ++v) {
+      const auto l = limits(values, v);
+      internal::check_in_range<FT, dimension>(Limits::point_of(l.value), [v = v] {
+        return "the limit point of point " + std::to_string(v);
+      });
+      internal::add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
+      result.push_back(Maker::make(l, static_cast<double>(v) + (limits.is_primal() ? 0. : 0.5)));
+    }
+    return std::make_pair(std::move(result), report);
   }
-  return std::make_pair(std::move(result), report);
 }
 
 } // namespace PN_subdivision_3

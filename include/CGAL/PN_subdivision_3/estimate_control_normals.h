@@ -54,8 +54,8 @@ A vertex without faces, or one at which the sum vanishes, gets the zero vector, 
 
 <b>Number types.</b> In exact number types the reciprocal normals of interior vertices where \f$ \alpha
 \f$ is at most 40 degrees have their exact direction; in multiprecision types they are as precise as
-the type. Everything else (the choice between the two, borders, mixtures, angles) is computed in
-`double` from the differences of the points; `float` is widened to `double`.
+the type, as are angle-weighted ones where the type has its own `atan2()` (`Gmpfr`, Boost's floats). Everything else (the choice
+between the two, its weights, borders, angles) is computed in `double` from the differences of the points; `float` is widened to `double`.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam VertexNormalMap a model of `WritablePropertyMap` with

@@ -64,44 +64,47 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
                              Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
 {
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  using Index = Level_connectivity::Index;
-  using Vertex_map = typename Parameters::Vertex_constraint_map;
-  using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
-  const auto points = Parameters::const_point_map(mesh, np);
-  const Vertex_map vertex_map = Parameters::vertex_constraint_map(np);
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    using Access = std::decay_t<decltype(access)>;
-    const Level_connectivity level = internal::checked_level(access);
-    const Index n = level.number_of_vertices();
-    internal::Creases<FT> creases = internal::Make_creases<FT>(level, Border::surface)(
-      [&](Index e) {
-        return internal::checked_sharpness(internal::sharpness_in(edge_map, access.edge_at(e)),
-                                           [&] { return internal::Edge_of_mesh::name(access, e); });
-      },
-      [&](Index v) {
-        if constexpr (internal::is_constraint_map_v<Vertex_map>)
-          return internal::checked_sharpness(internal::sharpness_in(vertex_map, access.vertex(v)),
-                                             [&] { return access.vertex_name(v); });
-        else
-          return 0.;
+  if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
+    using FT = typename Parameters::FT;
+    using Index = Level_connectivity::Index;
+    using Vertex_map = typename Parameters::Vertex_constraint_map;
+    using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
+    const auto points = Parameters::const_point_map(mesh, np);
+    const Vertex_map vertex_map = Parameters::vertex_constraint_map(np);
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      using Access = std::decay_t<decltype(access)>;
+      const Level_connectivity level = internal::checked_level(access);
+      const Index n = level.number_of_vertices();
+      internal::Creases<FT> creases = internal::Make_creases<FT>(level, Border::surface)(
+        [&](Index e) {
+          return internal::checked_sharpness(
+            internal::sharpness_in(edge_map, access.edge_at(e)),
+            [&] { return internal::Edge_of_mesh::name(access, e); });
+        },
+        [&](Index v) {
+          if constexpr (internal::is_constraint_map_v<Vertex_map>)
+            return internal::checked_sharpness(internal::sharpness_in(vertex_map, access.vertex(v)),
+                                               [&] { return access.vertex_name(v); });
+          else
+            return 0.;
+        });
+      std::vector<Point_normal<FT, 3>> values(creases.number_of_slots);
+      const std::vector<Index> extra = internal::vertices_of_extra_slots(creases, n);
+      for (Index slot = 0; slot < values.size(); ++slot)
+        values[slot] = {
+          internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]),
+          internal::zero_vector<FT, 3>()};
+      internal::Control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
+                                    estimate)();
+      const internal::Cut_level<FT> cut(level, creases);
+      static_assert(internal::is_of_halfedges_v<Access, HalfedgeNormalMap>,
+                    "PN_subdivision_3: the normal map is no property map of the mesh's half-edges");
+      internal::for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
+        const Coordinates<FT, 3>& m = values[slot].normal;
+        put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
       });
-    std::vector<Point_normal<FT, 3>> values(creases.number_of_slots);
-    const std::vector<Index> extra = internal::vertices_of_extra_slots(creases, n);
-    for (Index slot = 0; slot < values.size(); ++slot)
-      values[slot] = {
-        internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]),
-        internal::zero_vector<FT, 3>()};
-    internal::Control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
-                                  estimate)();
-    const internal::Cut_level<FT> cut(level, creases);
-    static_assert(internal::is_of_halfedges_v<Access, HalfedgeNormalMap>,
-                  "PN_subdivision_3: the normal map is no property map of the mesh's half-edges");
-    internal::for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
-      const Coordinates<FT, 3>& m = values[slot].normal;
-      put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
     });
-  });
+  }
 }
 
 } // namespace PN_subdivision_3

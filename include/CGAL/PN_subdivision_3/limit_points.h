@@ -66,9 +66,12 @@ that made a mesh if it still has their normals by half-edges and their tangents,
 `Limit_point` has the mean of the normals of a vertex.
 
 Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
-valence once. Surface normals, curvatures and errors are computed in `double`; in exact number types
+valence once, to the precision of the number type. Surface normals, curvatures and errors are computed in `double`, from
+differences in the number type; what the rounding of coordinates may do in the small rings of many rounds is part of
+`Limit_point::normal_error`, and rounds in which it would grow are not used for normals. In exact number types
 the limit masks sum to 1 exactly and are exact where they are rational, and one round is done at most,
-so that the tolerance may be missed.
+so that the tolerance may be missed. Intervals contain the limits of linear and of interpolatory schemes; those of others
+are estimated, and refused.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit; maps are read and written by one
@@ -90,7 +93,7 @@ so that the tolerance may be missed.
 \returns what was reached. A tolerance that cannot be met is no error.
 
 \throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, if the scheme has
-  no limit masks, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds
+  no limit masks, if an interval number type is to contain an estimate, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds
   use it up; nothing has been written then
 \throws std::overflow_error if a limit point is out of the range of a floating point type
 \throws std::domain_error if an interval number type leaves a comparison undecided
@@ -170,20 +173,23 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
   using FT = typename Parameters::FT;
   using Limit = typename boost::property_traits<LimitMap>::value_type;
   Limit_report report;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    const auto level = internal::read_limit_level<Scheme, FT>(
-      access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
-    internal::Limit_demand demand = internal::limit_demand<FT>(options, internal::box_size(level));
-    demand.curvatures = false;
-    internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
-                                                 internal::For_chunks::with(Concurrency_tag()));
-    const auto results = evaluation(level);
-    internal::check_limits<FT>(results,
-                               [](std::size_t f) { return "face number " + std::to_string(f); });
-    std::size_t i = 0;
-    for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
-    report = internal::limit_report(results, demand);
-  });
+  if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      const auto level = internal::read_limit_level<Scheme, FT>(
+        access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+      internal::Limit_demand demand =
+        internal::limit_demand<FT>(options, internal::box_size(level));
+      demand.curvatures = false;
+      internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
+                                                   internal::For_chunks::with(Concurrency_tag()));
+      const auto results = evaluation(level);
+      internal::check_limits<FT>(results,
+                                 [](std::size_t f) { return "face number " + std::to_string(f); });
+      std::size_t i = 0;
+      for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
+      report = internal::limit_report(results, demand);
+    });
+  }
   return report;
 }
 

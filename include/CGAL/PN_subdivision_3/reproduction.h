@@ -37,8 +37,9 @@ namespace PN_subdivision_3 {
 \ingroup PkgPNSubdivision3Reproduction
 
 The number type of the deviations of coordinates in `FT`: `FT` itself for exact numbers and
-intervals; `CGAL::Exact_rational` for floating point types and `Gmpfr`, whose numbers it holds as
-they are. So deviations are never rounded, unless `FT` is a number type of the user's own that rounds.
+intervals; `CGAL::Exact_rational` for floating point types, `Gmpfr` and all types that round and have the
+radix 2 by their `std::numeric_limits`, whose numbers it holds as they are. So deviations are never
+rounded. Other types that round are refused when they are compiled.
 */
 #ifdef DOXYGEN_RUNNING
 template <class FT>
@@ -81,6 +82,15 @@ struct Point_itself
   std::string operator()() const { return "the point"; }
 };
 
+template <class FT, class Number>
+Number unit_of_last_place()
+{
+  if constexpr (is_exact_v<FT>)
+    return Number(std::numeric_limits<double>::epsilon());
+  else
+    return measure_number<Number>(machine_epsilon<FT>());
+}
+
 inline double checked_tolerance(double tolerance)
 {
   if (!(tolerance >= 0 && std::isfinite(tolerance)))
@@ -103,9 +113,9 @@ roots and without rounding:
  - circle in space: the latter, with r in its plane, plus the squared distance from the plane.
 
 \tparam Point `Point_2` or `Point_3` of any kernel
-\tparam Shape `Circle_2`, `Line_2`, `Sphere_3`, `Circle_3`, `Plane_3` or `Line_3` of any kernel, or
-  `Cylinder_3`. Its kernel may be another one than that of the point: the squared radius 1.1<sup>2</sup>
-  has no exact `double`.
+\tparam Shape `Circle_2`, `Line_2`, `Sphere_3`, `Circle_3`, `Plane_3` or `Line_3` of any kernel whose numbers are
+  exact or of radix 2, or `Cylinder_3`. Its kernel may be another one than that of the point: the squared
+  radius 1.1<sup>2</sup> has no exact `double`. Shapes of intervals go with points of intervals.
 \returns a `Deviation_number<FT>` for the number type `FT` of the point; an interval number type
   gives an interval around the deviation
 \throws std::invalid_argument if the point is not finite, if a floating point coordinate is out of
@@ -158,16 +168,18 @@ template <class Point, class Shape>
 Interval_nt<> distance_interval(const Point& p, const Shape& shape)
 {
   const auto measure = internal::shape_for<Point>(shape);
-  return measure.distance(measure.residual(
-    internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+  return measure
+    .distance(measure.residual(
+      internal::checked_coordinates<Point>(p, "position", internal::Point_itself())))
+    .interval();
 }
 
 /*!
 \ingroup PkgPNSubdivision3Reproduction
 
 returns an interval around the distance of a point from a shape in units of the last place: relative to
-the radius, for planes and lines as it is, and divided by the epsilon of the point's number type if that
-is `float`, `double` or `long double`, by 2<sup>-52</sup> otherwise.
+the radius, for planes and lines as it is, and divided by the epsilon of the point's number type: that of its
+`std::numeric_limits`, that of the default precision of `Gmpfr` and `Gmpfi`, and 2<sup>-52</sup> for exact types.
 
 \tparam Point, Shape as for `squared_deviation()`
 */
@@ -175,10 +187,12 @@ template <class Point, class Shape>
 Interval_nt<> distance_in_ulps(const Point& p, const Shape& shape)
 {
   using FT = internal::FT_of<Point>;
-  using Floating = std::conditional_t<std::is_floating_point_v<FT>, FT, double>;
+  using Number = internal::Number_of_point<Point>;
   const auto measure = internal::shape_for<Point>(shape);
-  const Interval_nt<> ulp(static_cast<double>(std::numeric_limits<Floating>::epsilon()));
-  return distance_interval(p, shape) / (measure.is_round() ? measure.radius() * ulp : ulp);
+  const auto ulp = internal::Scaled_interval::of(internal::unit_of_last_place<FT, Number>());
+  const auto distance = measure.distance(measure.residual(
+    internal::checked_coordinates<Point>(p, "position", internal::Point_itself())));
+  return (distance / (measure.is_round() ? measure.radius() * ulp : ulp)).interval();
 }
 
 /*!

@@ -14,6 +14,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_maps.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
 
@@ -113,13 +114,15 @@ auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
                      const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
-  internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(mask,
-                                                                                          end);
-  const auto point_map = Parameters::point_map(np);
-  const auto normal_map = Parameters::normal_map(np);
-  for (const auto& item : polygon) curve.add(get(point_map, item), get(normal_map, item));
-  return curve.template result<typename Parameters::Point, typename Parameters::Vector>(
-    Parameters::number_of_iterations(np));
+  if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
+    internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(mask,
+                                                                                            end);
+    const auto point_map = Parameters::point_map(np);
+    const auto normal_map = Parameters::normal_map(np);
+    for (const auto& item : polygon) curve.add(get(point_map, item), get(normal_map, item));
+    return curve.template result<typename Parameters::Point, typename Parameters::Vector>(
+      Parameters::number_of_iterations(np));
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -459,9 +459,9 @@ TEST(Errors, NameThePoint)
     EXPECT_NE(std::string(e.what()).find("point 1 "), std::string::npos) << e.what();
   }
   EXPECT_THROW(PN::is_on(points[1], Shapes<Double>().sphere), std::invalid_argument);
+  // beyond the range of double, but a number
   using Long = CGAL::Simple_cartesian<long double>;
-  EXPECT_THROW(PN::is_on(Long::Point_3(1e400L, 0, 0), Shapes<Double>().sphere),
-               std::invalid_argument);
+  EXPECT_TRUE(certainly_not(PN::is_on(Long::Point_3(1e400L, 0, 0), Shapes<Double>().sphere)));
 }
 
 TEST(Errors, WhatHasNoMeaning)

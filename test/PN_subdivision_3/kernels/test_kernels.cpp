@@ -15,7 +15,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Gmpq.h>
-#include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -235,126 +234,32 @@ TEST(Kernels, Gmpfr)
 }
 #endif
 
-// \name Intervals
+// \name Parameters of schemes
 
-namespace {
-
-using Interval = CGAL::Interval_nt<true>;
-using Interval_kernel = CGAL::Simple_cartesian<Interval>;
-
-struct Interval_tetrahedron
+// 1/20 is no double. The bottom row of a strip of quadrilaterals has the rule of four points.
+TEST(Kernels, ParametersMayBeFractions)
 {
-  using Mesh = CGAL::Surface_mesh<Interval_kernel::Point_3>;
-
-  explicit Interval_tetrahedron(const std::vector<Interval_kernel::Vector_3>& normals)
-  {
-    build(tetrahedron(), mesh);
-    n = mesh.add_property_map<Mesh::Vertex_index, Interval_kernel::Vector_3>("n").first;
-    for (auto v : mesh.vertices()) n[v] = normals[v];
-  }
-  void subdivide() { PN::Loop_subdivision(mesh, params::vertex_normal_map(n)); }
-  std::string refusal()
-  {
-    try {
-      subdivide();
-    } catch (const std::domain_error& e) {
-      return e.what();
-    }
-    return "";
-  }
-
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Vertex_index, Interval_kernel::Vector_3> n;
-};
-
-std::vector<Interval_kernel::Vector_3> equal_normals(const Interval_kernel::Vector_3& n)
-{
-  return std::vector<Interval_kernel::Vector_3>(4, n);
-}
-
-} // namespace
-
-TEST(Interval_kernel, ContainsTheResultOfLongDouble)
-{
-  using Reference = CGAL::Simple_cartesian<long double>;
-  CGAL::Surface_mesh<Reference::Point_3> exact;
-  build(tetrahedron(), exact);
-  auto m = exact.add_property_map<CGAL::SM_Vertex_index, Reference::Vector_3>("n").first;
-  std::vector<Interval_kernel::Vector_3> control;
-  for (const Triple& x : normals(tetrahedron()))
-    control.emplace_back(Interval(x[0]), Interval(x[1]), Interval(x[2]));
-  put_normals(normals(tetrahedron()), exact, m);
-  Interval_tetrahedron intervals(control);
-  intervals.subdivide();
-  PN::Loop_subdivision(exact, params::vertex_normal_map(m));
-  for (auto v : exact.vertices())
-    for (int k = 0; k < 3; ++k) {
-      const Interval i = intervals.mesh.point(v)[k];
-      EXPECT_LE(i.inf(), exact.point(v)[k]);
-      EXPECT_GE(i.sup(), exact.point(v)[k]);
-      EXPECT_LT(i.sup() - i.inf(), 1e-13);
-    }
-}
-
-// The second call finds normals that may be unit vectors or not.
-TEST(Interval_kernel, ServesForSeveralCalls)
-{
-  Interval_tetrahedron intervals(equal_normals({Interval(0.48), Interval(0.6), Interval(0.64)}));
-  intervals.subdivide();
-  intervals.subdivide();
-  EXPECT_EQ(intervals.mesh.number_of_faces(), 64u);
-  for (auto v : intervals.mesh.vertices())
-    for (int k = 0; k < 3; ++k) {
-      const Interval i = intervals.n[v][k];
-      const double exact[] = {0.48, 0.6, 0.64};
-      EXPECT_LT(i.inf(), exact[k] + 1e-15);
-      EXPECT_GT(i.sup(), exact[k] - 1e-15);
-      EXPECT_LT(i.sup() - i.inf(), 1e-13);
-    }
-}
-
-// its weights at an irregular vertex are intervals that no comparison orders
-TEST(Interval_kernel, ServesForTheSchemeOfKobbelt)
-{
-  CGAL::Surface_mesh<Interval_kernel::Point_3> intervals;
-  CGAL::Surface_mesh<CGAL::Simple_cartesian<long double>::Point_3> exact;
-  build(cube(), intervals);
-  build(cube(), exact);
-  PN::subdivide(intervals, PN::linear(PN::Kobbelt_scheme()));
-  PN::subdivide(exact, PN::linear(PN::Kobbelt_scheme()));
-  for (auto v : exact.vertices())
-    for (int k = 0; k < 3; ++k) {
-      const Interval i = intervals.point(v)[k];
-      EXPECT_LE(i.inf(), exact.point(v)[k] + 1e-15L);
-      EXPECT_GE(i.sup(), exact.point(v)[k] - 1e-15L);
-      EXPECT_LT(i.sup() - i.inf(), 1e-13);
-    }
-}
-
-TEST(Interval_kernel, UndecidedComparisonsAreRefusedByName)
-{
-  // whether the sum at an edge vanishes depends on the interval
-  const Interval around_zero(-1e-9, 1e-9);
-  auto control = equal_normals({0, 0, 1});
-  control[0] = {0, 0, -1};
-  control[1] = {0, 0, 1};
-  control[2] = {0, around_zero, 1};
-  control[3] = {0, 0, -1};
-  Interval_tetrahedron opposite(control);
-  const auto old = opposite.mesh;
-  const std::string message = opposite.refusal();
-  EXPECT_NE(message.find("vertex"), std::string::npos) << message;
-  EXPECT_NE(message.find("precision"), std::string::npos) << message;
-  EXPECT_EQ(faces_of(opposite.mesh), faces_of(old));
-  EXPECT_EQ(points(opposite.mesh), points(old));
-}
-
-TEST(Interval_kernel, UndecidedControlNormalsAreRefusedByName)
-{
-  auto control = equal_normals({0, 0, 1});
-  control[2] = {0, 0, Interval(0, 1)}; // zero or not
-  Interval_tetrahedron zero_or_not(control);
-  EXPECT_NE(zero_or_not.refusal().find("vertex 2"), std::string::npos);
+  using K = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  using FT = K::FT;
+  const auto weight = [](const PN::Scheme_parameter& tension) {
+    CGAL::Surface_mesh<K::Point_3> mesh;
+    std::vector<CGAL::SM_Vertex_index> v;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 2; ++j) v.push_back(mesh.add_vertex({FT(i == 2 ? 1 : 0), FT(i), FT(j)}));
+    for (std::size_t i = 0; i < 3; ++i)
+      mesh.add_face(v[2 * i], v[2 * i + 2], v[2 * i + 3], v[2 * i + 1]);
+    PN::subdivide(mesh, PN::linear(PN::Kobbelt_scheme(tension)));
+    for (auto u : mesh.vertices())
+      if (mesh.point(u).y() == FT(3, 2) && mesh.point(u).z() == 0) return mesh.point(u).x();
+    return FT(0);
+  };
+  EXPECT_EQ(weight(PN::Scheme_parameter(1, 20)), FT(11, 20));
+  EXPECT_EQ(weight(PN::Scheme_parameter(1, 16)), FT(9, 16));
+  EXPECT_EQ(weight(0.0625), FT(9, 16));
+  EXPECT_NE(weight(0.05), FT(11, 20));
+  EXPECT_THROW(PN::Scheme_parameter(1, 0), std::invalid_argument);
+  EXPECT_THROW(PN::Kobbelt_scheme(PN::Scheme_parameter(1, 2)), std::invalid_argument);
+  EXPECT_THROW(PN::modified_Loop_scheme(PN::Scheme_parameter(-1, 3)), std::invalid_argument);
 }
 
 // \name A number type of the user's own

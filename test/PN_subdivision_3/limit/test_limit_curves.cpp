@@ -358,14 +358,17 @@ TEST(Curve_limits, OfOtherNumbersAreClose)
     const auto limits = PN::curve_limit_points(polygon, mask, end, options).first;
     const auto long_limits = PN::curve_limit_points(long_polygon, mask, end, options).first;
     const auto exact_limits = PN::curve_limit_points(exact, mask, end, options).first;
-    const auto interval_limits = PN::curve_limit_points(intervals, mask, end, options).first;
+    const auto linear_limits =
+      PN::curve_limit_points(polygon, PN::linear(mask), end, options).first;
+    const auto interval_limits =
+      PN::curve_limit_points(intervals, PN::linear(mask), end, options).first;
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const Double::Point_2& p = limits[i].point;
       EXPECT_NEAR(p.x(), double(long_limits[i].point.x()), 20 * ulp);
       EXPECT_NEAR(p.x(), CGAL::to_double(exact_limits[i].point.x()), 1e-13);
       EXPECT_NEAR(p.y(), CGAL::to_double(exact_limits[i].point.y()), 1e-13);
-      EXPECT_LE(interval_limits[i].point.x().inf(), p.x() + 20 * ulp);
-      EXPECT_GE(interval_limits[i].point.x().sup(), p.x() - 20 * ulp);
+      EXPECT_LE(interval_limits[i].point.x().inf(), linear_limits[i].point.x() + 20 * ulp);
+      EXPECT_GE(interval_limits[i].point.x().sup(), linear_limits[i].point.x() - 20 * ulp);
     }
   }
 }

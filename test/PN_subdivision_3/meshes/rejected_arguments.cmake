@@ -1,6 +1,6 @@
 # cmake -DCOMPILER=... -DFLAGS=... -DSOURCE=... -P rejected_arguments.cmake
 # Compiles a file that must not compile: every line after "// expected:" has to be said as often as it is
-# there, and every error has to be one of the package's own lines.
+# there, and every error has to be one of the package's own lines; with -DLINES=n an error has no more than n lines.
 execute_process(
   COMMAND ${COMPILER} ${FLAGS} -std=c++17 -fsyntax-only ${SOURCE}
   RESULT_VARIABLE result ERROR_VARIABLE messages OUTPUT_QUIET)
@@ -19,6 +19,14 @@ list(LENGTH expected number_expected)
 list(LENGTH errors number)
 if(number LESS number_expected)
   message(SEND_ERROR "${number} errors, ${number_expected} expected")
+endif()
+if(LINES)
+  string(REGEX MATCHALL "\n" line_ends "${messages}")
+  list(LENGTH line_ends number_of_lines)
+  math(EXPR most "${LINES} * ${number}")
+  if(number_of_lines GREATER most)
+    message(SEND_ERROR "${number_of_lines} lines for ${number} errors")
+  endif()
 endif()
 foreach(line IN LISTS expected)
   string(REGEX REPLACE ".*// expected: " "" line "${line}")

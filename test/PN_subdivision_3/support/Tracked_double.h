@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <functional>
 #include <iosfwd>
+#include <limits>
 #include <utility>
 
 class Tracked_double : boost::ordered_field_operators<Tracked_double>
@@ -106,5 +107,12 @@ CGAL_DEFINE_COERCION_TRAITS_FOR_SELF(Tracked_double)
 CGAL_DEFINE_COERCION_TRAITS_FROM_TO(int, Tracked_double)
 
 } // namespace CGAL
+
+// it rounds as double does
+namespace std {
+template <>
+struct numeric_limits<Tracked_double> : numeric_limits<double>
+{};
+} // namespace std
 
 #endif // CGAL_PN_SUBDIVISION_3_TEST_TRACKED_DOUBLE_H

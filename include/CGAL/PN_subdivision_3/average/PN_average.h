@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_AVERAGE_PN_AVERAGE_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/rational_unit_vector.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 
@@ -214,8 +215,12 @@ private:
       sum.fill(FT(0));
     else if constexpr (std::is_floating_point_v<FT>)
       divide(sum, std::sqrt(squared_length));
-    else
+    else {
+      if constexpr (internal::is_exact_v<FT> && !internal::has_sqrt_v<FT>)
+        if (const int bits = internal::bits_of_refined_normals(); bits != 0)
+          return internal::rational_unit_vector<FT, dimension>(sum, bits);
       multiply(sum, Traits::inverse_length(squared_length));
+    }
     return sum;
   }
 

@@ -119,7 +119,7 @@ this template does not find.
 In a field with square root the length of a normal is rounded as `FT` rounds. In an exact field
 without square root (the number type of EPECK for instance) 1/|N| is a `double` with a relative
 error below 2<sup>-48</sup>: normals keep their exact direction and have unit length up to this
-error. All other operations of the package remain exact.
+error, unless they are rounded to unit vectors, see `Rounded_exact_normals`. All other operations of the package remain exact.
 
 \tparam FT a field
 */

@@ -73,20 +73,22 @@ auto estimate_control_normals(const Range& polygon, Curve_end end,
                               const NamedParameters& np = parameters::default_values())
 {
   using Points = internal::Curve_points<Range, NamedParameters>;
-  using FT = typename Points::FT;
-  const auto points = Points::template get_all<FT>(polygon, np);
-  const bool closed = end == Curve_end::closed;
-  std::vector<Coordinates<FT, Points::dimension>> normals;
-  if constexpr (Points::dimension == 2)
-    normals = internal::planar_polygon_normals<FT>(points, closed);
-  else
-    normals = internal::space_polygon_normals<FT>(points, closed);
-  std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
-  result.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.emplace_back(Points::template make<typename Points::Point>(points[i]),
-                        Points::template make<typename Points::Vector>(normals[i]));
-  return result;
+  if constexpr (internal::check_kernel<typename Points::Kernel>()) {
+    using FT = typename Points::FT;
+    const auto points = Points::template get_all<FT>(polygon, np);
+    const bool closed = end == Curve_end::closed;
+    std::vector<Coordinates<FT, Points::dimension>> normals;
+    if constexpr (Points::dimension == 2)
+      normals = internal::planar_polygon_normals<FT>(points, closed);
+    else
+      normals = internal::space_polygon_normals<FT>(points, closed);
+    std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
+    result.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      result.emplace_back(Points::template make<typename Points::Point>(points[i]),
+                          Points::template make<typename Points::Vector>(normals[i]));
+    return result;
+  }
 }
 
 /*!

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_EXACT_DEVIATION_H
 
 #include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/internal/exact/Scaled_interval.h>
 #include <CGAL/PN_subdivision_3/internal/exact/measure_number.h>
 #include <CGAL/Uncertain.h>
 
@@ -81,7 +82,7 @@ public:
     const Uncertain<bool> on = is_zero_number(r.radial) & is_zero_number(r.squared_distance);
     if (certainly(on)) return;
     d_.points_are_on_shape = d_.points_are_on_shape & on;
-    if (raise(d_.distance, shape_.distance(r))) {
+    if (raise(d_.distance, shape_.distance(r).interval())) {
       d_.farthest_point = e;
       d_.squared_deviation = shape_.squared_deviation(r);
     }
@@ -96,7 +97,7 @@ public:
     const Uncertain<bool> exact = is_zero_number(s);
     if (certainly(exact)) return;
     d_.normals_are_exact = d_.normals_are_exact & exact;
-    if (raise(d_.normal_sine, CGAL::sqrt(interval_around(s)))) {
+    if (raise(d_.normal_sine, sqrt(Scaled_interval::of(s)).interval())) {
       d_.most_turned_normal = e;
       d_.squared_normal_deviation = s;
     }

@@ -9,60 +9,14 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_COSINE_WEIGHTS_H
 
-#include <CGAL/PN_subdivision_3/internal/schemes/Double_double.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/cosine_of_number_type.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-namespace internal {
-
-template <class FT, class = void>
-struct Has_trigonometry : std::false_type
-{};
-
-template <class FT>
-struct Has_trigonometry<
-  FT, std::void_t<decltype(FT(cos(std::declval<FT>()))), decltype(FT(acos(std::declval<FT>())))>>
-  : std::true_type
-{};
-
-// cos(2 pi k / n) to nearest. \pre 0 <= 2k <= n
-inline double nearest_cosine(std::int64_t k, std::int64_t n)
-{
-  static const auto first = [] { // masks are made in every round: k = 1 is what they ask for then
-    std::array<double, 32> cosines{};
-    for (std::size_t i = 2; i < cosines.size(); ++i)
-      cosines[i] = static_cast<double>(cosine_of_turn(1, static_cast<std::int64_t>(i)));
-    return cosines;
-  }();
-  return k == 1 && n < 32 ? first[static_cast<std::size_t>(n)]
-                          : static_cast<double>(cosine_of_turn(k, n));
-}
-
-// \pre 0 <= 2k <= n
-template <class FT>
-FT irrational_cosine(std::int64_t k, std::int64_t n)
-{
-  if constexpr (std::is_same_v<FT, Double_double>)
-    return cosine_of_turn(k, n);
-  else if constexpr (std::is_same_v<FT, long double>) {
-    const long double pi = 3.141592653589793238462643383279502884L;
-    return std::cos(2 * pi * (static_cast<long double>(k) / static_cast<long double>(n)));
-  } else if constexpr (!std::is_floating_point_v<FT> && Has_trigonometry<FT>::value)
-    return FT(
-      cos(FT(2) * FT(acos(FT(-1))) * FT(static_cast<double>(k)) / FT(static_cast<double>(n))));
-  else
-    return FT(nearest_cosine(k, n));
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgPNSubdivision3Schemes
 
@@ -70,8 +24,9 @@ returns cos(2&pi;k/n).
 
 The rational values (those of the multiples of 60 and 90 degrees) are exact. The others are rounded: to the nearest
 `float` or `double`, on every processor the same, since no mathematical library is asked; up to an ulp in
-`long double`; by the number type's own `cos()` and `acos()` where argument-dependent lookup finds them; and to
-`double` in all other number types, in particular in exact ones. A mask emits rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
+`long double`; to the default precision of `Gmpfr`; by the number type's own `cos()` and `acos()` where argument-dependent lookup finds
+them; and to `double` in all other number types, in particular in exact ones. Intervals contain the cosine. A mask emits
+rows that sum to 1 whatever the rounding, see `Stencil::add_rest()`.
 
 \pre `n > 0`
 */

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
+#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
 #include <CGAL/Uncertain.h>
 
 #include <stdexcept>
@@ -275,12 +276,12 @@ public:
   /// the default tension.
   static constexpr double default_parameter() { return 1. / 16; }
 
-  /// \pre `-1/2 < tension < 1/2`
+  /// The tension is a `double` or, for exact number types, a fraction. \pre `-1/2 < tension < 1/2`
   /// \throws std::invalid_argument otherwise
-  explicit Kobbelt_scheme(double tension = default_parameter())
+  explicit Kobbelt_scheme(const Scheme_parameter& tension = default_parameter())
     : tension_(tension)
   {
-    if (!(tension > -0.5 && tension < 0.5))
+    if (!(tension.to_double() > -0.5 && tension.to_double() < 0.5))
       throw std::invalid_argument(
         "PN_subdivision_3: the tension of Kobbelt's scheme must lie between -1/2 and 1/2");
   }
@@ -289,7 +290,7 @@ public:
   template <class FT>
   Kobbelt_mask<FT> mask(const Level_connectivity& level, unsigned /*round*/) const
   {
-    return Kobbelt_mask<FT>(level, FT(tension_));
+    return Kobbelt_mask<FT>(level, tension_.value<FT>());
   }
 
   /// refuses a face that is not a quadrilateral, and an interior vertex of valence 2.
@@ -307,7 +308,7 @@ public:
   }
 
 private:
-  double tension_;
+  Scheme_parameter tension_;
 };
 
 } // namespace PN_subdivision_3

@@ -38,8 +38,8 @@ the heights goes to the normals. Points stay. Nothing is done
    stay what they are,
  - where the ring has collapsed to a line or a point.
 
-The transfer is computed in `double`, in `long double` for that type, in all number types: in exact ones
-the points remain exact, and Q is rounded. With interval number types `std::invalid_argument` is thrown.
+The transfer is computed in the number type if that rounds and has square roots (`long double`, `Gmpfr`, Boost's floats; `float` is
+widened to `double`), and otherwise in `double`: in exact types the points remain exact, and Q is rounded. With interval number types `std::invalid_argument` is thrown.
 The result is the same for any number of threads, and it does not depend on the place, orientation and
 unit of the mesh but for rounding. `linear()` has the weights and no transfer, and so has
 `subdivision_matrix()`. Near creases all is as at borders, where nothing is transferred.

@@ -160,8 +160,8 @@ e<sub>d</sub> and f<sub>d</sub>.
 </ul>
 
 \tparam FT a field. The weights of frequency 0, thus of the vertex, are rational for n = 3; others
-  are computed by the number type's own `cos()`, `acos()` and `sqrt()` if it has them, otherwise with
-  about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
+  are computed to the precision of `Gmpfr` and of number types with their own `cos()`, `acos()` and `sqrt()`,
+  enclosed in intervals, otherwise with about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level, and n<sup>2</sup> for every valence n of a
   separated vertex
 \cgalModels{PNSubdivisionMask_3}
@@ -174,7 +174,7 @@ public:
   using Index = Level_connectivity::Index;
 
   /// makes the mask of a level, which has to live as long, with a bound of the eigenvalues.
-  modified_CatmullClark_mask(const Level_connectivity& level, double cap)
+  modified_CatmullClark_mask(const Level_connectivity& level, const Scheme_parameter& cap)
     : modified_CatmullClark_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
   /// in a round, counted from 1.
@@ -335,13 +335,15 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit modified_CatmullClark_scheme(double cap = default_parameter(), unsigned first_round = 1,
+  explicit modified_CatmullClark_scheme(const Scheme_parameter& cap = default_parameter(),
+                                        unsigned first_round = 1,
                                         Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 
   /// the policy of Yang's paper: a plain first round, and plain rules at valence 3.
-  static modified_CatmullClark_scheme of_the_paper(double cap = default_parameter())
+  static modified_CatmullClark_scheme
+  of_the_paper(const Scheme_parameter& cap = default_parameter())
   {
     return modified_CatmullClark_scheme(cap, 2, Tuned_valences::diverging);
   }

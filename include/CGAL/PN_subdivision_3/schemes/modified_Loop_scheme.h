@@ -52,8 +52,8 @@ e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))
 </ul>
 
 \tparam FT a field. The weights of valences 3 and 4 are rational; those of other valences are
-  computed by the number type's own `cos()` and `acos()` if it has them, otherwise with about 104 bits,
-  and rounded to `double` in exact number types. All rows sum to 1.
+  computed to the precision of `Gmpfr` and of number types with their own `cos()` and `acos()`, enclosed in
+  intervals, otherwise with about 104 bits, and rounded to `double` in exact number types. All rows sum to 1.
 <br><b>Cost:</b> of construction: linear in the size of the level. The n edges of a separated vertex of valence n have
   rows of n entries.
 \cgalModels{PNSubdivisionMask_3}
@@ -66,7 +66,7 @@ public:
   using Index = Level_connectivity::Index;
 
   /// makes the mask of a level, which has to live as long, with a bound of the eigenvalues.
-  modified_Loop_mask(const Level_connectivity& level, double cap)
+  modified_Loop_mask(const Level_connectivity& level, const Scheme_parameter& cap)
     : modified_Loop_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
   /// in a round, counted from 1.
@@ -179,13 +179,14 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit modified_Loop_scheme(double cap = default_parameter(), unsigned first_round = 1,
+  explicit modified_Loop_scheme(const Scheme_parameter& cap = default_parameter(),
+                                unsigned first_round = 1,
                                 Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 
   /// the policy of Yang's paper: a plain first round, and plain rules at valences 4 and 5.
-  static modified_Loop_scheme of_the_paper(double cap = default_parameter())
+  static modified_Loop_scheme of_the_paper(const Scheme_parameter& cap = default_parameter())
   {
     return modified_Loop_scheme(cap, 2, Tuned_valences::diverging);
   }

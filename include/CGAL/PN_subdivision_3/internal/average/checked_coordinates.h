@@ -11,6 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/harmless_scale.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/utils.h>
@@ -43,8 +45,14 @@ bool is_finite_number(const FT& x)
     return (bits & all_ones) != all_ones;
   } else if constexpr (std::is_floating_point_v<FT>)
     return std::isfinite(x);
-  else
+  else {
+    // types whose traits know neither NaN nor infinity, but which have them
+    using Limits = std::numeric_limits<FT>;
+    if constexpr (Limits::is_specialized && (Limits::has_infinity || Limits::has_quiet_NaN) &&
+                  !is_exact_v<FT> && !is_interval_v<FT>)
+      if (!(FT(x - x) == FT(0))) return false;
     return CGAL::is_valid(x) && CGAL::is_finite(x);
+  }
 }
 
 template <class FT, class Point_or_vector>
@@ -86,6 +94,22 @@ void check_in_range([[maybe_unused]] const std::array<FT, dimension>& p,
                                   " is out of the range of the number type: scale the input down");
 }
 
+// So that its square neither overflows nor underflows; whether it is not zero.
+template <class FT, int dimension>
+bool scale_to_about_one(Coordinates<FT, dimension>& n)
+{
+  if constexpr (is_interval_v<FT>) {
+    scale_harmlessly(n);
+    return FT(0) < dot<FT, dimension>(n, n);
+  } else {
+    FT largest(0);
+    for (const FT& x : n) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
+    if (largest == FT(0)) return false;
+    for (FT& x : n) x /= largest;
+    return true;
+  }
+}
+
 // Normals of any length become unit vectors once; unit vectors and zero are taken as they are.
 // Intervals that may be unit vectors or not are normalized: the result contains both.
 template <class FT, int dimension>
@@ -94,13 +118,10 @@ void normalize_control_normal(Coordinates<FT, dimension>& n)
   using Traits = Unit_normal_traits<FT>;
   const FT squared_length = dot<FT, dimension>(n, n);
   const FT tolerance = Traits::unit_tolerance();
-  if (CGAL::certainly(squared_length >= FT(1) - tolerance) &&
-      CGAL::certainly(squared_length <= FT(1) + tolerance))
+  if (CGAL::certainly(is_at_most(FT(FT(1) - tolerance), squared_length)) &&
+      CGAL::certainly(is_at_most(squared_length, FT(FT(1) + tolerance))))
     return;
-  FT largest(0);
-  for (const FT& x : n) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
-  if (largest == FT(0)) return;
-  for (FT& x : n) x /= largest; // its square neither overflows nor underflows now
+  if (!scale_to_about_one<FT, dimension>(n)) return;
   const FT inverse = Traits::inverse_length(dot<FT, dimension>(n, n));
   for (FT& x : n) x *= inverse;
 }

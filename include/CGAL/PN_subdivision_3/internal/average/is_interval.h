@@ -21,7 +21,25 @@ namespace internal {
 // Comparisons of intervals may be undecided.
 template <class FT>
 constexpr bool is_interval_v =
-  std::is_same_v<decltype(std::declval<const FT&>() == std::declval<const FT&>()), Uncertain<bool>>;
+  std::is_same_v<decltype(std::declval<const FT&>() < std::declval<const FT&>()), Uncertain<bool>>;
+
+// Some interval types have a < that may be undecided, while their other comparisons are made of it and throw.
+template <class FT>
+auto is_greater(const FT& a, const FT& b)
+{
+  if constexpr (is_interval_v<FT>)
+    return b < a;
+  else
+    return a > b;
+}
+template <class FT>
+auto is_at_most(const FT& a, const FT& b)
+{
+  if constexpr (is_interval_v<FT>)
+    return !(b < a);
+  else
+    return a <= b;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -11,6 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/harmless_scale.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/utils.h>
@@ -86,11 +88,16 @@ FT root_of_square(const FT& square)
 template <class FT, int dimension>
 FT length_of(Coordinates<FT, dimension> v)
 {
-  FT largest(0);
-  for (const FT& x : v) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
-  if (largest == FT(0)) return largest;
-  for (FT& x : v) x /= largest;
-  return largest * root_of_square<FT>(dot<FT, dimension>(v, v));
+  if constexpr (is_interval_v<FT>) {
+    const int exponent = scale_harmlessly(v);
+    return times_power_of_two(root_of_square<FT>(dot<FT, dimension>(v, v)), -exponent);
+  } else {
+    FT largest(0);
+    for (const FT& x : v) largest = (CGAL::max)(largest, FT(CGAL::abs(x)));
+    if (largest == FT(0)) return largest;
+    for (FT& x : v) x /= largest;
+    return largest * root_of_square<FT>(dot<FT, dimension>(v, v));
+  }
 }
 
 // The unit vector of v, zero if the length of v is at most the tolerance times `scale`.

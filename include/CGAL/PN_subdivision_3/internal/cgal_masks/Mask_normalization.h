@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_NORMALIZATION_H
 
 #include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -99,7 +100,7 @@ private:
       return std::numeric_limits<FT>::epsilon();
     else {
       FT e(1);
-      while (CGAL::certainly(FT(1) + e / FT(2) > FT(1))) e = e / FT(2);
+      while (CGAL::certainly(is_greater(FT(FT(1) + e / FT(2)), FT(1)))) e = e / FT(2);
       return e;
     }
   }

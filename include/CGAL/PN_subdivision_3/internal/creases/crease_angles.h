@@ -11,8 +11,11 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_type_basic.h>
 
 #include <cmath>
 #include <vector>
@@ -31,11 +34,15 @@ Coordinates<double, 3> direction_of_face(const Level_connectivity& level,
   using Vector = Coordinates<FT, 3>;
   const Index first = level.halfedge_of_face(f);
   const Vector& origin = points[level.target(first)];
-  // relative to the longest diagonal, so that nothing overflows
+  // relative to the longest diagonal, or about so with intervals, so that nothing overflows
   FT size(0);
-  for (Index h = level.next(first); h != first; h = level.next(h))
-    size = (CGAL::max)(size, length_of<FT, 3>(difference<FT, 3>(points[level.target(h)], origin)));
-  if (!(size > FT(0))) return {0, 0, 0};
+  for (Index h = level.next(first); h != first; h = level.next(h)) {
+    const FT length = length_of<FT, 3>(difference<FT, 3>(points[level.target(h)], origin));
+    if (CGAL::possibly(is_greater(length, size)) &&
+        !(CGAL::to_double(length) < CGAL::to_double(size)))
+      size = length;
+  }
+  if (!CGAL::certainly(is_greater(size, FT(0)))) return {0, 0, 0};
   Vector area = zero_vector<FT, 3>(), before = area;
   for (Index h = level.next(first); h != first; h = level.next(h)) {
     Vector v = difference<FT, 3>(points[level.target(h)], origin);

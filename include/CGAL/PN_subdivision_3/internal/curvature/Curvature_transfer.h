@@ -10,6 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_TRANSFER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/harmless_scale.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Ring_functionals.h>
@@ -82,16 +85,16 @@ public:
     for (std::size_t j = 0; j < size(); ++j) {
       u[j] = frame.u(ring[j].point);
       const auto h = pn_height<Real, 3>(ring[j], frame.origin(), frame.normal());
-      w[j] = h.numerator / (std::max)(h.denominator, Real(1e-3L));
+      w[j] = h.numerator / (std::max)(h.denominator, Real(Real(1) / Real(1000)));
     }
     const Pair<Real> slope = slope_of(u, w);
-    if (!std::isfinite(slope[0]) || !std::isfinite(slope[1])) return std::nullopt;
+    if (!is_finite_number(slope[0]) || !is_finite_number(slope[1])) return std::nullopt;
     for (std::size_t j = 0; j < size(); ++j) w[j] -= slope[0] * u[j][0] + slope[1] * u[j][1];
 
     Triple_of<Real> rest{};
     for (std::size_t k = 0; k < functionals_.quadratic().size(); ++k)
       rest[k] = applied(functionals_.quadratic()[k], [&](std::size_t j) { return w[j]; });
-    const auto exceeds = [&](const Real& x) { return std::abs(x) > noise; };
+    const auto exceeds = [&](const Real& x) { return absolute_value(x) > noise; };
     if (std::none_of(rest.begin(), rest.end(), exceeds)) return std::nullopt;
     return with_rest(frame, u, rest);
   }
@@ -125,7 +128,7 @@ private:
                                                 const std::vector<Pair<Real>>& u,
                                                 const Triple_of<Real>& rest) const
   {
-    const Real root = std::sqrt(Real(2));
+    const Real root = square_root_of(Real(2));
     std::array<Triple_of<Real>, 3> columns{};
     for (std::size_t k = 0; k < functionals_.quadratic().size(); ++k) {
       const Functional& f = functionals_.quadratic()[k];
@@ -135,7 +138,7 @@ private:
     }
     const Triple_of<Real> q = least_norm_solution(columns, rest);
     for (const Real& x : q)
-      if (!std::isfinite(x)) return std::nullopt;
+      if (!is_finite_number(x)) return std::nullopt;
     return Quadratic_part<Real>{frame, q[0], q[2] / root, q[1]};
   }
 
@@ -147,7 +150,7 @@ template <class FT>
 class Normal_transfer
 {
 public:
-  using Real = std::conditional_t<std::is_same_v<FT, long double>, long double, double>;
+  using Real = Rooted_number<FT>;
   using Value = Point_normal<FT, 3>;
   using Part = Quadratic_part<Real>;
 
@@ -163,24 +166,25 @@ public:
   std::optional<Part> operator()(const std::vector<Value>& ring,
                                  const Coordinates<FT, 3>& origin = {FT(0), FT(0), FT(0)})
   {
-    Real largest(0), size(0);
+    Real largest(0);
+    Size size = 0;
     ring_.resize(ring.size());
     for (std::size_t j = 0; j < ring.size(); ++j)
       for (std::size_t c = 0; c < 3; ++c) {
-        largest = (std::max)(largest, std::abs(real(FT(origin[c] + ring[j].point[c]))));
+        largest = (std::max)(largest, absolute_value(real(FT(origin[c] + ring[j].point[c]))));
         ring_[j].point[c] = real(FT(ring[j].point[c] - ring[0].point[c]));
         ring_[j].normal[c] = real(ring[j].normal[c]);
-        size = (std::max)(size, std::abs(ring_[j].point[c]));
+        size = (std::max)(size, std::abs(size_of(ring_[j].point[c])));
       }
     constexpr int harmless = 64;
     exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
     if (std::abs(exponent_) <= harmless) exponent_ = 0;
     if (exponent_ == 0) return transfer_(ring_, 64 * epsilon() * largest);
     for (Point_normal<Real, 3>& v : ring_)
-      for (Real& x : v.point) x = std::ldexp(x, -exponent_);
-    auto part = transfer_(ring_, 64 * epsilon() * std::ldexp(largest, -exponent_));
+      for (Real& x : v.point) x = scaled(x, -exponent_);
+    auto part = transfer_(ring_, 64 * epsilon() * scaled(largest, -exponent_));
     if (part)
-      for (Real* x : {&part->xx, &part->xy, &part->yy}) *x = std::ldexp(*x, -exponent_);
+      for (Real* x : {&part->xx, &part->xy, &part->yy}) *x = scaled(*x, -exponent_);
     return part;
   }
 
@@ -191,7 +195,7 @@ public:
     for (std::size_t j = 0; j < ring_.size(); ++j) {
       Pair<Real> g = part.gradient(part.frame.u(ring_[j].point));
       if (exponent_ != 0)
-        for (Real& x : g) x = std::ldexp(x, exponent_);
+        for (Real& x : g) x = scaled(x, exponent_);
       const Real half = dot<Real, 3>(ring_[j].normal, part.frame.normal()) / 2;
       Coordinates<FT, 3>& n = normal(j);
       for (std::size_t c = 0; c < 3; ++c)
@@ -203,7 +207,16 @@ public:
 private:
   static Real real(const FT& x)
   {
-    if constexpr (std::is_floating_point_v<FT>)
+    if constexpr (std::is_floating_point_v<FT> || std::is_same_v<FT, Real>)
+      return x;
+    else
+      return close_double(x);
+  }
+  // of which the exponent is asked
+  using Size = std::conditional_t<std::is_floating_point_v<Real>, Real, double>;
+  static Size size_of(const Real& x)
+  {
+    if constexpr (std::is_floating_point_v<Real>)
       return x;
     else
       return close_double(x);
@@ -213,7 +226,14 @@ private:
     if constexpr (std::is_floating_point_v<FT>)
       return std::numeric_limits<FT>::epsilon();
     else
-      return std::numeric_limits<double>::epsilon();
+      return machine_epsilon<Real>();
+  }
+  static Real scaled(const Real& x, int exponent)
+  {
+    if constexpr (std::is_floating_point_v<Real>)
+      return std::ldexp(x, exponent);
+    else
+      return times_power_of_two(x, exponent);
   }
 
   Curvature_transfer<Real> transfer_;

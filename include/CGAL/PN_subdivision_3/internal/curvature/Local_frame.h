@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_LOCAL_FRAME_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ using Pair = std::array<FT, 2>;
 template <class FT>
 void normalize(Coordinates<FT, 3>& v)
 {
-  const FT length = std::sqrt(dot<FT, 3>(v, v));
+  const FT length = square_root_of<FT>(dot<FT, 3>(v, v));
   if (length > FT(0))
     for (FT& x : v) x /= length;
 }
@@ -46,7 +47,9 @@ public:
     : origin_(origin)
     , normal_(normal)
   {
-    const auto smaller = [](const FT& a, const FT& b) { return std::abs(a) < std::abs(b); };
+    const auto smaller = [](const FT& a, const FT& b) {
+      return absolute_value(a) < absolute_value(b);
+    };
     const auto smallest = std::min_element(normal.begin(), normal.end(), smaller);
     Vector axis{};
     axis[static_cast<std::size_t>(smallest - normal.begin())] = FT(1);
@@ -90,8 +93,8 @@ Pair<FT> solve(const std::array<Pair<FT>, 2>& m, const Pair<FT>& b)
 {
   const FT det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
   const FT size = m[0][0] * m[0][0] + m[0][1] * m[0][1] + m[1][0] * m[1][0] + m[1][1] * m[1][1];
-  if (!(std::abs(det) > 64 * std::numeric_limits<FT>::epsilon() * size)) {
-    const FT nan = std::numeric_limits<FT>::quiet_NaN();
+  if (!(absolute_value(det) > 64 * machine_epsilon<FT>() * size)) {
+    const FT nan(std::numeric_limits<double>::quiet_NaN());
     return {nan, nan};
   }
   return {(b[0] * m[1][1] - b[1] * m[0][1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det};

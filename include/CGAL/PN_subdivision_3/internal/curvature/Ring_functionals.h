@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_RING_FUNCTIONALS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 
@@ -29,7 +30,7 @@ FT subdominant_eigenvalue(Level_connectivity::Index degree, Level_connectivity::
 {
   const FT c = cosine_weight<FT>(1, valence);
   if (degree == 3) return FT(3) / 8 + c / 4;
-  return (5 + c + std::sqrt((c + 1) * (c + 9))) / 16;
+  return (5 + c + square_root_of<FT>((c + 1) * (c + 9))) / 16;
 }
 
 // Left eigenvectors of the ring matrix of Catmull-Clark or Loop subdivision at an extraordinary
@@ -71,12 +72,12 @@ private:
 
   void make_limit()
   {
-    const FT n(n_);
+    const FT n(static_cast<int>(n_));
     const FT a = 5 - 8 * lambda_ * lambda_; // 8 alpha
-    const FT edge = is_quads() ? 4 / (n * (n + 5)) : a / (n * (3 + a));
-    limit_.push_back({0, is_quads() ? n / (n + 5) : 3 / (3 + a)});
+    const FT edge = is_quads() ? FT(4 / (n * (n + 5))) : FT(a / (n * (3 + a)));
+    limit_.push_back({0, is_quads() ? FT(n / (n + 5)) : FT(3 / (3 + a))});
     for (Index s = 1; s <= n_; ++s) limit_.push_back({s, edge});
-    for (Index s = n_ + 1; s < size(); ++s) limit_.push_back({s, edge / 4});
+    for (Index s = n_ + 1; s < size(); ++s) limit_.push_back({s, FT(edge / 4)});
     const FT y = is_quads() ? face_part(1, lambda_) : FT(0);
     tangents_[0] = wave(1, y, 0);
     tangents_[1] = wave(1, y, 1);
@@ -105,7 +106,7 @@ private:
 
   void add_wave(Index k, const FT& y, std::size_t parts = 2)
   {
-    const FT largest = (std::max)(FT(1), std::abs(y));
+    const FT largest = (std::max)(FT(1), absolute_value(y));
     for (std::size_t part = 0; part < parts; ++part) {
       quadratic_.push_back(wave(k, y, part));
       for (FT& x : quadratic_.back()) x /= largest;
@@ -114,7 +115,8 @@ private:
 
   void make_quadratic_of_quads()
   {
-    const FT n(n_), mu = (3 * n - 7 + std::sqrt(5 * n * n - 30 * n + 49)) / (8 * n);
+    const FT n(static_cast<int>(n_)),
+      mu = (3 * n - 7 + square_root_of<FT>(5 * n * n - 30 * n + 49)) / (8 * n);
     const FT edges = 8 * n * mu - 2 * n + 2, faces = n - 2;
     const FT largest = edges + faces;
     Functional mean(size(), edges / n / largest);
@@ -123,13 +125,13 @@ private:
     quadratic_.push_back(mean);
     // at valence 3 the second one of frequency 1
     const Index k = n_ == 3 ? 1 : 2;
-    const FT c = half_turn(2 * k)[0], root = std::sqrt((c + 1) * (c + 9));
-    add_wave(k, face_part(k, (5 + c + (n_ == 3 ? -root : root)) / 16));
+    const FT c = half_turn(2 * k)[0], root = square_root_of<FT>((c + 1) * (c + 9));
+    add_wave(k, face_part(k, FT((5 + c + (n_ == 3 ? FT(-root) : root)) / 16)));
   }
 
   void make_quadratic_of_triangles()
   {
-    Functional mean(size(), FT(1) / FT(n_));
+    Functional mean(size(), FT(FT(1) / FT(static_cast<int>(n_))));
     mean[0] = -1;
     quadratic_.push_back(mean);
     if (n_ > 3) add_wave(2, FT(0), n_ == 4 ? 1 : 2);

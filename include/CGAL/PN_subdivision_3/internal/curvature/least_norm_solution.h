@@ -9,8 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_LEAST_NORM_SOLUTION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_LEAST_NORM_SOLUTION_H
 
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
+
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -37,13 +38,13 @@ Triple_of<FT> least_norm_solution(std::array<Triple_of<FT>, 3> columns, const Tr
   for (int sweep = 0; sweep < 12; ++sweep)
     for (const auto& [i, j] : pairs) {
       const FT product = dot_of_triples(columns[i], columns[j]);
-      if (product == 0) continue;
+      if (product == FT(0)) continue;
       const FT difference =
         dot_of_triples(columns[j], columns[j]) - dot_of_triples(columns[i], columns[i]);
       // tan of the smaller angle that makes them perpendicular
       const FT zeta = difference / (2 * product);
-      const FT t = std::copysign(FT(1), zeta) / (std::abs(zeta) + std::sqrt(1 + zeta * zeta));
-      const FT c = 1 / std::sqrt(1 + t * t), s = c * t;
+      const FT t = sign_of(zeta) / (absolute_value(zeta) + square_root_of<FT>(1 + zeta * zeta));
+      const FT c = 1 / square_root_of<FT>(1 + t * t), s = c * t;
       for (auto* m : {&columns, &axes})
         for (std::size_t r = 0; r < 3; ++r) {
           const FT x = (*m)[i][r], y = (*m)[j][r];

@@ -13,12 +13,14 @@
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_windows.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Window_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -144,6 +146,8 @@ private:
 
   // the error of a curvature falls by 1/4 a round, or by 1/2 at an end
   static constexpr unsigned curvature_depth = 10;
+  // in smaller windows than those of so many rounds second differences are those of rounding
+  static constexpr unsigned most_curvature_depth = 12;
 
   Curve_windows<FT>& normal_windows()
   {
@@ -186,6 +190,7 @@ private:
     const Window& points = windows_.at(size);
     const Window& normals = normal_windows().at(size);
     const bool is_exact = !is_pn || (points.limit_row.size() == 1 && normals.limit_row.size() == 1);
+    if (!is_exact) refuse_intervals<FT>();
     const bool has_curvature =
       demand_.curvatures && has_curvature_ && points.has_curvature && points.rows.size() > 1;
     // as on surfaces: that of the geometric series which the differences become
@@ -193,7 +198,8 @@ private:
       (std::min)(0.9, (std::max)(1. / 16, points.largest_other * points.largest_other));
     const double factor = (std::max)(1., 1.5 * ratio / (1 - ratio));
     Value last = Value();
-    double last_step = 0, last_change = 0;
+    double last_step = 0;
+    Tangents tangents;
     for (unsigned depth = 0;; ++depth, ++result.depth) {
       if (depth != 0) refine(size);
       result.value = average(points.limit_row, normals.limit_row);
@@ -205,12 +211,15 @@ private:
       }
       bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
       if (demand_.normals && !points.first_derivative.empty())
-        is_last = note_tangent(points, depth, last_change, result) && is_last;
+        is_last = note_tangent(points, depth, tangents, result) && is_last;
       if (has_curvature && is_pn && depth < curvature_depth) is_last = false;
-      if (is_last || depth >= demand_.max_depth) break;
+      is_last = is_last || depth >= demand_.max_depth;
+      if (has_curvature &&
+          (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
+        note_curvature(points, normals, result);
+      if (is_last) break;
       last = result.value;
     }
-    if (has_curvature) note_curvature(points, normals, result);
   }
 
   static double distance(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
@@ -233,15 +242,32 @@ private:
     return value;
   }
 
+  // of the window about its limit, which is taken away before coordinates are rounded to double
   Window_geometry<dimension> geometry(const Result& result)
   {
     double_window_.clear();
-    for (const Value& v : window_) double_window_.push_back(to_double_value(v));
-    return Window_geometry<dimension>(double_window_, to_double_value(result.value));
+    double largest = 0;
+    const Coordinates<FT, dimension> center = point_of(result.value);
+    for (Value v : window_) {
+      for (const FT& x : point_of(v)) largest = (std::max)(largest, std::abs(close_double(x)));
+      add_multiple<FT, dimension>(point_of(v), FT(-1), center);
+      double_window_.push_back(to_double_value(v));
+    }
+    rounding_ = largest * close_double(machine_epsilon<FT>());
+    Point_normal<double, dimension> limit = to_double_value(result.value);
+    limit.point = {};
+    return Window_geometry<dimension>(double_window_, limit);
   }
 
-  // whether it meets the tolerance
-  bool note_tangent(const Window& points, unsigned depth, double& last_change, Result& result)
+  // those of the rounds so far
+  struct Tangents
+  {
+    Vector last{};
+    double last_change = 0;
+  };
+
+  // whether it meets the tolerance, or no further round will make it better
+  bool note_tangent(const Window& points, unsigned depth, Tangents& tangents, Result& result)
   {
     Vector t = geometry(result).derivative(points.first_derivative);
     double largest = 0;
@@ -250,18 +276,24 @@ private:
     for (double& x : t) x /= largest; // its square neither overflows nor underflows now
     const double length = std::sqrt(dot<double, dimension>(t, t));
     for (double& x : t) x /= length;
-    const Vector last = result.tangent;
-    const bool had_tangent = result.has_tangent;
-    result.tangent = t;
-    result.has_tangent = true;
-    if (!is_pn) return true;
-    if (depth == 0 || !had_tangent) return false;
+    const Vector last = std::exchange(tangents.last, t);
+    if (!is_pn || depth == 0 || !result.has_tangent) {
+      result.tangent = t;
+      result.has_tangent = true;
+      return !is_pn;
+    }
     double change = 0;
     for (std::size_t c = 0; c < dimension; ++c) change = std::hypot(change, t[c] - last[c]);
+    // small windows have the rounding of large coordinates
+    const double rounding = 4 * (rounding_ / largest + std::numeric_limits<double>::epsilon());
     // as for points, with 1/2 = 3/2 of 1/4 + 1/16 + ..., but 1 while it is not this series yet
-    result.tangent_error = (std::max)(change, last_change / 4);
-    last_change = change;
-    return result.tangent_error <= demand_.normal_tolerance;
+    const double error = (std::max)({change, tangents.last_change / 4, rounding});
+    tangents.last_change = change;
+    // further rounds have more rounding still
+    if (result.tangent_error > 0 && rounding >= result.tangent_error) return true;
+    result.tangent = t;
+    result.tangent_error = error;
+    return error <= demand_.normal_tolerance;
   }
 
   void note_curvature(const Window& points, const Window& normals, Result& result)
@@ -281,6 +313,7 @@ private:
   bool has_curvature_ = false;
   std::vector<Value> window_, next_;
   std::vector<Point_normal<double, dimension>> double_window_;
+  double rounding_ = 0; // of the coordinates that it was taken from
 };
 
 } // namespace internal

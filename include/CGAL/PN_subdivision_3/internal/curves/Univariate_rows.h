@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
@@ -107,8 +108,8 @@ private:
     for (const auto& entry : row) sum += entry.second;
     const FT tolerance =
       FT(4) * machine_epsilon<FT>() * FT(static_cast<int>((std::max)(row.size(), std::size_t(1))));
-    if (row.empty() || !CGAL::possibly(sum - FT(1) <= tolerance) ||
-        !CGAL::possibly(FT(1) - sum <= tolerance)) // also refuses NaN
+    if (row.empty() || !CGAL::possibly(is_at_most(FT(sum - FT(1)), tolerance)) ||
+        !CGAL::possibly(is_at_most(FT(FT(1) - sum), tolerance))) // also refuses NaN
       throw std::invalid_argument("PN_subdivision_3: the mask's coefficients of " +
                                   std::string(parity == 0 ? "even" : "odd") +
                                   " index do not sum to 1");

@@ -14,6 +14,8 @@
 #include <CGAL/Line_2.h>
 #include <CGAL/Line_3.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/exact/Scaled_interval.h>
 #include <CGAL/PN_subdivision_3/internal/exact/measure_number.h>
 #include <CGAL/Plane_3.h>
 #include <CGAL/Sphere_3.h>
@@ -66,10 +68,10 @@ struct Shape_measure
   void check() const
   {
     if (kind != Shape_kind::sphere &&
-        !CGAL::possibly(dot<Number, dimension>(direction, direction) > Number(0)))
+        !CGAL::possibly(is_greater(dot<Number, dimension>(direction, direction), Number(0))))
       throw std::invalid_argument("PN_subdivision_3: the shape has a zero vector as its direction "
                                   "or normal: give it another one");
-    if (is_round() && !CGAL::possibly(squared_radius > Number(0)))
+    if (is_round() && !CGAL::possibly(is_greater(squared_radius, Number(0))))
       throw std::invalid_argument("PN_subdivision_3: the squared radius of the shape is not "
                                   "positive: give it a positive one");
   }
@@ -119,34 +121,35 @@ struct Shape_measure
     return CGAL::square(r.radial) / (Number(4) * squared_radius) + r.squared_distance;
   }
 
-  Interval_nt<> distance(const Residual<Number>& r) const
+  Scaled_interval distance(const Residual<Number>& r) const
   {
-    const Interval_nt<> flat = interval_around(r.squared_distance);
-    if (!is_round()) return CGAL::sqrt(flat);
-    const Interval_nt<> sum = CGAL::sqrt(interval_around(Number(r.radial + squared_radius)));
-    const Interval_nt<> d = CGAL::abs(interval_around(r.radial)) / (sum + radius());
+    const Scaled_interval flat = Scaled_interval::of(r.squared_distance);
+    if (!is_round()) return sqrt(flat);
+    const Scaled_interval sum = sqrt(Scaled_interval::of(Number(r.radial + squared_radius)));
+    const Scaled_interval d = Scaled_interval::of(r.radial) / (sum + radius());
     if (kind != Shape_kind::circle) return d;
-    return CGAL::sqrt(CGAL::square(d) + flat);
+    return sqrt(square(d) + flat);
   }
 
-  Interval_nt<> radius() const { return CGAL::sqrt(interval_around(squared_radius)); }
+  Scaled_interval radius() const { return sqrt(Scaled_interval::of(squared_radius)); }
 
   // whether the distance is at most t R, or t from flat shapes; no roots
   Uncertain<bool> is_near(const Residual<Number>& r, const Number& t) const
   {
-    if (!is_round()) return make_uncertain(r.squared_distance <= t * t);
+    if (!is_round()) return make_uncertain(is_at_most(r.squared_distance, Number(t * t)));
     const Number t2 = t * t;
     if (kind == Shape_kind::circle) {
       // h^2 + (s - R)^2 <= t^2 R^2 with s^2 = radial + R^2: half <= s R
       const Number s2 = r.radial + squared_radius;
       const Number half = (r.squared_distance + s2 + squared_radius * (Number(1) - t2)) / Number(2);
-      return make_uncertain(half <= Number(0)) | make_uncertain(half * half <= s2 * squared_radius);
+      return make_uncertain(is_at_most(half, Number(0))) |
+             make_uncertain(is_at_most(Number(half * half), Number(s2 * squared_radius)));
     }
     const Uncertain<bool> not_out =
-      make_uncertain(r.radial <= squared_radius * (Number(2) * t + t2));
+      make_uncertain(is_at_most(r.radial, Number(squared_radius * (Number(2) * t + t2))));
     const Uncertain<bool> not_in =
-      make_uncertain(t >= Number(1)) |
-      make_uncertain(r.radial >= squared_radius * (t2 - Number(2) * t));
+      make_uncertain(is_at_most(Number(1), t)) |
+      make_uncertain(is_at_most(Number(squared_radius * (t2 - Number(2) * t)), r.radial));
     return not_out & not_in;
   }
 

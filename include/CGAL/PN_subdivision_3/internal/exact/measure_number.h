@@ -10,12 +10,15 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_EXACT_MEASURE_NUMBER_H
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/number_type_basic.h>
 
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 
@@ -23,48 +26,110 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Numbers that are a sum of few doubles: float, double, long double, Gmpfr.
+// Numbers that are sums of doubles times powers of two: float, double, long double, Gmpfr, and all whose
+// std::numeric_limits say that they round and have the radix 2.
 template <class FT>
-constexpr bool is_rounded_v = std::is_floating_point_v<FT> ||
-                              (Has_default_precision<FT>::value && !is_exact_v<FT> &&
-                               !is_interval_v<FT>);
+constexpr bool is_rounded_v =
+  !is_exact_v<FT> && !is_interval_v<FT> &&
+  (std::is_floating_point_v<FT> || Has_default_precision<FT>::value ||
+   (std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_integer &&
+    std::numeric_limits<FT>::radix == 2));
 
 // The number type that measures of coordinates in FT are computed in: FT itself, but for rounded
 // numbers, whose measures would drown in their own rounding.
 template <class FT>
-using Measure_number = std::conditional_t<is_rounded_v<FT>, CGAL::Exact_rational, FT>;
+struct Measure_number_of
+{
+  static_assert(
+    is_exact_v<FT> || is_interval_v<FT> || is_rounded_v<FT>,
+    "PN_subdivision_3: deviations of numbers that round are measured in exact ones, which "
+    "these cannot be converted to: specialize std::numeric_limits with radix 2, if they are "
+    "sums of powers of 2");
+  using type = std::conditional_t<is_rounded_v<FT>, CGAL::Exact_rational, FT>;
+};
+template <class FT>
+using Measure_number = typename Measure_number_of<FT>::type;
+
+// x 2^(1000 k)
+template <class Number>
+Number times_thousands(Number x, int k)
+{
+  const Number factor(std::ldexp(1., k < 0 ? -1000 : 1000));
+  for (int i = 0; i < std::abs(k); ++i) x = x * factor;
+  return x;
+}
+
+// a number of radix 2 as it is, or an interval around it
+template <class Number, class FT>
+Number number_of_binary(const FT& x)
+{
+  constexpr int most = 100; // steps of 2^1000 beyond the range of double
+  Number sum(0);
+  int k = 0; // what is left is rest 2^(-1000 k)
+  for (FT rest = x; rest != FT(0);) {
+    const auto head = static_cast<double>(CGAL::to_double(rest));
+    if (std::isfinite(head) && std::abs(head) >= (std::numeric_limits<double>::min)()) {
+      sum = sum + times_thousands(Number(head), -k);
+      rest = rest - FT(head);
+      continue;
+    }
+    const int step = std::abs(head) < 1 ? 1 : -1;
+    if (std::isnan(head) || std::abs(k += step) > most)
+      throw std::invalid_argument("PN_subdivision_3: a number is not finite or not between "
+                                  "2^-100000 and 2^100000: scale the data");
+    rest = times_thousands(rest, step);
+  }
+  return sum;
+}
 
 template <class FT>
-void check_range(const FT& rest, double head)
+constexpr bool is_fraction_v = std::is_same_v<typename Fraction_traits<FT>::Is_fraction, Tag_true>;
+
+// an interval around an exact number: by the doubles that it begins with, and what they leave
+template <class Number, class FT>
+Number interval_of_exact(const FT& x)
 {
-  if (!std::isfinite(head) || (head == 0 && rest != FT(0)))
-    throw std::invalid_argument(
-      "PN_subdivision_3: a number is not finite or out of the range of double, in which "
-      "deviations are measured: scale the data");
+  constexpr int most = 40;
+  Number sum(0);
+  FT rest(x);
+  for (int i = 0; i < most; ++i) {
+    const double head = close_double(rest);
+    if (head == 0 || !std::isfinite(head)) break;
+    sum = sum + Number(head);
+    rest = rest - FT(head);
+  }
+  return sum + Number(CGAL::to_interval(rest));
 }
 
 // x as it is, or an interval around it
 template <class Number, class FT>
 Number measure_number(const FT& x)
 {
+  constexpr bool is_taken =
+    std::is_constructible_v<Number, const FT&> && !is_interval_v<FT> && is_exact_v<FT>;
   if constexpr (std::is_same_v<Number, FT>)
     return x;
-  else if constexpr (std::is_same_v<FT, float> || std::is_same_v<FT, double>) {
-    check_range(x, static_cast<double>(x));
-    return Number(static_cast<double>(x));
-  } else if constexpr (is_rounded_v<FT>) {
-    Number sum(0);
-    for (FT rest = x; rest != FT(0);) {
-      const auto head = static_cast<double>(CGAL::to_double(rest));
-      check_range(rest, head);
-      sum += Number(head);
-      rest = rest - FT(head);
-    }
-    return sum;
-  } else if constexpr (is_interval_v<Number>)
+  else if constexpr (std::is_same_v<FT, float>)
+    return number_of_binary<Number>(static_cast<double>(x));
+  else if constexpr (is_rounded_v<FT>)
+    return number_of_binary<Number>(x);
+  else if constexpr (is_interval_v<Number> && is_exact_v<FT>)
+    return interval_of_exact<Number>(x);
+  else if constexpr (is_interval_v<Number>)
     return Number(CGAL::to_interval(x));
-  else
+  else if constexpr (is_taken)
     return Number(x);
+  else if constexpr (Is_lazy<FT>::value)
+    return measure_number<Number>(x.exact());
+  else {
+    static_assert(
+      is_fraction_v<FT>,
+      "PN_subdivision_3: the numbers of the shape are no exact ones, or cannot be converted "
+      "to those of the points: take doubles, fractions or the kernel of the points");
+    std::ostringstream text;
+    text << x;
+    return Number(text.str().c_str());
+  }
 }
 
 template <class Number>
@@ -73,7 +138,7 @@ Uncertain<bool> is_zero_number(const Number& x)
   return make_uncertain(x == Number(0));
 }
 
-// an interval around x, tight unless x is an interval itself
+// an interval around x, tight unless x is an interval itself or out of the range of double
 template <class Number>
 Interval_nt<> interval_around(const Number& x)
 {

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,9 @@ public:
     : demand_(demand)
     , is_exact_(is_exact)
     , ratio_(ratio)
-  {}
+  {
+    if (!is_exact) refuse_intervals<FT>();
+  }
 
   // takes the averages one after the other
   bool is_last(const Coordinates<FT, 3>& limit)

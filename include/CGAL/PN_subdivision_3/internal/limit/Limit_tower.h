@@ -13,12 +13,14 @@
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -73,6 +75,7 @@ public:
     , limits_(copies_)
     , states_(copies_)
   {
+    if (is_pn_v<Scheme> && !class_.is_interpolating()) refuse_intervals<FT>();
     if constexpr (has_transfers)
       if (class_.transfer_valence() != 0)
         transfer_.emplace(Scheme::Host::refined_degree, class_.transfer_valence());
@@ -121,6 +124,8 @@ private:
 
   // the error of a curvature at an extraordinary vertex falls by lambda^2 a round, from some percent
   static constexpr unsigned curvature_depth = 8;
+  // in smaller rings than those of so many rounds second differences are those of rounding
+  static constexpr unsigned most_curvature_depth = 12;
 
   struct State
   {
@@ -128,7 +133,7 @@ private:
     Coordinates<FT, 3> center;
     Coordinates<FT, 3> last_limit;
     Vector last_normal{};
-    double last_step = 0;
+    double last_step = 0, last_turn = 0;
     bool is_done = false, had_normal = false;
   };
 
@@ -189,11 +194,14 @@ private:
     if (demand_.surface_normals && class_.has_tangents())
       is_last = note_normal(c, depth) && is_last;
     if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
-    if (!is_last && depth * class_.rounds() < demand_.max_depth) {
+    is_last = is_last || depth * class_.rounds() >= demand_.max_depth;
+    if (demand_.curvatures &&
+        (is_last ? depth <= most_curvature_depth : depth == most_curvature_depth))
+      note_curvature(c);
+    if (!is_last) {
       state.last_limit = point;
       return false;
     }
-    if (demand_.curvatures) note_curvature(c);
     result.value = relative(limits_[c], state.center, FT(1));
     result.depth += depth * class_.rounds();
     state.is_done = true;
@@ -214,23 +222,28 @@ private:
       return {to_double_3(v), {}};
   }
 
-  // `ring_` becomes ring c, divided by a power of two if squares of its size would be out of range.
+  // `ring_` becomes ring c about its limit, divided by a power of two if squares of its size would be out of
+  // range. The limit is taken away before coordinates are rounded to double.
   Ring_geometry geometry(std::size_t c)
   {
     constexpr int harmless = 200;
-    double size = 0;
+    double size = 0, largest = 0;
+    const Coordinates<FT, 3>& center = point_of(limits_[c]);
     ring_.resize(class_.size());
     for (std::size_t p = 0; p < class_.size(); ++p) {
-      ring_[p] = to_double_value(Value(rings_[p * copies_ + c]));
+      Value v(rings_[p * copies_ + c]);
+      for (const FT& x : point_of(v)) largest = (std::max)(largest, std::abs(close_double(x)));
+      add_multiple<FT, 3>(point_of(v), FT(-1), center);
+      ring_[p] = to_double_value(v);
       for (const double x : ring_[p].point) size = (std::max)(size, std::abs(x));
     }
-    Point_normal<double, 3> limit = to_double_value(limits_[c]);
     exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
     if (std::abs(exponent_) <= harmless) exponent_ = 0;
-    if (exponent_ != 0) {
+    if (exponent_ != 0)
       for (Point_normal<double, 3>& v : ring_) v.point = divided(v.point);
-      limit.point = divided(limit.point);
-    }
+    rounding_ = std::ldexp(largest, -exponent_) * close_double(machine_epsilon<FT>());
+    Point_normal<double, 3> limit = to_double_value(limits_[c]);
+    limit.point = {};
     return Ring_geometry(ring_, limit, class_.tangents());
   }
   Vector divided(Vector v) const
@@ -250,20 +263,31 @@ private:
     if (!g.is_regular()) return true; // nor will it be, but for rounding
     const Vector n = g.normal();
     const Vector last = std::exchange(state.last_normal, n);
-    double error = result.normal_error;
+    // small rings have the rounding of large coordinates
+    const double rounding = is_pn_v<Scheme> ? rounding_of_normal(g.size()) : 0.;
+    double error = rounding;
     if (is_pn_v<Scheme> && depth != 0 && had_normal) {
+      // a turn may be small by chance, two in a row hardly are
       const double ratio = class_.normal_ratio();
+      const double turn = std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
       error =
-        1.5 * ratio / (1 - ratio) * std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
-      // small changes grow only by the rounding in ever smaller rings
-      const bool is_rounding =
-        depth > 1 && result.normal_error < 1e-6 && error > result.normal_error;
-      if (is_rounding) return true;
+        (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
+      state.last_turn = turn;
+      // further rounds have more rounding still
+      if (depth > 1 && (rounding >= result.normal_error ||
+                        (result.normal_error < 1e-6 && error > result.normal_error)))
+        return true;
     }
     result.has_surface_normal = true;
     result.surface_normal = n;
     result.normal_error = error;
-    return !is_pn_v<Scheme> || (depth != 0 && error <= demand_.normal_tolerance);
+    return !is_pn_v<Scheme> || (depth != 0 && had_normal && error <= demand_.normal_tolerance);
+  }
+
+  // what the rounding of the coordinates may turn a normal by in a ring of some size
+  double rounding_of_normal(double size) const
+  {
+    return 4 * (rounding_ / size + std::numeric_limits<double>::epsilon());
   }
 
   // whether the ring matrix has no part of second order that would last
@@ -280,7 +304,9 @@ private:
     if (!is_spline_ && !settles()) return;
     const Ring_geometry g = geometry(c);
     if (!g.is_regular()) return;
-    const auto part = remaining_part(divided(to_double_3(origin(c))));
+    Coordinates<FT, 3> center = point_of(limits_[c]);
+    add_multiple<FT, 3>(center, FT(1), origin(c));
+    const auto part = remaining_part(divided(to_double_3(center)));
     Curvatures<double> k =
       is_spline_ ? spline_curvatures() : g.extraordinary_curvatures(part ? &*part : nullptr);
     k.gaussian = std::ldexp(k.gaussian, -2 * exponent_);
@@ -320,7 +346,8 @@ private:
   std::vector<Value> next_, limits_;
   std::vector<State> states_;
   std::vector<Point_normal<double, 3>> ring_;
-  int exponent_ = 0; // of the power of two by which `ring_` is divided
+  int exponent_ = 0;    // of the power of two by which `ring_` is divided
+  double rounding_ = 0; // of the coordinates that `ring_` was taken from, divided like these
   std::optional<Normal_transfer<FT>> transfer_;
   std::size_t count_ = 0;
 };

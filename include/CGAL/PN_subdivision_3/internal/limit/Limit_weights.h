@@ -10,45 +10,22 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WEIGHTS_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_row.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_subdivision_3/internal/limit/as_fraction.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// The fraction of small terms that a weight is but for rounding, by its continued fraction.
-inline std::optional<std::pair<int, int>> as_fraction(long double x)
-{
-  const bool negative = x < 0;
-  long double rest = std::abs(x);
-  std::int64_t p0 = 0, q0 = 1, p1 = 1, q1 = 0;
-  for (int k = 0; k < 12; ++k) {
-    const long double whole = std::floor(rest);
-    if (whole > 1e6L) break;
-    const auto a = static_cast<std::int64_t>(whole);
-    const std::int64_t p = a * p1 + p0, q = a * q1 + q0;
-    if (q > 100000) break;
-    p0 = p1;
-    q0 = q1;
-    p1 = p;
-    q1 = q;
-    const long double value = static_cast<long double>(p) / static_cast<long double>(q);
-    if (std::abs(value - std::abs(x)) <= 1e-15L)
-      return std::make_pair(static_cast<int>(negative ? -p : p), static_cast<int>(q));
-    if (rest - whole <= 0) break;
-    rest = 1 / (rest - whole);
-  }
-  return std::nullopt;
-}
 
 // whether a row times the matrix is the row, exactly
 template <class FT>
@@ -65,11 +42,13 @@ bool is_left_eigenvector(const std::vector<std::pair<std::uint32_t, FT>>& row,
 
 // The limit mask in the number type FT. The weights sum to 1 as those of all rows do: the largest
 // comes last and is what the others leave. In exact types they are the fractions that they are close
-// to, if these make it the limit mask exactly; otherwise they are rounded.
+// to, if these make it the limit mask exactly; otherwise they are rounded, as those of the rows are. Other
+// types than those of the processor get them from the matrix, with all the precision that they have.
 template <class FT>
 std::vector<std::pair<std::uint32_t, FT>>
 limit_weights(const Ring_masks::Vector& limit, [[maybe_unused]] const Ring_matrix<FT>& matrix)
 {
+  if constexpr (!is_exact_v<FT> && !std::is_floating_point_v<FT>) return Limit_row<FT>(matrix)();
   std::size_t largest = 0;
   for (std::size_t i = 0; i < limit.size(); ++i)
     if (std::abs(limit[i]) > std::abs(limit[largest])) largest = i;

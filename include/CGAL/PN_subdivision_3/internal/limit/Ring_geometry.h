@@ -58,6 +58,14 @@ public:
   // whether the ring has a tangent plane: it has not collapsed to a line or a point
   bool is_regular() const { return is_regular_; }
 
+  // of what the masks make of the ring, in the direction in which that is shortest
+  double size() const
+  {
+    const auto [a, b] = size_;
+    return std::abs(a[0] * b[1] - a[1] * b[0]) /
+           std::hypot(std::hypot(a[0], a[1]), std::hypot(b[0], b[1]));
+  }
+
   // \pre is_regular()
   Vector normal() const
   {

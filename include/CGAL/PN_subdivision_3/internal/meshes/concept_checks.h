@@ -14,6 +14,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
@@ -130,20 +131,22 @@ struct Kernel_of_type<T, std::void_t<typename Kernel_traits<T>::Kernel::Point_3>
   using type = typename Kernel_traits<T>::Kernel;
 };
 
-template <class T>
+template <class T, class FT>
 constexpr bool may_be_point_3()
 {
   if constexpr (Kernel_of_type<T>::exists)
     return std::is_same_v<T, typename Kernel_of_type<T>::type::Point_3>;
   else
-    return true;
+    return Has_coordinates_3<T, FT>::value;
 }
 
 // vectors, with the number type of the points or of the computation
 template <class Normal, class Point, class Geom_traits>
 constexpr bool may_be_normal_of()
 {
-  if constexpr (!Kernel_of_type<Normal>::exists || !Kernel_of_type<Point>::exists)
+  if constexpr (!Kernel_of_type<Normal>::exists)
+    return Has_coordinates_3<Normal, typename Geom_traits::FT>::value;
+  else if constexpr (!Kernel_of_type<Point>::exists)
     return true;
   else {
     using Kernel = typename Kernel_of_type<Normal>::type;
@@ -164,15 +167,19 @@ constexpr bool check_is_point_map()
   static_assert(is_map, "PN_subdivision_3: vertex_point_map is no property map of the mesh's "
                         "vertices (a function object is none: see "
                         "boost::make_function_property_map())");
-  return is_map;
+  if constexpr (is_map)
+    return check_kernel<typename GetGeomTraits<std::remove_const_t<Mesh>, NamedParameters>::type>();
+  else
+    return false;
 }
 
-template <class Map, class Access_tag>
+template <class Map, class Access_tag, class FT>
 constexpr bool check_point_map()
 {
   constexpr bool is_accessible = has_category_v<Map, Access_tag>;
   static_assert(is_accessible, "PN_subdivision_3: vertex_point_map cannot be written");
-  constexpr bool has_points = may_be_point_3<typename boost::property_traits<Map>::value_type>();
+  constexpr bool has_points =
+    may_be_point_3<typename boost::property_traits<Map>::value_type, FT>();
   static_assert(has_points, "PN_subdivision_3: the values of vertex_point_map are not Point_3");
   return is_accessible && has_points;
 }
@@ -302,8 +309,9 @@ constexpr bool check_subdivision_arguments()
       using Parameters = Surface_parameters<Mesh, NamedParameters>;
       constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
       static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
-      if constexpr (is_scheme && check_point_map<typename Parameters::Point_map,
-                                                 boost::writable_property_map_tag>())
+      if constexpr (is_scheme &&
+                    check_point_map<typename Parameters::Point_map,
+                                    boost::writable_property_map_tag, typename Parameters::FT>())
         return check_normal_map<Mesh, typename Parameters::Normal_map,
                                 typename Parameters::Point_map, typename Parameters::Geom_traits,
                                 boost::writable_property_map_tag, true>() &&
@@ -322,13 +330,16 @@ constexpr bool check_subdivision_arguments()
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_creased_limit_arguments()
 {
-  using Parameters = Surface_parameters<Mesh, NamedParameters>;
-  return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
-                              typename Parameters::Edge_constraint_map>() &&
-         check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                              typename Parameters::Vertex_constraint_map>() &&
-         check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
-                               typename Parameters::Geom_traits>();
+  if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                                typename Parameters::Edge_constraint_map>() &&
+           check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                typename Parameters::Vertex_constraint_map>() &&
+           check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                                 typename Parameters::Geom_traits>();
+  } else
+    return false;
 }
 
 template <class Mesh, class Item>
@@ -374,8 +385,8 @@ constexpr bool check_estimation_arguments()
     return false;
   else {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    if constexpr (check_point_map<typename Parameters::Point_map,
-                                  boost::readable_property_map_tag>())
+    if constexpr (check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag,
+                                  typename Parameters::FT>())
       return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
                               typename Parameters::Geom_traits, boost::writable_property_map_tag>();
     else

@@ -40,7 +40,8 @@ constexpr bool check_control_arguments()
     constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
     static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
     return is_scheme &&
-           check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag>() &&
+           check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag,
+                           typename Parameters::FT>() &&
            check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
                             typename Parameters::Geom_traits, boost::readable_property_map_tag>();
   }
@@ -94,7 +95,8 @@ constexpr bool check_build_arguments()
   if constexpr (are_used && check_mutable_mesh<Mesh>()) {
     if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
       using Parameters = Surface_parameters<Mesh, NamedParameters>;
-      return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag>() &&
+      return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag,
+                             typename Parameters::FT>() &&
              check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
                               typename Parameters::Geom_traits, boost::writable_property_map_tag>();
     }

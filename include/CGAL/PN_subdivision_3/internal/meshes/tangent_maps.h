@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
@@ -89,7 +90,7 @@ private:
     const auto name = [&] { return access_.halfedge_name(h); };
     check_finite<FT, 3>(t, "tangent", name);
     const FT longest = FT(1) + Unit_normal_traits<FT>::unit_tolerance();
-    if (CGAL::certainly(dot<FT, 3>(t, t) > longest))
+    if (CGAL::certainly(is_greater(dot<FT, 3>(t, t), longest)))
       throw std::invalid_argument("PN_subdivision_3: the tangent of " + name() +
                                   " is longer than 1: give unit vectors, or zero where the tangent "
                                   "is to be made");
@@ -103,7 +104,7 @@ private:
 
   static bool is_zero(const Coordinates<FT, 3>& t)
   {
-    return std::all_of(t.begin(), t.end(), [](const FT& x) { return !CGAL::possibly(x != FT(0)); });
+    return std::all_of(t.begin(), t.end(), [](const FT& x) { return CGAL::certainly(x == FT(0)); });
   }
 
   const Access& access_;

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
@@ -219,11 +220,24 @@ private:
     const Estimate& e = estimates_[s];
     const Vector other = to_double_3<FT>(angle_weighted);
     if (!(e.weight > 0) || (e.is_corner && is_reflex(s, other))) return angle_weighted;
+    if constexpr (Angle_weighted_normals<FT, Sectors>::has_own_angles)
+      if (const Fan fan = sectors_.fan(s); fan.closed)
+        return blended_in_number_type(fan, e, angle_weighted);
     Vector n = multiple(e.weight, e.normal);
     add_multiple<double, 3>(n, 1 - e.weight, other);
     const double n_length = length(n);
     if (!(n_length > vanishing_tolerance<FT>())) return angle_weighted;
     return converted(quotient(n, n_length));
+  }
+
+  Coordinates<FT, 3> blended_in_number_type(const Fan& fan, const Estimate& e,
+                                            const Coordinates<FT, 3>& angle_weighted) const
+  {
+    Coordinates<FT, 3> n = exact_normal(fan, e.normal);
+    scale<FT, 3>(n, FT(e.weight));
+    add_multiple<FT, 3>(n, FT(1 - e.weight), angle_weighted);
+    const Coordinates<FT, 3> unit = unit_or_zero<FT, 3>(n, FT(1));
+    return is_zero_not_unit<FT, 3>(unit) ? angle_weighted : unit;
   }
 
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
@@ -264,16 +278,20 @@ void estimate_normals(const Level_connectivity& level, Control_normal_estimate e
                       const Sectors& sectors, const Point_of& point, const Given& given,
                       const Set_normal& set_normal)
 {
-  if (estimate == Control_normal_estimate::reciprocal) {
-    Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
-    estimation(given, set_normal);
-    return;
-  }
-  Angle_weighted_normals<FT, Sectors> normals(level, sectors);
-  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-    normals.add_face(f, point);
-  for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
-    if (given(s) == nullptr) set_normal(s, normals.normal(s));
+  decided<FT>(
+    [&] {
+      if (estimate == Control_normal_estimate::reciprocal) {
+        Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
+        estimation(given, set_normal);
+        return;
+      }
+      Angle_weighted_normals<FT, Sectors> normals(level, sectors);
+      for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
+        normals.add_face(f, point);
+      for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
+        if (given(s) == nullptr) set_normal(s, normals.normal(s));
+    },
+    [] { return "whether an estimated control normal vanishes"; });
 }
 
 template <class FT>

@@ -12,13 +12,16 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/cosine_of_number_type.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -27,13 +30,17 @@ namespace internal {
 
 // Sums, over the faces of each sector, of the corner's angle times the unit face normal. The area
 // vectors are those of the number type (float is widened); the factor angle/area, irrational
-// anyway, is a double.
+// anyway, is a double, but in number types that round and have angles themselves.
 template <class FT, class Sectors>
 class Angle_weighted_normals
 {
 public:
   using Index = Level_connectivity::Index;
   using T = Wide_number<FT>;
+  // of angles: double, unless the number type rounds and has angles of its own
+  static constexpr bool has_own_angles =
+    !std::is_floating_point_v<T> && std::is_same_v<Rooted_number<T>, T> && Has_own_angle<T>::value;
+  using Angle = std::conditional_t<has_own_angles, T, double>;
 
   Angle_weighted_normals(const Level_connectivity& level, const Sectors& sectors)
     : level_(level)
@@ -53,13 +60,15 @@ public:
     }
     const double area_length = length(to_double_3(area));
     if (!(area_length > least_area_) || !std::isfinite(area_length)) return;
+    Angle length_of_area(area_length);
+    if constexpr (has_own_angles) length_of_area = square_root_of<T>(dot<T, 3>(area, area));
     const std::size_t n = corners_.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const double angle =
+      const Angle angle =
         corner_angle(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]);
-      const T weight(angle / area_length);
+      const T weight(angle / length_of_area);
       for (int k = 0; k < 3; ++k) sums_[sectors_[i]][k] += weight * area[k];
-      angles_[sectors_[i]] += angle;
+      angles_[sectors_[i]] += close_double(angle);
     }
   }
 
@@ -107,16 +116,21 @@ private:
                     std::ldexp(largest_coordinate, -exponent);
   }
 
-  static double corner_angle(const Coordinates<T, 3>& before, const Coordinates<T, 3>& at,
-                             const Coordinates<T, 3>& after)
+  static Angle corner_angle(const Coordinates<T, 3>& before, const Coordinates<T, 3>& at,
+                            const Coordinates<T, 3>& after)
   {
     Coordinates<T, 3> u, w;
     for (int k = 0; k < 3; ++k) {
       u[k] = before[k] - at[k];
       w[k] = after[k] - at[k];
     }
-    const auto a = to_double_3(u), b = to_double_3(w);
-    return std::atan2(length(cross(a, b)), dot<double, 3>(a, b));
+    if constexpr (has_own_angles) {
+      const Coordinates<T, 3> c = cross(u, w);
+      return own_angle<T>(square_root_of<T>(dot<T, 3>(c, c)), dot<T, 3>(u, w));
+    } else {
+      const auto a = to_double_3(u), b = to_double_3(w);
+      return std::atan2(length(cross(a, b)), dot<double, 3>(a, b));
+    }
   }
 
   const Level_connectivity& level_;

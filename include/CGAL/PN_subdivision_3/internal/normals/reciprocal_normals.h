@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
@@ -48,7 +49,7 @@ Coordinates<T, 3> reciprocal_sum(const Level_connectivity& level, const Fan& fan
     Vector w{T(q[0]) - T(p[0]), T(q[1]) - T(p[1]), T(q[2]) - T(p[2])};
     const T squared = dot<T, 3>(w, w);
     if (CGAL::certainly(squared == T(0))) return;
-    if (!CGAL::certainly(squared > T(0))) is_decided = false;
+    if (!CGAL::certainly(is_greater(squared, T(0)))) is_decided = false;
     for (T& x : w) x /= squared;
     if (is_first)
       first = w;

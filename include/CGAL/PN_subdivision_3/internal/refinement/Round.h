@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -201,7 +202,8 @@ private:
       sizes += CGAL::abs(e->weight);
     }
     const FT error = CGAL::abs(FT(sum - FT(1)));
-    return begin != end && !CGAL::certainly(error > FT(64) * machine_epsilon<FT>() * sizes);
+    return begin != end &&
+           !CGAL::certainly(is_greater(error, FT(FT(64) * machine_epsilon<FT>() * sizes)));
   }
 
   template <class Vertex>

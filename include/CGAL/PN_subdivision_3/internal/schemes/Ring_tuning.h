@@ -26,7 +26,7 @@ namespace internal {
 struct Ring_tuning
 {
   Ring_tuning() = default;
-  Ring_tuning(double a_cap, unsigned a_first_round, Tuned_valences some_valences)
+  Ring_tuning(const Scheme_parameter& a_cap, unsigned a_first_round, Tuned_valences some_valences)
     : cap(checked_cap(a_cap))
     , first_round(a_first_round)
     , valences(some_valences)
@@ -44,11 +44,11 @@ struct Ring_tuning
   Number other(const Number& eigenvalue, bool is_quadratic, const Number& new_lambda) const
   {
     if (is_quadratic && keeps_quadratic) return new_lambda * new_lambda;
-    const Number bound = Number(cap) * new_lambda * new_lambda;
+    const Number bound = cap.value<Number>() * new_lambda * new_lambda;
     return capped(eigenvalue, bound);
   }
 
-  double cap = 0.5;
+  Scheme_parameter cap = 0.5;
   unsigned first_round = 1;
   Tuned_valences valences = Tuned_valences::all;
   bool keeps_quadratic = false;

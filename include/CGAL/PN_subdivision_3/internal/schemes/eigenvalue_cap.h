@@ -9,6 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_EIGENVALUE_CAP_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_EIGENVALUE_CAP_H
 
+#include <CGAL/PN_subdivision_3/internal/average/Interval_bounds.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
 #include <CGAL/Uncertain.h>
 
 #include <stdexcept>
@@ -21,14 +24,19 @@ namespace internal {
 template <class Number>
 Number capped(const Number& x, const Number& bound)
 {
-  if (CGAL::certainly(bound < x)) return bound;
   const Number opposite = -bound;
-  return CGAL::certainly(x < opposite) ? opposite : x;
+  if (CGAL::certainly(bound < x)) return bound;
+  if (CGAL::certainly(x < opposite)) return opposite;
+  if constexpr (is_interval_v<Number>) { // where it is not decided, what contains both
+    if (CGAL::possibly(bound < x)) return interval_around_both(x, bound);
+    if (CGAL::possibly(x < opposite)) return interval_around_both(x, opposite);
+  }
+  return x;
 }
 
-inline double checked_cap(double cap)
+inline const Scheme_parameter& checked_cap(const Scheme_parameter& cap)
 {
-  if (!(cap > 0 && cap <= 1))
+  if (!(cap.to_double() > 0 && cap.to_double() <= 1))
     throw std::invalid_argument(
       "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
   return cap;

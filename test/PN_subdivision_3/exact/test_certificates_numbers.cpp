@@ -1,0 +1,141 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Certificates in number types that round otherwise than the processor does, of shapes of other kernels, and
+// beyond the range of double.
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Gmpfr.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/boost_multiprecision_floats.h>
+#include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/mpq_class.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using CGAL::certainly;
+using CGAL::certainly_not;
+
+template <class FT>
+using Kernel_of = CGAL::Simple_cartesian<FT>;
+
+void expect_tight(const CGAL::Interval_nt<>& x, double expected)
+{
+  EXPECT_LE(x.inf(), expected);
+  EXPECT_GE(x.sup(), expected * (1 - 1e-15));
+  EXPECT_LE(x.sup() - x.inf(), 8 * std::numeric_limits<double>::epsilon() * x.sup());
+}
+
+// (1, 2^-200, 0) is 2^-401 (1 - 2^-402 + ...) outside the unit sphere
+template <class FT>
+void expect_refuted()
+{
+  using K = Kernel_of<FT>;
+  const typename K::Sphere_3 sphere(typename K::Point_3(0, 0, 0), FT(1));
+  const typename K::Point_3 p(FT(1), FT(std::ldexp(1., -200)), FT(0));
+  EXPECT_TRUE(certainly_not(PN::is_on_sphere(p, sphere)));
+  expect_tight(PN::distance_interval(p, sphere), std::ldexp(1., -401));
+  EXPECT_TRUE(certainly(PN::is_on_sphere(typename K::Point_3(0, 0, -1), sphere)));
+}
+
+TEST(Certificates_of_rounded_numbers, KnowWhatIsBelowTheirRounding)
+{
+  expect_refuted<boost::multiprecision::cpp_bin_float_100>();
+  expect_refuted<CGAL::Gmpfr>();
+#ifdef CGAL_PN_SUBDIVISION_3_HAS_FLOAT128
+  expect_refuted<boost::multiprecision::float128>();
+#endif
+}
+
+// 2^-200 in units of 2^-399
+TEST(Certificates_of_rounded_numbers, CountUnitsOfTheNumberType)
+{
+  const auto old = CGAL::Gmpfr::set_default_precision(400);
+  using K = Kernel_of<CGAL::Gmpfr>;
+  const K::Plane_3 plane(K::Point_3(0, 0, 0), K::Vector_3(0, 0, 1));
+  const K::Point_3 p(3, 5, CGAL::Gmpfr(std::ldexp(1., -200)));
+  expect_tight(PN::distance_in_ulps(p, plane), std::ldexp(1., 199));
+  CGAL::Gmpfr::set_default_precision(old);
+}
+
+// Numbers far beyond the range of double: a sphere of radius 10^-400 or 10^400, and points at twice the radius or
+// at a radius and 10^-1200 of it.
+TEST(Certificates_beyond_the_range_of_double, AreTight)
+{
+  using Q = CGAL::Exact_rational;
+  using K = Kernel_of<Q>;
+  Q tiny(1);
+  for (int i = 0; i < 400; ++i) tiny = tiny / Q(10);
+  const double denormal = std::numeric_limits<double>::denorm_min();
+  for (const Q& radius : {tiny, Q(Q(1) / tiny)}) {
+    const K::Sphere_3 sphere(K::Point_3(0, 0, 0), Q(radius * radius));
+    const K::Point_3 twice(Q(Q(2) * radius), 0, 0);
+    expect_tight(PN::distance_in_ulps(twice, sphere), 0x1p52);
+    const auto distance = PN::distance_interval(twice, sphere);
+    if (radius == tiny) {
+      EXPECT_EQ(distance.inf(), 0);
+      EXPECT_LE(distance.sup(), 4 * denormal);
+    } else {
+      EXPECT_GE(distance.inf(), std::numeric_limits<double>::max());
+    }
+    const K::Point_3 near(Q(radius * (Q(1) + tiny * tiny * tiny)), 0, 0);
+    EXPECT_TRUE(certainly_not(PN::is_on_sphere(near, sphere)));
+    EXPECT_LE(PN::distance_in_ulps(near, sphere).sup(), 4 * denormal);
+  }
+}
+
+// 10^-400 is no double, but a number of 300 bits
+TEST(Certificates_beyond_the_range_of_double, TakeCoordinatesAsTheyAre)
+{
+  const auto old = CGAL::Gmpfr::set_default_precision(300);
+  using K = Kernel_of<CGAL::Gmpfr>;
+  CGAL::Gmpfr tiny(1);
+  for (int i = 0; i < 1300; ++i) tiny = tiny / 2;
+  const K::Sphere_3 sphere(K::Point_3(0, 0, 0), CGAL::Gmpfr(1));
+  EXPECT_TRUE(certainly_not(PN::is_on_sphere(K::Point_3(1, tiny, 0), sphere)));
+  const K::Sphere_3 small(K::Point_3(0, 0, 0), CGAL::Gmpfr(tiny * tiny));
+  EXPECT_TRUE(certainly(PN::is_on_sphere(K::Point_3(0, tiny, 0), small)));
+  CGAL::Gmpfr::set_default_precision(old);
+}
+
+// points (1, 1, 0) and (1, 1, 2^-30) of doubles, a sphere of squared radius 2 of another kernel
+template <class FT>
+void expect_shapes_are_taken(const FT& two)
+{
+  using K = Kernel_of<FT>;
+  using Double = Kernel_of<double>;
+  using Interval = Kernel_of<CGAL::Interval_nt<>>;
+  const typename K::Sphere_3 sphere(typename K::Point_3(0, 0, 0), two);
+  EXPECT_TRUE(certainly(PN::is_on_sphere(Double::Point_3(1, 1, 0), sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on_sphere(Double::Point_3(1, 1, 0x1p-30), sphere)));
+  EXPECT_TRUE(CGAL::possibly(PN::is_on_sphere(Interval::Point_3(1, 1, 0), sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on_sphere(Interval::Point_3(1, 1, 1), sphere)));
+}
+
+TEST(Certificates_of_mixed_kernels, TakeShapesOfExactAndOfRoundedNumbers)
+{
+  expect_shapes_are_taken(CGAL::Gmpq(2));
+  expect_shapes_are_taken(mpq_class(2));
+  expect_shapes_are_taken(CGAL::Gmpfr(2));
+  // 1.1 is a fraction, and no double
+  using K = Kernel_of<CGAL::Gmpq>;
+  const K::Sphere_3 sphere(K::Point_3(0, 0, 0), CGAL::Gmpq(11, 10));
+  const double root = std::sqrt(1.1);
+  EXPECT_TRUE(certainly_not(PN::is_on_sphere(Kernel_of<double>::Point_3(root, 0, 0), sphere)));
+  EXPECT_LE(PN::distance_in_ulps(Kernel_of<double>::Point_3(root, 0, 0), sphere).sup(), 1);
+}
+
+} // namespace
