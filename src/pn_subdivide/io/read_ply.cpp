@@ -213,6 +213,7 @@ private:
     if (with_attributes_ && texture != Ply_element::none && element.properties[texture].is_list) {
       lists.texture = texture;
       mesh_.attributes.texture_type = element.properties[texture].type;
+      mesh_.attributes.has_texture_type_of_file = true;
     }
 
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 4);

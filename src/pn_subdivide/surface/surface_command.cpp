@@ -13,6 +13,7 @@
 #include "io/file_references.h"
 #include "io/mesh_io.h"
 #include "io/normals_of_file.h"
+#include "io/types_of_format.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
 #include "surface/Bounding_box.h"
@@ -416,6 +417,7 @@ void run_surface_command(const Surface_options& options)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   warn_of_lost_normals(mesh, plan, report);
   warn_of_lost_attributes(mesh, plan, report);
+  take_types_of_format(plan.output, mesh.attributes);
   move_file_references(mesh.attributes, plan.input, plan.output);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
