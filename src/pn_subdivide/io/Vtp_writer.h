@@ -31,10 +31,13 @@ public:
     , encoding_(encoding)
   {}
 
-  void begin()
+  // comment: empty, or without two hyphens
+  void begin(const std::string& comment = {})
   {
-    out_.text(R"(<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+    out_.text("<?xml version=\"1.0\"?>\n");
+    if (!comment.empty()) out_.text("<!-- " + comment + " -->\n");
+    out_.text(
+      R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <PolyData>
 )");
   }

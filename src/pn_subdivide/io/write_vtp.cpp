@@ -80,6 +80,7 @@ void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content&
   if (!content.texture.empty()) tag += " TCoords=\"TCoords\"";
   vtp.line((tag + ">").c_str());
   if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
+  if (mesh.has_control_normals()) vtp.triples("control_normals", mesh.control_normals);
   for (const Column* column : content.scalars) vtp.columns(column->name, {column});
   if (!content.vertex_color.empty()) vtp.columns("colors", content.vertex_color);
   if (!content.texture.empty()) vtp.texture(content.texture, content.texture_type());
@@ -108,7 +109,7 @@ void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   const std::size_t faces = mesh.number_of_faces();
   const Vtp_content content(mesh);
   Vtp_writer vtp(out, encoding);
-  vtp.begin();
+  vtp.begin(mesh.has_normals() ? comment_of(mesh.normal_kind) : "");
   write_field_data(vtp, mesh.attributes);
   vtp.begin_piece(mesh.points.size(), faces);
   write_point_data(vtp, mesh, content);

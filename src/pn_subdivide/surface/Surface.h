@@ -56,6 +56,9 @@ std::optional<Corner_normal_map> corner_normals_of(const Surface& surface);
 // Gives each corner the normal of its vertex, which there must be.
 Corner_normal_map add_corner_normals(Surface& surface);
 
+// those of vertices and of corners
+void remove_normals(Surface& surface);
+
 // zero at all vertices; the mesh must have none yet
 Normal_map add_normals(Surface& surface);
 
