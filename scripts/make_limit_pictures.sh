@@ -19,8 +19,8 @@ refine() { # output, options
              --normals estimate --limit --quiet "${@:2}"
 }
 
-refine control
-refine surface --surface-normals
+refine control --output-normals control
+refine surface --output-normals surface
 
 scripts/render.py --output "$folder/surface_normals.png" --columns 2 --tile 420 --same-view \
                   --shading smooth --view=35,20 --caption "control normals" \

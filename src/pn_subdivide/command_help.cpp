@@ -146,11 +146,11 @@ std::string top_level_footer()
 
 std::string surface_footer()
 {
-  return "Messages count vertices and faces from 0. The normals in OUTPUT are the control normals "
-         "for a\n"
-         "further round. They are not those of the surface, from which they may be far off (up to "
-         "70\n"
-         "degrees on coarse meshes).\n" +
+  return "Messages count vertices and faces from 0. The normals in OUTPUT are those of its faces. "
+         "Control\n"
+         "normals for a further round, which may be far off these (up to 70 degrees on coarse "
+         "meshes),\n"
+         "are written with --output-normals control or both.\n" +
          files_and_exit_codes() +
          "\nExamples:\n"
          "  pn_subdivide head.obj smooth.ply --levels 3\n"

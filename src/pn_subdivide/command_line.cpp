@@ -144,11 +144,12 @@ void add_crease_options(CLI::App& command, Crease_options& options)
     "--sharp", options.sharp,
     "Edges that are creases: auto (default; those of file, but of normals for flat "
     "shading only if there are at most 6 different ones or one for 20 faces), "
-    "none, file (where the file's normals of two faces differ by more than 0.1 "
-    "degrees), angle:DEG (where the faces meet at an angle greater by 0.1 degrees "
+    "none, file (those that the file tags as sharp, or where its normals of two faces differ by "
+    "more than 0.1 degrees), angle:DEG (where the faces meet at an angle greater by 0.1 degrees "
     "and more) or a selection file of CGAL (.selection.txt)");
   command.add_option("--sharpness", options.sharpness,
-                     "Of these edges: the number of rounds for which they are sharp; default inf");
+                     "Of these edges: the number of rounds for which they are sharp; default: that "
+                     "of the file's tags, else inf");
   command.add_option(
     "--border", options.border,
     "Border: surface (default; part of the surface), curve (a crease, circles stay "
@@ -182,8 +183,11 @@ void add_limit_options(CLI::App& command, Limit_choice& limit, const std::string
   command.add_option("--limit-tolerance", limit.tolerance,
                      "The largest estimated error of these points, as a part of the bounding box; "
                      "default 1e-9");
-  command.add_flag("--" + shape + "-normals", limit.normals,
-                   "Write the normals of the limit " + shape + " instead of the control normals");
+  const std::string option = "--" + shape + "-normals";
+  command.add_flag(option, limit.normals,
+                   shape == "surface" ? "The same as --output-normals surface"
+                                      : "Write the normals of the limit " + shape +
+                                          " instead of the control normals");
 }
 
 void add_pieces_options(CLI::App& command, Pieces_options& options)
@@ -226,8 +230,17 @@ void add_surface_command(CLI::App& app, Surface_options& options)
     "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
     "cylinder:X,Y,Z,DX,DY,DZ");
   add_crease_options(surface, options.creases);
+  surface.add_option("--write-tags", options.write_tags,
+                     "Write what is sharp in the result as a selection file of CGAL, "
+                     "FILE.selection.txt; with --output-normals control or both .ply and .obj hold "
+                     "it themselves");
   add_interpolate(surface, options.interpolate, "The limit surface");
   add_limit_options(surface, options.limit, "vertices");
+  surface.add_option("--output-normals", options.output_normals,
+                     "Normals in OUTPUT: auto (default; those of the mesh that is written, those "
+                     "of the surface with --limit), surface (those of the limit surface), control "
+                     "(the control normals for a further round), both (auto's and the control "
+                     "normals; .ply, .vtp, .pvtp) or none");
   surface.add_option("--curvature", options.curvature,
                      "Add gaussian or mean curvature to the vertices, and colors for it, "
                      "symmetric about 0 (.ply, .vtp)");

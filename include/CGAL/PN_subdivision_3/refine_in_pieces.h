@@ -34,7 +34,8 @@ class Surface_pieces;
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-A piece of a refined surface, made by `Surface_pieces`: the faces that it owns, and their vertices.
+A piece of a refined surface, made by `Surface_pieces`: the faces that it owns and, if asked for, rings of faces
+around them; and the vertices of all these.
 
 Vertices and faces are numbered from zero; `vertex_number()` and `face_number()` tell their numbers in the whole
 surface, which increase. A vertex between several pieces is in each of them, with the same bits, and one of
@@ -64,8 +65,10 @@ public:
   Number vertex_number(Index v) const { return vertices_.number(v); }
   /// the number of a face in the whole surface.
   Number face_number(Index f) const { return faces_.number(f); }
-  /// Every vertex of the surface has one owner among the pieces; so has every face, which is in no other piece.
+  /// Every vertex of the surface has one owner among the pieces.
   bool owns_vertex(Index v) const { return vertices_.is_owned(v); }
+  /// So has every face, which without rings is in no other piece.
+  bool owns_face(Index f) const { return faces_.is_owned(f); }
 
   /// the points of the vertices.
   const std::vector<Point_3>& points() const& { return points_; }
@@ -133,7 +136,7 @@ off.
 
 <b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
-are the result. With \f$ \sqrt{3} \f$ and Doo-Sabin subdivision, whose numbers depend on the border, 8 to 24
+are the result, its rings included. With \f$ \sqrt{3} \f$ and Doo-Sabin subdivision, whose numbers depend on the border, 8 to 24
 bytes for each border edge of all levels.
 
 <b>Exceptions.</b> All members have the strong guarantee.
@@ -228,16 +231,25 @@ public:
 
   /*!
   makes a piece.
+  \param i its number
+  \param rings how many rings of faces around those that it owns it has, too, with the bits that they have in the whole
+    surface; at most `Scheme::ghost_rings`. With one it has all faces at the vertices of its own
   \throws std::out_of_range if there is no such piece
+  \throws std::invalid_argument if these are too many rings
   \throws std::length_error if the piece is too large for 32 bit numbers
   \throws std::overflow_error if a new point is out of the range of a floating point type
   \throws std::domain_error if an interval number type leaves a comparison undecided
   */
-  Piece piece(std::size_t i) const
+  Piece piece(std::size_t i, unsigned rings = 0) const
   {
     if (i >= number_of_pieces_)
       throw std::out_of_range("PN_subdivision_3: there is no piece " + std::to_string(i) +
                               ": there are " + std::to_string(number_of_pieces_));
+    constexpr unsigned most_rings = internal::Ghost_rings<Scheme>::value;
+    if (rings > most_rings)
+      throw std::invalid_argument("PN_subdivision_3: " + std::to_string(rings) +
+                                  " rings around a piece, whose scheme has " +
+                                  std::to_string(most_rings));
     Piece piece;
     const auto begin = [&](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
                            internal::Numbered_elements& faces) {
@@ -248,7 +260,7 @@ public:
       if (is_pn) piece.normals_.resize(piece.vertices_.size());
     };
     const auto put = [&](Index v, const Value& value) { this->put(piece, v, value); };
-    refiner_->refine(i, {begin, put});
+    refiner_->refine(i, rings, {begin, put});
     return piece;
   }
 

@@ -39,6 +39,7 @@ struct Column
   // Where the values stand for words, as materials and groups do: those of 0, 1, and so on. Others
   // stand for nothing.
   std::vector<std::string> words;
+  bool has_type_of_file = false; // otherwise it is that of the numbers in memory
 };
 
 using Columns = std::vector<Column>;
@@ -52,6 +53,7 @@ struct Attributes
   // Texture coordinates of the corners, face by face, or empty.
   std::vector<Texture_point> texture;
   Scalar_type texture_type = Scalar_type::float64;
+  bool has_texture_type_of_file = false;
 
   std::vector<std::string> texture_files, material_files; // as the file names them
 

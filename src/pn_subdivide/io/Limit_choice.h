@@ -25,7 +25,8 @@ struct Limit_choice
 {
   const char* shape = "surface";
   bool points = false, normals = false;
-  std::optional<double> tolerance; // of the bounding box
+  std::optional<double> tolerance;                  // of the bounding box
+  const char* normals_option = "--surface-normals"; // that asks for normals
 
   bool is_used() const { return points || normals; }
 };

@@ -10,6 +10,9 @@
 #define PN_SUBDIVIDE_MESH_DATA_H
 
 #include "io/Attributes.h"
+#include "io/Crease_tags.h"
+#include "io/Mesh_origin.h"
+#include "io/Normal_kind.h"
 
 #include <boost/range/iterator_range.hpp>
 
@@ -58,7 +61,12 @@ public:
   std::vector<Triple> points;
   std::vector<Triple> normals, corner_normals;
   std::vector<Corner_normal> several_normals; // in the order of the corners
+  Normal_kind normal_kind = Normal_kind::control; // of these
+  // to be written beside these, if they are not themselves control normals
+  std::vector<Triple> control_normals, corner_control_normals;
   Attributes attributes;
+  Crease_tags tags;
+  Mesh_origin origin;
 
   // What the file says and this does not hold, for people: "materials".
   std::vector<std::string> dropped;
@@ -73,6 +81,7 @@ public:
 
   bool has_normals() const { return !normals.empty(); }
   bool has_corner_normals() const { return !corner_normals.empty() || !several_normals.empty(); }
+  bool has_control_normals() const { return !control_normals.empty(); }
   void drop(const std::string& what)
   {
     if (std::find(dropped.begin(), dropped.end(), what) == dropped.end()) dropped.push_back(what);

@@ -33,7 +33,7 @@ public:
       carries_.push_back(!p.is_list && !is_other);
       if (!carries_.back()) continue;
       positions_.push_back(k);
-      columns_.push_back({p.name, p.type, {}, {}});
+      columns_.push_back({p.name, p.type, {}, {}, true});
     }
   }
 

@@ -9,6 +9,9 @@
 #ifndef PN_SUBDIVIDE_PLY_SHAPE_H
 #define PN_SUBDIVIDE_PLY_SHAPE_H
 
+#include "io/Mesh_origin.h"
+#include "io/Normal_kind.h"
+
 #include <cstdint>
 #include <string>
 
@@ -18,7 +21,8 @@ namespace pn_subdivide {
 struct Ply_shape
 {
   std::uint64_t vertices = 0, faces = 0;
-  bool has_normals = false;
+  bool has_normals = false, has_control_normals = false;
+  Normal_kind normal_kind = Normal_kind::control;
   bool has_short_lists = true; // of at most 255 values
 
   bool fits_int() const { return vertices <= 0x7fffffffu; }
@@ -29,7 +33,7 @@ struct Ply_shape
 };
 
 // as of a binary file
-std::string ply_header(const Ply_shape& shape);
+std::string ply_header(const Ply_shape& shape, const Mesh_origin& origin);
 
 } // namespace pn_subdivide
 

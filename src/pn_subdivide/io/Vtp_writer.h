@@ -31,10 +31,13 @@ public:
     , encoding_(encoding)
   {}
 
-  void begin()
+  // comment: empty, or without two hyphens
+  void begin(const std::string& comment = {})
   {
-    out_.text(R"(<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+    out_.text("<?xml version=\"1.0\"?>\n");
+    if (!comment.empty()) out_.text("<!-- " + comment + " -->\n");
+    out_.text(
+      R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <PolyData>
 )");
   }
@@ -82,11 +85,12 @@ public:
               });
   }
 
-  void texture(const std::vector<Texture_point>& values)
+  void texture(const std::vector<Texture_point>& values, Scalar_type type)
   {
-    array_tag("Float64", "TCoords", 2, 16 * values.size(), [this, &values] {
+    const std::size_t bytes = 2 * traits(type).bytes * values.size();
+    array_tag(traits(type).vtk, "TCoords", 2, bytes, [this, &values, type] {
       for (const Texture_point& t : values)
-        for (std::size_t i = 0; i < 2; ++i) value<double>(t[i], i == 1);
+        for (std::size_t i = 0; i < 2; ++i) column_value(type, t[i], i == 1);
     });
   }
 

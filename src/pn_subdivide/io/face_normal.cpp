@@ -14,21 +14,6 @@
 
 namespace pn_subdivide {
 
-Triple difference(const Triple& a, const Triple& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Triple cross_product(const Triple& a, const Triple& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double scalar_product(const Triple& a, const Triple& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 Triple face_normal(const Mesh_data& mesh, std::size_t f)
 {
   const Mesh_data::Face face = mesh.face(f);

@@ -16,9 +16,18 @@ namespace pn_subdivide {
 // The unit vector of the area vector; zero if there is no area.
 Triple face_normal(const Mesh_data& mesh, std::size_t f);
 
-Triple difference(const Triple& a, const Triple& b);
-Triple cross_product(const Triple& a, const Triple& b);
-double scalar_product(const Triple& a, const Triple& b);
+inline Triple difference(const Triple& a, const Triple& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Triple cross_product(const Triple& a, const Triple& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double scalar_product(const Triple& a, const Triple& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 } // namespace pn_subdivide
 

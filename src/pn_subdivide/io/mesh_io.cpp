@@ -33,16 +33,17 @@ struct Format
   Reader read; // nullptr: not read
   Writer write;
   Not_held not_held;
-  bool scalars, normals, corner_normals, polygons; // whether it holds them
+  bool scalars, normals, control_normals, corner_normals, polygons; // whether it holds them
 };
 
-const Format formats[] = {{"ply", read_ply, write_ply, not_held_by_ply, true, true, false, true},
-                          {"off", read_off, write_off, not_held_by_off, false, true, false, true},
-                          {"obj", read_obj, write_obj, not_held_by_obj, false, true, true, true},
-                          {"stl", read_stl, write_stl, not_held_by_stl, false, false, false, false},
-                          {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, false, true},
-                          // written piece by piece only
-                          {"pvtp", nullptr, nullptr, not_held_by_vtp, false, true, false, true}};
+const Format formats[] = {
+  {"ply", read_ply, write_ply, not_held_by_ply, true, true, true, false, true},
+  {"off", read_off, write_off, not_held_by_off, false, true, false, false, true},
+  {"obj", read_obj, write_obj, not_held_by_obj, false, true, false, true, true},
+  {"stl", read_stl, write_stl, not_held_by_stl, false, false, false, false, false},
+  {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, true, false, true},
+  // written piece by piece only
+  {"pvtp", nullptr, nullptr, not_held_by_vtp, false, true, true, false, true}};
 
 bool is_readable(const Format& format)
 {
@@ -116,6 +117,10 @@ bool holds_scalars(const Mesh_file& file)
 bool holds_normals(const Mesh_file& file)
 {
   return format_of(file).normals;
+}
+bool holds_control_normals(const Mesh_file& file)
+{
+  return format_of(file).control_normals;
 }
 bool holds_corner_normals(const Mesh_file& file)
 {

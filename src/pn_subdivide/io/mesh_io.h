@@ -42,10 +42,11 @@ std::string writable_formats();
 Mesh_file input_mesh_file(const std::string& name, const std::optional<std::string>& format);
 Mesh_file output_mesh_file(const std::string& name, const std::optional<std::string>& format);
 
-// Whether the format has a place for scalars and colors of the vertices, for their normals, for
-// normals of corners, for faces with more than three vertices.
+// Whether the format has a place for scalars and colors of the vertices, for their normals, for control
+// normals beside these, for normals of corners, for faces with more than three vertices.
 bool holds_scalars(const Mesh_file& file);
 bool holds_normals(const Mesh_file& file);
+bool holds_control_normals(const Mesh_file& file);
 bool holds_corner_normals(const Mesh_file& file);
 bool holds_polygons(const Mesh_file& file);
 

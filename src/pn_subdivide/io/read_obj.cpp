@@ -9,6 +9,7 @@
 #include "io/Error.h"
 #include "io/Obj_attributes.h"
 #include "io/Obj_normals.h"
+#include "io/Obj_tags.h"
 #include "io/Text_reader.h"
 #include "io/formats.h"
 
@@ -37,6 +38,8 @@ public:
         read_normal();
       else if (keyword == "f")
         read_face();
+      else if (keyword == "t")
+        read_tag();
       else if (with_attributes_ && !attributes_.read(keyword, in_, mesh_))
         note_what_is_dropped(keyword);
     }
@@ -48,6 +51,7 @@ public:
     mesh_.normals = normals_.per_vertex(mesh_.points.size());
     mesh_.vertices_with_several_normals = normals_.vertices_with_several_normals();
     attributes_.put(mesh_);
+    mesh_.tags = tags_.take(mesh_.points.size());
     return std::move(mesh_);
   }
 
@@ -60,6 +64,12 @@ private:
     else
       mesh_.drop(mesh_.dropped.size() < many ? "'" + Text_reader::printable(keyword) + "'"
                                              : "other lines");
+  }
+
+  void read_tag()
+  {
+    const std::string other = tags_.read(in_);
+    if (!other.empty() && with_attributes_) note_what_is_dropped("t " + other);
   }
 
   // A face's vertex, texture point or normal, counted from 0. Numbers in the file count from 1, negative ones back
@@ -139,6 +149,7 @@ private:
   Mesh_data mesh_;
   Obj_normals normals_;
   Obj_attributes attributes_;
+  Obj_tags tags_;
   std::vector<Mesh_data::Index> face_;
   std::vector<std::size_t> line_of_face_;
 };

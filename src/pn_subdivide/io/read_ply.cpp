@@ -9,7 +9,10 @@
 #include "io/Error.h"
 #include "io/Ply_columns.h"
 #include "io/Ply_header.h"
+#include "io/Ply_origin.h"
+#include "io/Ply_tags.h"
 #include "io/Ply_values.h"
+#include "io/corner_normals.h"
 #include "io/formats.h"
 
 #include <algorithm>
@@ -47,6 +50,8 @@ std::array<std::size_t, 3> find_three(const Ply_element& element,
 
 // The texture coordinates of a face's corners, as MeshLab writes them.
 constexpr const char* texture_list = "texcoord";
+// Their control normals, where vertices have several; of other faces it is empty.
+constexpr const char* normals_list = "corner_control_normals";
 
 bool is_one_of(const std::vector<std::string>& names, const std::string& name)
 {
@@ -55,7 +60,8 @@ bool is_one_of(const std::vector<std::string>& names, const std::string& name)
 
 const std::vector<std::string>& names_at_vertices()
 {
-  static const std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
+  static const std::vector<std::string> names = {
+    "x", "y", "z", "nx", "ny", "nz", "control_nx", "control_ny", "control_nz"};
   return names;
 }
 const std::vector<std::string>& names_at_faces()
@@ -66,10 +72,10 @@ const std::vector<std::string>& names_at_faces()
 
 // Lists, but for those of indices and of texture coordinates, and elements other than vertices and
 // faces.
-void note_what_is_dropped(const Ply_header& header, Mesh_data& mesh)
+void note_what_is_dropped(const Ply_header& header, const Ply_tags& tags, Mesh_data& mesh)
 {
   for (const Ply_element& element : header.elements) {
-    if (element.size == 0) continue;
+    if (element.size == 0 || tags.is_edge(element) || element.name == origin_element) continue;
     const bool is_face = element.name == "face";
     if (!is_face && element.name != "vertex") {
       // their names differ: drop() need not look for them
@@ -77,8 +83,8 @@ void note_what_is_dropped(const Ply_header& header, Mesh_data& mesh)
       continue;
     }
     for (const Ply_property& p : element.properties)
-      if (p.is_list &&
-          !(is_face && (p.name == texture_list || is_one_of(names_at_faces(), p.name))))
+      if (p.is_list && !(is_face && (p.name == texture_list || p.name == normals_list ||
+                                     is_one_of(names_at_faces(), p.name))))
         mesh.drop("the property '" + Text_reader::printable(p.name) + "'");
   }
 }
@@ -89,10 +95,11 @@ public:
   Ply_reader(const std::string& content, const Ply_header& header, const Text_reader& behind_header,
              bool with_attributes)
     : header_(header)
+    , tags_(header)
     , values_(content, behind_header, header.format)
     , with_attributes_(with_attributes)
   {
-    if (with_attributes) note_what_is_dropped(header, mesh_);
+    if (with_attributes) note_what_is_dropped(header, tags_, mesh_);
   }
 
   Mesh_data read()
@@ -105,6 +112,10 @@ public:
       } else if (element.name == "face") {
         has_faces = true;
         read_faces(element);
+      } else if (tags_.is_edge(element)) {
+        read_edges(element);
+      } else if (element.name == origin_element) {
+        read_origin(element);
       } else {
         skip(element);
       }
@@ -113,6 +124,7 @@ public:
     if (!has_faces) throw Error("the PLY file has no element 'face', so it is not a mesh");
     if (!values_.at_end()) throw Error("more data than the PLY header announces");
     check_indices();
+    put_corner_normals();
     if (with_attributes_) read_ply_comments(header_.comments, mesh_.attributes);
     return std::move(mesh_);
   }
@@ -120,10 +132,12 @@ public:
 private:
   struct Lists
   {
-    std::size_t indices = Ply_element::none, texture = Ply_element::none; // their positions
+    // their positions
+    std::size_t indices = Ply_element::none, texture = Ply_element::none,
+                normals = Ply_element::none;
   };
 
-  // Reads element i; scalars go to `scalars_`, the lists to `indices_` and `texture_`.
+  // Reads element i; scalars go to `scalars_`, the lists to `indices_`, `texture_` and `normals_`.
   void read_item(const Ply_element& element, std::size_t i, const Lists& lists)
   {
     try {
@@ -132,6 +146,7 @@ private:
         if (property.is_list)
           read_list(property, k == lists.indices   ? &indices_
                               : k == lists.texture ? &texture_
+                              : k == lists.normals ? &normals_
                                                    : nullptr);
         else
           scalars_[k] = columns_.carries(k) ? values_.next(property) : values_.next(property.type);
@@ -174,7 +189,10 @@ private:
   void read_vertices(const Ply_element& element)
   {
     const auto p = find_three(element, {"x", "y", "z"});
-    const auto n = find_three(element, {"nx", "ny", "nz"});
+    const auto control = find_three(element, {"control_nx", "control_ny", "control_nz"});
+    const bool has_control = control[0] != Ply_element::none;
+    const auto n = has_control ? control : find_three(element, {"nx", "ny", "nz"});
+    if (!has_control) mesh_.normal_kind = normal_kind_of(header_.comments);
     if (p[0] == Ply_element::none) throw Error("the vertices have no properties x y z");
     const bool has_normals = n[0] != Ply_element::none;
     if (element.size > Mesh_data::max_number_of_points) throw Error("too many vertices");
@@ -182,17 +200,67 @@ private:
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 3);
     mesh_.points.reserve(plausible);
     if (has_normals) mesh_.normals.reserve(plausible);
-    begin(element, names_at_vertices());
+    std::vector<std::string> others = names_at_vertices();
+    const std::size_t sharpness = tags_.any() ? element.find("sharpness") : Ply_element::none;
+    if (sharpness != Ply_element::none) others.emplace_back("sharpness");
+    begin(element, others);
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, Lists());
       mesh_.points.push_back({scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]});
       if (has_normals) mesh_.normals.push_back({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]});
       columns_.add(scalars_);
+      if (sharpness != Ply_element::none) add_sharpness(element, i, scalars_[sharpness]);
     }
     mesh_.attributes.of_vertices = columns_.take();
     for (const Column* column : find_texture(mesh_.attributes.of_vertices))
       for (std::size_t i = 0; i < element.size; ++i)
         require_finite_texture(column->values[i], element, i);
+  }
+
+  void add_sharpness(const Ply_element& element, std::size_t i, double x)
+  {
+    try {
+      require_sharpness(x);
+    } catch (const Error& e) {
+      throw Error(name_of(element, i) + " has " + e.what());
+    }
+    if (!(x > 0)) return;
+    mesh_.tags.vertices.resize(element.size, 0.);
+    mesh_.tags.vertices[i] = x;
+  }
+
+  void read_edges(const Ply_element& element)
+  {
+    begin(element, {});
+    columns_ = Ply_columns();
+    std::size_t vertices = 0;
+    for (const Ply_element& other : header_.elements)
+      if (other.name == "vertex") vertices = other.size;
+    for (std::size_t i = 0; i < element.size; ++i) {
+      read_item(element, i, Lists());
+      try {
+        tags_.add_edge(scalars_, vertices, mesh_.tags);
+      } catch (const Error& e) {
+        throw Error(name_of(element, i) + ": " + e.what());
+      }
+    }
+  }
+
+  // It is compared with the faces before it is made use of.
+  void read_origin(const Ply_element& element)
+  {
+    Lists lists;
+    lists.indices = element.find("vertex_indices");
+    scalars_.assign(element.properties.size(), 0);
+    columns_ = Ply_columns();
+    Mesh_origin& origin = mesh_.origin;
+    for (std::size_t i = 0; i < element.size; ++i) {
+      read_item(element, i, lists);
+      for (const double v : indices_)
+        origin.corners.push_back(v >= 0 && v < 4294967295. ? static_cast<std::uint32_t>(v) : 0);
+      origin.face_end.push_back(origin.corners.size());
+    }
+    read_origin_comments(header_.comments, origin);
   }
 
   static void require_finite_texture(double x, const Ply_element& element, std::size_t i)
@@ -213,6 +281,12 @@ private:
     if (with_attributes_ && texture != Ply_element::none && element.properties[texture].is_list) {
       lists.texture = texture;
       mesh_.attributes.texture_type = element.properties[texture].type;
+      mesh_.attributes.has_texture_type_of_file = true;
+    }
+    const std::size_t normals = element.find(normals_list);
+    if (normals != Ply_element::none && element.properties[normals].is_list) {
+      lists.normals = normals;
+      has_list_of_normals_ = true;
     }
 
     const std::size_t plausible = std::min(element.size, values_.bytes_left() / 4);
@@ -228,6 +302,7 @@ private:
       mesh_.add_face(indices_);
       columns_.add(scalars_);
       if (lists.texture != Ply_element::none) add_texture(element, i);
+      if (lists.normals != Ply_element::none) add_normals(element, i);
     }
     mesh_.attributes.of_faces = columns_.take();
     drop_empty_texture();
@@ -250,6 +325,34 @@ private:
       mesh_.attributes.texture.push_back({texture_[2 * c], texture_[2 * c + 1], 0});
   }
 
+  void add_normals(const Ply_element& element, std::size_t i)
+  {
+    if (!normals_.empty() && normals_.size() != 3 * indices_.size())
+      throw Error(name_of(element, i) + " has " + std::to_string(normals_.size()) +
+                  " numbers of normals for " + std::to_string(indices_.size()) + " vertices");
+    normals_of_corners_.insert(normals_of_corners_.end(), normals_.begin(), normals_.end());
+    if (!normals_.empty()) faces_with_normals_.push_back(i);
+  }
+
+  // Not earlier, because the vertices may come behind the faces. Faces without a list have the normals of their
+  // vertices.
+  void put_corner_normals()
+  {
+    if (!has_list_of_normals_ || !mesh_.has_normals()) return;
+    mesh_.corner_normals.reserve(mesh_.number_of_corners());
+    std::size_t next = 0, place = 0;
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+      const bool has_list = next < faces_with_normals_.size() && faces_with_normals_[next] == f;
+      next += has_list;
+      for (const Mesh_data::Index v : mesh_.face(f)) {
+        const double* const n = normals_of_corners_.data() + place;
+        mesh_.corner_normals.push_back(has_list ? Triple{n[0], n[1], n[2]} : mesh_.normals[v]);
+        if (has_list) place += 3;
+      }
+    }
+    mesh_.vertices_with_several_normals = vertices_with_several_normals(mesh_);
+  }
+
   // There is none if all faces are without.
   void drop_empty_texture()
   {
@@ -269,11 +372,15 @@ private:
   }
 
   const Ply_header& header_;
+  const Ply_tags tags_;
   Ply_values values_;
   bool with_attributes_;
   Mesh_data mesh_;
   Ply_columns columns_;
-  std::vector<double> scalars_, indices_, texture_;
+  std::vector<double> scalars_, indices_, texture_, normals_;
+  bool has_list_of_normals_ = false;
+  std::vector<double> normals_of_corners_;      // face by face, of those whose list is not empty
+  std::vector<std::size_t> faces_with_normals_; // these
 };
 
 } // namespace

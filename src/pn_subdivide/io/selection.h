@@ -9,6 +9,8 @@
 #ifndef PN_SUBDIVIDE_SELECTION_H
 #define PN_SUBDIVIDE_SELECTION_H
 
+#include "io/Crease_tags.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +29,10 @@ struct Selection
 
 // Throws Error, which names the file and the line. Numbers are not negative.
 Selection read_selection(const std::string& file);
+
+class Output_file;
+// Whatever is sharp for some rounds or for ever.
+void write_selection(Output_file& out, const Crease_tags& tags);
 
 } // namespace pn_subdivide
 

@@ -9,6 +9,7 @@
 #include "io/Different_values.h"
 #include "io/Held_attributes.h"
 #include "io/Obj_attributes.h"
+#include "io/Obj_tags.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 
@@ -285,6 +286,7 @@ void write_obj(Output_file& out, const Mesh_data& mesh, Encoding)
     }
     out.text("\n");
   }
+  write_obj_tags(out, mesh.tags);
 }
 
 } // namespace pn_subdivide

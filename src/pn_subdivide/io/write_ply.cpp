@@ -7,7 +7,9 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Held_attributes.h"
+#include "io/Ply_origin.h"
 #include "io/Ply_shape.h"
+#include "io/Ply_tags.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 
@@ -15,32 +17,67 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
 
+// A list of each face with as many numbers for each corner, or empty.
+struct Corner_list
+{
+  const char* name;
+  Scalar_type type;
+  std::size_t dimension;
+  std::function<void(std::size_t, std::vector<double>&)> read; // the numbers of a face
+};
+
 struct Ply_content
 {
   const Mesh_data& mesh;
   Column_group of_vertices, of_faces;
-  bool has_texture;
+  std::vector<Corner_list> lists;
   bool has_short_lists = true; // of at most 255 values
 
   explicit Ply_content(const Mesh_data& m)
     : mesh(m)
     , of_vertices(all_of(m.attributes.of_vertices))
     , of_faces(all_of(m.attributes.of_faces))
-    , has_texture(!m.attributes.texture.empty())
   {
+    if (has_texture())
+      lists.push_back({"texcoord", m.attributes.texture_type, 2,
+                       [this](std::size_t f, auto& numbers) { read_texture(f, numbers); }});
+    if (has_several_control_normals())
+      lists.push_back({"corner_control_normals", Scalar_type::float64, 3,
+                       [this](std::size_t f, auto& numbers) { read_normals(f, numbers); }});
+    std::size_t of_corner = 1;
+    for (const Corner_list& list : lists) of_corner = (std::max)(of_corner, list.dimension);
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      if (m.face(f).size() > (has_texture ? 127u : 255u)) has_short_lists = false;
+      if (std::size_t(m.face(f).size()) * of_corner > 255) has_short_lists = false;
   }
+  Ply_content(const Ply_content&) = delete; // the lists refer to it
+  Ply_content& operator=(const Ply_content&) = delete;
+
+  // They may be equal on all sides of a crease.
+  bool has_several_control_normals() const
+  {
+    return !mesh.corner_control_normals.empty() ||
+           (mesh.has_control_normals() && !mesh.tags.edges.empty());
+  }
+  bool has_tags() const { return mesh.tags.any(); }
+  double sharpness(std::size_t v) const
+  {
+    return mesh.tags.vertices.empty() ? 0 : mesh.tags.vertices[v];
+  }
+  bool has_texture() const { return !mesh.attributes.texture.empty(); }
 
   Ply_shape shape() const
   {
-    return {mesh.points.size(), mesh.number_of_faces(), mesh.has_normals(), has_short_lists};
+    return {mesh.points.size(),         mesh.number_of_faces(), mesh.has_normals(),
+            mesh.has_control_normals(), mesh.normal_kind,       has_short_lists};
   }
 
   // Two numbers for each corner of a face, or none if a corner has none.
@@ -56,13 +93,28 @@ struct Ply_content
     }
   }
 
+  // Three numbers for each corner of a face, or none if all have the normals of their vertices.
+  void read_normals(std::size_t f, std::vector<double>& numbers) const
+  {
+    numbers.clear();
+    if (mesh.corner_control_normals.empty()) return;
+    bool are_others = false;
+    std::size_t corner = mesh.first_corner(f);
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      const Triple& n = mesh.corner_control_normals[corner++];
+      are_others = are_others || std::memcmp(&n, &mesh.control_normals[v], sizeof n) != 0;
+      numbers.insert(numbers.end(), n.begin(), n.end());
+    }
+    if (!are_others) numbers.clear();
+  }
+
   // What read_texture() loses.
   std::vector<std::string> lost_texture() const
   {
     std::vector<std::string> lost;
     const std::vector<Texture_point>& texture = mesh.attributes.texture;
     if (has_depth(texture)) lost.emplace_back("third texture coordinates");
-    for (std::size_t f = 0; f < mesh.number_of_faces() && has_texture; ++f) {
+    for (std::size_t f = 0; f < mesh.number_of_faces() && has_texture(); ++f) {
       const auto begin = texture.begin() + std::ptrdiff_t(mesh.first_corner(f));
       const auto end = begin + std::ptrdiff_t(mesh.face(f).size());
       if (std::any_of(begin, end, is_none) && !std::all_of(begin, end, is_none)) {
@@ -94,19 +146,33 @@ std::string properties(const Column_group& columns)
   return text;
 }
 
-// `extra` is text of the attributes: comments, properties of vertices, properties of faces.
+// `extra` is text of what else there is: comments, properties of vertices, properties of faces, elements.
 std::string header(const Ply_shape& shape, Encoding encoding,
-                   const std::array<std::string, 3>& extra)
+                   const std::array<std::string, 4>& extra)
 {
   std::string text = encoding == Encoding::text ? "ply\nformat ascii 1.0\n"
                                                 : "ply\nformat binary_little_endian 1.0\n";
-  text += "comment written by pn_subdivide\n" + extra[0];
+  text += "comment written by pn_subdivide\n";
+  if (shape.has_normals) text += std::string("comment ") + comment_of(shape.normal_kind) + "\n";
+  text += extra[0];
   text += "element vertex " + std::to_string(shape.vertices);
   text += "\nproperty double x\nproperty double y\nproperty double z\n";
   if (shape.has_normals) text += "property double nx\nproperty double ny\nproperty double nz\n";
+  if (shape.has_control_normals)
+    text += "property double control_nx\nproperty double control_ny\nproperty double control_nz\n";
   text += extra[1] + "element face " + std::to_string(shape.faces);
   text += "\n" + shape.list() + (shape.fits_int() ? "int" : "uint") + " vertex_indices\n";
-  return text + extra[2] + "end_header\n";
+  return text + extra[2] + extra[3] + "end_header\n";
+}
+
+std::string edge_header(const Ply_content& content)
+{
+  if (!content.has_tags()) return {};
+  const std::string index = content.shape().fits_int() ? "int" : "uint";
+  std::string text = "element edge " + std::to_string(content.mesh.tags.edges.size()) + "\n";
+  for (std::size_t i = 0; i < std::size(edge_properties); ++i)
+    text += "property " + (i < 2 ? index : "double") + " " + edge_properties[i] + "\n";
+  return text;
 }
 
 void write_header(Output_file& out, const Ply_content& content, Encoding encoding)
@@ -114,10 +180,14 @@ void write_header(Output_file& out, const Ply_content& content, Encoding encodin
   const Attributes& attributes = content.mesh.attributes;
   const Ply_shape shape = content.shape();
   std::string of_faces = properties(content.of_faces);
-  if (content.has_texture)
-    of_faces += shape.list() + traits(attributes.texture_type).ply + " texcoord\n";
-  out.text(
-    header(shape, encoding, {comments(attributes), properties(content.of_vertices), of_faces}));
+  for (const Corner_list& list : content.lists)
+    of_faces += shape.list() + traits(list.type).ply + " " + list.name + "\n";
+  const std::string sharpness = content.has_tags() ? "property double sharpness\n" : "";
+  const Mesh_origin& origin = content.mesh.origin;
+  out.text(header(shape, encoding,
+                  {origin_comments(origin) + comments(attributes),
+                   sharpness + properties(content.of_vertices), of_faces,
+                   edge_header(content) + origin_header(origin)}));
 }
 
 void write_triple_in_binary(Output_file& out, const Triple& t)
@@ -139,43 +209,100 @@ void write_size_in_binary(Output_file& out, const Ply_content& content, std::siz
     out.little_endian(static_cast<std::uint32_t>(size));
 }
 
+void write_edges_in_binary(Output_file& out, const Crease_tags& tags)
+{
+  for (const Crease_tags::Edge& edge : tags.edges) {
+    for (const std::uint32_t v : edge.ends) out.little_endian(v);
+    out.little_endian(edge.sharpness);
+    for (const Triple& tangent : edge.tangents) write_triple_in_binary(out, tangent);
+  }
+}
+
+void write_edges_in_text(Output_file& out, const Crease_tags& tags)
+{
+  for (const Crease_tags::Edge& edge : tags.edges) {
+    write_count(out, edge.ends[0]);
+    out.text(" ");
+    write_count(out, edge.ends[1]);
+    out.text(" ");
+    out.number(edge.sharpness);
+    for (const Triple& tangent : edge.tangents) {
+      out.text(" ");
+      write_triple(out, tangent);
+    }
+    out.text("\n");
+  }
+}
+
+void write_origin_in_text(Output_file& out, const Mesh_origin& origin)
+{
+  std::size_t begin = 0;
+  for (const std::size_t end : origin.face_end) {
+    write_count(out, end - begin);
+    for (; begin < end; ++begin) {
+      out.text(" ");
+      write_count(out, origin.corners[begin]);
+    }
+    out.text("\n");
+  }
+}
+
 void write_in_binary(Output_file& out, const Ply_content& content)
 {
   const Mesh_data& mesh = content.mesh;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     write_triple_in_binary(out, mesh.points[v]);
     if (mesh.has_normals()) write_triple_in_binary(out, mesh.normals[v]);
+    if (mesh.has_control_normals()) write_triple_in_binary(out, mesh.control_normals[v]);
+    if (content.has_tags()) out.little_endian(content.sharpness(v));
     write_values_in_binary(out, content.of_vertices, v);
   }
-  std::vector<double> texture;
+  std::vector<double> numbers;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Mesh_data::Face face = mesh.face(f);
     write_size_in_binary(out, content, std::size_t(face.size()));
     for (const Mesh_data::Index v : face) out.little_endian<std::uint32_t>(v);
     write_values_in_binary(out, content.of_faces, f);
-    if (!content.has_texture) continue;
-    content.read_texture(f, texture);
-    write_size_in_binary(out, content, texture.size());
-    for (const double x : texture) write_little_endian(out, mesh.attributes.texture_type, x);
+    for (const Corner_list& list : content.lists) {
+      list.read(f, numbers);
+      write_size_in_binary(out, content, numbers.size());
+      for (const double x : numbers) write_little_endian(out, list.type, x);
+    }
   }
+  write_edges_in_binary(out, mesh.tags);
+  if (mesh.origin.any()) out.text(origin_bytes(mesh.origin));
 }
 
 void write_in_text(Output_file& out, const Ply_content& content)
 {
-  std::vector<double> texture;
+  std::vector<double> numbers;
   write_vertices_and_faces(
-    out, content.mesh, [&](std::size_t v) { write_values(out, content.of_vertices, v); },
+    out, content.mesh,
+    [&](std::size_t v) {
+      if (content.mesh.has_control_normals()) {
+        out.text(" ");
+        write_triple(out, content.mesh.control_normals[v]);
+      }
+      if (content.has_tags()) {
+        out.text(" ");
+        out.number(content.sharpness(v));
+      }
+      write_values(out, content.of_vertices, v);
+    },
     [&](std::size_t f) {
       write_values(out, content.of_faces, f);
-      if (!content.has_texture) return;
-      content.read_texture(f, texture);
-      out.text(" ");
-      write_count(out, texture.size());
-      for (const double x : texture) {
+      for (const Corner_list& list : content.lists) {
+        list.read(f, numbers);
         out.text(" ");
-        out.number(x);
+        write_count(out, numbers.size());
+        for (const double x : numbers) {
+          out.text(" ");
+          out.number(x);
+        }
       }
     });
+  write_edges_in_text(out, content.mesh.tags);
+  if (content.mesh.origin.any()) write_origin_in_text(out, content.mesh.origin);
 }
 
 } // namespace
@@ -185,9 +312,9 @@ std::vector<std::string> not_held_by_ply(const Mesh_data& mesh)
   return Ply_content(mesh).lost_texture();
 }
 
-std::string ply_header(const Ply_shape& shape)
+std::string ply_header(const Ply_shape& shape, const Mesh_origin& origin)
 {
-  return header(shape, Encoding::binary, {});
+  return header(shape, Encoding::binary, {origin_comments(origin), "", "", origin_header(origin)});
 }
 
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)

@@ -28,12 +28,14 @@ struct Vtp_content
   Column_group vertex_color, face_color;
   std::vector<Texture_point> texture; // per vertex
   Column_group own_texture, scalars;  // of vertices
+  Scalar_type corner_texture_type;
 
   explicit Vtp_content(const Mesh_data& mesh)
     : held(mesh)
     , vertex_color(find_color(mesh.attributes.of_vertices))
     , face_color(find_color(mesh.attributes.of_faces))
     , texture(texture_of_vertices(mesh))
+    , corner_texture_type(mesh.attributes.texture_type)
   {
     const Attributes& attributes = mesh.attributes;
     held.take(all_of(attributes.of_vertices));
@@ -46,6 +48,11 @@ struct Vtp_content
     for (const Column& column : attributes.of_vertices)
       if (!contains(vertex_color, column) && !contains(own_texture, column))
         scalars.push_back(&column);
+  }
+
+  Scalar_type texture_type() const
+  {
+    return own_texture.empty() ? corner_texture_type : own_texture[0]->type;
   }
 };
 
@@ -73,9 +80,10 @@ void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content&
   if (!content.texture.empty()) tag += " TCoords=\"TCoords\"";
   vtp.line((tag + ">").c_str());
   if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
+  if (mesh.has_control_normals()) vtp.triples("control_normals", mesh.control_normals);
   for (const Column* column : content.scalars) vtp.columns(column->name, {column});
   if (!content.vertex_color.empty()) vtp.columns("colors", content.vertex_color);
-  if (!content.texture.empty()) vtp.texture(content.texture);
+  if (!content.texture.empty()) vtp.texture(content.texture, content.texture_type());
   vtp.line("</PointData>");
 }
 
@@ -101,7 +109,7 @@ void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   const std::size_t faces = mesh.number_of_faces();
   const Vtp_content content(mesh);
   Vtp_writer vtp(out, encoding);
-  vtp.begin();
+  vtp.begin(mesh.has_normals() ? comment_of(mesh.normal_kind) : "");
   write_field_data(vtp, mesh.attributes);
   vtp.begin_piece(mesh.points.size(), faces);
   write_point_data(vtp, mesh, content);

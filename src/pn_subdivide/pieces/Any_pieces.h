@@ -33,7 +33,7 @@ public:
   virtual const Size& size() const = 0;
   virtual std::uint64_t first_corner(std::uint64_t face) const = 0;
   virtual std::size_t largest_degree() const = 0;
-  virtual Piece piece(std::size_t i) const = 0;
+  virtual Piece piece(std::size_t i, unsigned rings) const = 0;
 };
 
 // The surface is not needed afterwards. Its normals are refined if it has some.

@@ -11,6 +11,7 @@
 
 #include "pieces/Any_pieces.h"
 #include "pieces/Output_names.h"
+#include "pieces/Piece_normals.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,10 +47,12 @@ public:
 };
 
 // Throws Error if the format cannot hold the surface.
-std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces, bool has_normals,
-                                              const Output_names& names, bool keeps_receipts);
-std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces, bool has_normals,
-                                               const Output_names& names);
+std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces,
+                                              const Piece_normals& normals,
+                                              const Mesh_origin& origin, const Output_names& names,
+                                              bool keeps_receipts);
+std::unique_ptr<Piece_output>
+make_pvtp_output(const Any_pieces& pieces, const Piece_normals& normals, const Output_names& names);
 
 } // namespace pn_subdivide
 

@@ -9,6 +9,7 @@
 // One binary PLY file: every vertex and every face has its place, which follows from its number.
 
 #include "io/Error.h"
+#include "io/Ply_origin.h"
 #include "io/Ply_shape.h"
 #include "pieces/Piece_output.h"
 #include "pieces/Ranks.h"
@@ -25,10 +26,10 @@ namespace {
 class Ply_pieces : public Piece_output
 {
 public:
-  Ply_pieces(const Any_pieces& pieces, bool has_normals, const Output_names& names,
-             bool keeps_receipts)
+  Ply_pieces(const Any_pieces& pieces, const Piece_normals& normals, const Mesh_origin& origin,
+             const Output_names& names, bool keeps_receipts)
     : pieces_(pieces)
-    , has_normals_(has_normals)
+    , normals_(normals)
     , has_short_lists_(pieces.largest_degree() <= 255)
     , keeps_receipts_(keeps_receipts)
     , names_(names)
@@ -40,13 +41,16 @@ public:
     Ply_shape shape;
     shape.vertices = size.vertices;
     shape.faces = size.faces;
-    shape.has_normals = has_normals;
+    shape.has_normals = normals.are_written;
+    shape.has_control_normals = normals.with_control;
+    shape.normal_kind = normals.kind;
     shape.has_short_lists = has_short_lists_;
-    header_ = ply_header(shape);
+    header_ = ply_header(shape, origin);
+    behind_faces_ = origin.any() ? origin_bytes(origin) : "";
     faces_begin_ = header_.size() + size.vertices * bytes_of_vertex();
   }
 
-  std::uint64_t size() const override { return place_of_face(pieces_.size().faces); }
+  std::uint64_t size() const override { return faces_end() + behind_faces_.size(); }
 
   void create() override { create_file(names_.part, size()); }
   // Another size, or another header, is that of a damaged file.
@@ -57,6 +61,7 @@ public:
     if (error) throw Error(names_.part.string() + " cannot be continued: " + error.message());
     const std::unique_ptr<Shared_file> file = open_file(names_.part);
     file->write(0, header_.data(), header_.size());
+    file->write(faces_end(), behind_faces_.data(), behind_faces_.size());
     file->close();
   }
   bool is_written(std::size_t /*i*/, const std::string& receipt) const override
@@ -93,7 +98,8 @@ public:
 private:
   using Index = Any_pieces::Piece::Index;
 
-  std::uint64_t bytes_of_vertex() const { return has_normals_ ? 48 : 24; }
+  std::uint64_t bytes_of_vertex() const { return 24 * (1 + normals_.number()); }
+  std::uint64_t faces_end() const { return place_of_face(pieces_.size().faces); }
   std::uint64_t place_of_face(std::uint64_t f) const
   {
     return faces_begin_ + (has_short_lists_ ? 1 : 4) * f + 4 * pieces_.first_corner(f);
@@ -101,12 +107,16 @@ private:
 
   void write_vertices(const Any_pieces::Piece& piece, Row_writer& rows) const
   {
+    const Normals_of_piece normals(piece, normals_);
+    const auto put = [&rows](const Triple& t) {
+      for (const double x : t) rows.put(x);
+    };
     for (Index v = 0; v < piece.number_of_vertices(); ++v) {
       if (!piece.owns_vertex(v)) continue;
       rows.begin_row(header_.size() + piece.vertex_number(v) * bytes_of_vertex());
-      for (const double x : to_triple(piece.points()[v])) rows.put(x);
-      if (!has_normals_) continue;
-      for (const double x : to_triple(piece.normals()[v])) rows.put(x);
+      put(to_triple(piece.points()[v]));
+      if (normals_.are_written) put(normals[v]);
+      if (normals_.with_control) put(normals.control(v));
     }
   }
 
@@ -114,6 +124,7 @@ private:
   {
     const auto& level = piece.connectivity();
     for (Index f = 0; f < piece.number_of_faces(); ++f) {
+      if (!piece.owns_face(f)) continue;
       rows.begin_row(place_of_face(piece.face_number(f)));
       const Index first = level.halfedge_of_face(f);
       const Index degree = level.degree(first);
@@ -130,9 +141,10 @@ private:
   }
 
   const Any_pieces& pieces_;
-  bool has_normals_, has_short_lists_, keeps_receipts_;
+  const Piece_normals normals_;
+  bool has_short_lists_, keeps_receipts_;
   const Output_names names_;
-  std::string header_;
+  std::string header_, behind_faces_;
   std::uint64_t faces_begin_;
   std::unique_ptr<Shared_file> file_;
   std::string receipt_; // of the piece that was written last
@@ -140,10 +152,12 @@ private:
 
 } // namespace
 
-std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces, bool has_normals,
-                                              const Output_names& names, bool keeps_receipts)
+std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces,
+                                              const Piece_normals& normals,
+                                              const Mesh_origin& origin, const Output_names& names,
+                                              bool keeps_receipts)
 {
-  return std::make_unique<Ply_pieces>(pieces, has_normals, names, keeps_receipts);
+  return std::make_unique<Ply_pieces>(pieces, normals, origin, names, keeps_receipts);
 }
 
 } // namespace pn_subdivide

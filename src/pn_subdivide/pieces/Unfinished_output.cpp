@@ -28,8 +28,8 @@ std::string in_megabytes(double bytes)
 std::unique_ptr<Piece_output> make_output(const Pieces_job& job)
 {
   return job.names.folder.empty()
-           ? make_ply_output(*job.pieces, job.has_normals, job.names, job.is_resumable)
-           : make_pvtp_output(*job.pieces, job.has_normals, job.names);
+           ? make_ply_output(*job.pieces, job.normals, job.origin, job.names, job.is_resumable)
+           : make_pvtp_output(*job.pieces, job.normals, job.names);
 }
 
 } // namespace
@@ -93,7 +93,7 @@ bool Unfinished_output::is_finished(std::size_t piece) const
 
 void Unfinished_output::write(std::size_t i)
 {
-  output_->write(i, job_.pieces->piece(i));
+  output_->write(i, job_.pieces->piece(i, job_.normals.rings()));
   if (job_.is_resumable) finished_.set_finished(i, output_->sync(i));
 }
 

@@ -18,6 +18,7 @@
 #include "pieces/Shared_file.h"
 
 #include <fstream>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -29,40 +30,51 @@ namespace {
 
 using Index = Any_pieces::Piece::Index;
 
-// The arrays of a piece, in which a vertex that the piece has twice is there once.
+// The arrays of what a piece owns, in which a vertex that the piece has twice is there once.
 class Vtp_arrays
 {
 public:
-  explicit Vtp_arrays(const Any_pieces::Piece& piece)
+  Vtp_arrays(const Any_pieces::Piece& piece, const Piece_normals& normals)
     : piece_(piece)
-    , row_(piece.number_of_vertices())
+    , normals_(normals)
+    , row_(piece.number_of_vertices(), none)
   {
+    for_each_corner([&](Index v, bool is_last) {
+      row_[v] = used;
+      ++corners_;
+      if (is_last) ++faces_;
+    });
     for (Index v = 0; v < row_.size(); ++v) {
-      const bool is_new = v == 0 || piece.vertex_number(v) != piece.vertex_number(v - 1);
+      const bool is_used = row_[v] == used || piece.connectivity().is_isolated(v);
+      if (!is_used) continue;
+      const bool is_new =
+        vertices_.empty() || piece.vertex_number(v) != piece.vertex_number(vertices_.back());
       if (is_new) vertices_.push_back(v);
       row_[v] = static_cast<Index>(vertices_.size() - 1);
     }
-    for (Index f = 0; f < piece.number_of_faces(); ++f)
-      corners_ += piece.connectivity().degree(piece.connectivity().halfedge_of_face(f));
   }
 
   void write(Output_file& out) const
   {
     Vtp_writer vtp(out, Encoding::binary);
-    vtp.begin();
-    vtp.begin_piece(vertices_.size(), piece_.number_of_faces());
-    const bool has_normals = !piece_.normals().empty();
-    vtp.line(has_normals ? R"(<PointData Normals="Normals" GlobalIds="GlobalPointIds">)"
-                         : R"(<PointData GlobalIds="GlobalPointIds">)");
-    if (has_normals)
+    vtp.begin(normals_.are_written ? comment_of(normals_.kind) : "");
+    vtp.begin_piece(vertices_.size(), faces_);
+    const Normals_of_piece normals(piece_, normals_);
+    vtp.line(normals_.are_written ? R"(<PointData Normals="Normals" GlobalIds="GlobalPointIds">)"
+                                  : R"(<PointData GlobalIds="GlobalPointIds">)");
+    if (normals_.are_written)
       vtp.triples("Normals", vertices_.size(),
-                  [&](std::size_t i) { return to_triple(piece_.normals()[vertices_[i]]); });
+                  [&](std::size_t i) { return normals[vertices_[i]]; });
+    if (normals_.with_control)
+      vtp.triples("control_normals", vertices_.size(),
+                  [&](std::size_t i) { return normals.control(vertices_[i]); });
     vtp.integers("GlobalPointIds", vertices_.size(), [&] {
       for (const Index v : vertices_) put(vtp, piece_.vertex_number(v));
     });
     vtp.line("</PointData>\n<CellData GlobalIds=\"GlobalCellIds\">");
-    vtp.integers("GlobalCellIds", piece_.number_of_faces(), [&] {
-      for (Index f = 0; f < piece_.number_of_faces(); ++f) put(vtp, piece_.face_number(f));
+    vtp.integers("GlobalCellIds", faces_, [&] {
+      for (Index f = 0; f < piece_.number_of_faces(); ++f)
+        if (piece_.owns_face(f)) put(vtp, piece_.face_number(f));
     });
     vtp.line("</CellData>\n<Points>");
     vtp.triples("Points", vertices_.size(),
@@ -70,7 +82,7 @@ public:
     vtp.line("</Points>\n<Polys>");
     vtp.integers("connectivity", corners_,
                  [&] { for_each_corner([&](Index v, bool) { put(vtp, row_[v]); }); });
-    vtp.integers("offsets", piece_.number_of_faces(), [&] {
+    vtp.integers("offsets", faces_, [&] {
       std::uint64_t end = 0;
       for_each_corner([&](Index, bool is_last) {
         ++end;
@@ -92,6 +104,7 @@ private:
   {
     const auto& level = piece_.connectivity();
     for (Index face = 0; face < piece_.number_of_faces(); ++face) {
+      if (!piece_.owns_face(face)) continue;
       const Index first = level.halfedge_of_face(face);
       Index h = first;
       do {
@@ -102,9 +115,12 @@ private:
     }
   }
 
+  static constexpr Index none = std::numeric_limits<Index>::max(), used = none - 1;
+
   const Any_pieces::Piece& piece_;
+  const Piece_normals& normals_;
   std::vector<Index> row_, vertices_; // the row of each vertex, the vertex of each row
-  std::size_t corners_ = 0;
+  std::size_t corners_ = 0, faces_ = 0;
 };
 
 // The checksum of a file, and its size.
@@ -126,9 +142,9 @@ std::string receipt_of(const fs::path& file)
 class Pvtp_pieces : public Piece_output
 {
 public:
-  Pvtp_pieces(const Any_pieces& pieces, bool has_normals, const Output_names& names)
+  Pvtp_pieces(const Any_pieces& pieces, const Piece_normals& normals, const Output_names& names)
     : pieces_(pieces)
-    , has_normals_(has_normals)
+    , normals_(normals)
     , names_(names)
   {}
 
@@ -136,7 +152,7 @@ public:
   std::uint64_t size() const override
   {
     const Any_pieces::Size& size = pieces_.size();
-    return size.vertices * (has_normals_ ? 56 : 32) + size.faces * 16 +
+    return size.vertices * (32 + 24 * normals_.number()) + size.faces * 16 +
            pieces_.first_corner(size.faces) * 8;
   }
 
@@ -155,7 +171,7 @@ public:
   {
     if (pieces_.is_empty(i)) return;
     Output_file out((names_.part / piece_name(i)).string(), Output_file::In_temporary_folder());
-    Vtp_arrays(piece).write(out);
+    Vtp_arrays(piece, normals_).write(out);
     out.commit();
   }
   std::string sync(std::size_t i) override
@@ -208,13 +224,18 @@ private:
 
   void write_index(Output_file& out) const
   {
-    const std::string normals =
-      "<PDataArray type=\"Float64\" Name=\"Normals\" NumberOfComponents=\"3\"/>\n";
-    out.text("<?xml version=\"1.0\"?>\n<VTKFile type=\"PPolyData\" version=\"1.0\" "
+    const auto normals = [](const std::string& name) {
+      return "<PDataArray type=\"Float64\" Name=\"" + name + "\" NumberOfComponents=\"3\"/>\n";
+    };
+    out.text("<?xml version=\"1.0\"?>\n");
+    if (normals_.are_written) out.text(std::string("<!-- ") + comment_of(normals_.kind) + " -->\n");
+    out.text("<VTKFile type=\"PPolyData\" version=\"1.0\" "
              "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
              "<PPolyData GhostLevel=\"0\">\n<PPointData ");
-    out.text((has_normals_ ? "Normals=\"Normals\" GlobalIds=\"GlobalPointIds\">\n" + normals
-                           : "GlobalIds=\"GlobalPointIds\">\n"));
+    out.text(normals_.are_written ? "Normals=\"Normals\" GlobalIds=\"GlobalPointIds\">\n"
+                                  : "GlobalIds=\"GlobalPointIds\">\n");
+    if (normals_.are_written) out.text(normals("Normals"));
+    if (normals_.with_control) out.text(normals("control_normals"));
     out.text("<PDataArray type=\"Int64\" Name=\"GlobalPointIds\"/>\n</PPointData>\n"
              "<PCellData GlobalIds=\"GlobalCellIds\">\n"
              "<PDataArray type=\"Int64\" Name=\"GlobalCellIds\"/>\n</PCellData>\n<PPoints>\n"
@@ -228,16 +249,16 @@ private:
   }
 
   const Any_pieces& pieces_;
-  bool has_normals_;
+  const Piece_normals normals_;
   const Output_names names_;
 };
 
 } // namespace
 
-std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces, bool has_normals,
-                                               const Output_names& names)
+std::unique_ptr<Piece_output>
+make_pvtp_output(const Any_pieces& pieces, const Piece_normals& normals, const Output_names& names)
 {
-  return std::make_unique<Pvtp_pieces>(pieces, has_normals, names);
+  return std::make_unique<Pvtp_pieces>(pieces, normals, names);
 }
 
 } // namespace pn_subdivide

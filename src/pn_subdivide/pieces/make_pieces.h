@@ -47,7 +47,7 @@ public:
     return pieces_.first_corner(face);
   }
   std::size_t largest_degree() const override { return pieces_.largest_degree(); }
-  Piece piece(std::size_t i) const override { return pieces_.piece(i); }
+  Piece piece(std::size_t i, unsigned rings) const override { return pieces_.piece(i, rings); }
 
 private:
   CGAL::PN_subdivision_3::Surface_pieces<S, Kernel, CGAL::Parallel_if_available_tag> pieces_;

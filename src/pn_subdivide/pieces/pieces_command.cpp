@@ -12,6 +12,7 @@
 #include "pieces/Checksum.h"
 #include "pieces/Piece_count.h"
 #include "pieces/Ranks.h"
+#include "surface/mesh_origin.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 
@@ -31,7 +32,7 @@ void refuse(bool is_given, const std::string& option)
 
 // Of the same data and options the same word.
 std::string name_of(const Mesh_data& mesh, const Surface_options& options,
-                    const Scheme_choice& scheme, std::size_t pieces)
+                    const Scheme_choice& scheme, const Output_normals& normals, std::size_t pieces)
 {
   Checksum crc;
   const auto add = [&crc](const auto& values) {
@@ -50,6 +51,7 @@ std::string name_of(const Mesh_data& mesh, const Surface_options& options,
        << scheme.normal_scheme.value_or("-");
   for (const auto& [parameter, value] : scheme.parameters) text << ' ' << parameter << ' ' << value;
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
+  text << ' ' << int(normals.choice) << ' ' << int(normals.kind);
   text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();
   add(text.str());
   return text_of(crc) + " " + std::to_string(pieces);
@@ -89,9 +91,11 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.interpolate.has_value(), "--interpolate");
   refuse(options.limit.points, "--limit");
   refuse(options.limit.normals, "--surface-normals");
+  refuse(options.output_normals == "surface", "--output-normals surface");
   refuse(options.creases.border && *options.creases.border != "surface",
          "--border " + options.creases.border.value_or(""));
   refuse(options.ascii, "--ascii");
+  refuse(options.write_tags.has_value(), "--write-tags");
 }
 
 void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases)
@@ -107,15 +111,19 @@ void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases)
 }
 
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
-                           const Scheme_choice& scheme, const Mesh_file& output)
+                           const Scheme_choice& scheme, const Mesh_file& output,
+                           const Output_normals& normals)
 {
   Surface surface = make_surface(mesh);
   const std::size_t number =
     piece_count(surface, scheme, options.levels, options.pieces, ranks().number());
   Pieces_job job;
-  job.name = name_of(mesh, options, scheme, number);
+  job.name = name_of(mesh, options, scheme, normals, number);
   job.has_normals = mesh.has_normals();
+  job.normals = Piece_normals(normals, job.has_normals);
   job.is_resumable = options.pieces.resume;
+  if (normals.with_control() && output.format == "ply")
+    job.origin = origin_after(mesh, scheme.scheme, options.levels);
   mesh = Mesh_data();
   take_names(job, output);
   job.pieces = make_pieces(surface, scheme, options.levels, number);

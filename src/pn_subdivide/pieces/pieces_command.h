@@ -14,6 +14,7 @@
 #include "pieces/Any_pieces.h"
 #include "pieces/Output_lock.h"
 #include "pieces/Output_names.h"
+#include "pieces/Piece_normals.h"
 #include "surface/creases.h"
 #include "surface/surface_command.h"
 
@@ -35,7 +36,9 @@ void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases);
 struct Pieces_job
 {
   std::unique_ptr<Any_pieces> pieces;
-  bool has_normals = false;
+  bool has_normals = false; // to refine with
+  Piece_normals normals;    // that are written
+  Mesh_origin origin;       // if it is written
   bool is_resumable = false;
   std::string name; // of data and options, the same for the same result
   Output_names names;
@@ -44,7 +47,8 @@ struct Pieces_job
 
 // Takes the names in the file system first. Throws Output_error if they cannot be had.
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
-                           const Scheme_choice& scheme, const Mesh_file& output);
+                           const Scheme_choice& scheme, const Mesh_file& output,
+                           const Output_normals& normals);
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
 void write_pieces(const Pieces_job& job, const std::string& output, unsigned threads,

@@ -10,6 +10,7 @@
 
 #include "io/Error.h"
 #include "io/corner_normals.h"
+#include "surface/replayed_rounds.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -163,11 +164,30 @@ void put_corner_normals(Surface& surface, const Mesh_data& mesh,
   }
 }
 
+// All in the order of to_mesh_data().
+void put_values(Surface& surface, const Mesh_data& mesh)
+{
+  for (const Vertex v : surface.vertices()) surface.point(v) = to_point(mesh.points[v]);
+  if (mesh.has_normals()) {
+    const Normal_map normals = add_normals(surface);
+    for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
+  }
+  if (!mesh.has_corner_normals()) return;
+  const auto normals = surface.add_property_map<Halfedge, Vector_3>(corner_normals_name).first;
+  std::size_t corner = 0;
+  for (const Halfedge h : corners_of(surface))
+    normals[h] = to_vector(mesh.corner_normals[corner++]);
+}
+
 } // namespace
 
 Surface make_surface(const Mesh_data& mesh)
 {
   require_room(mesh);
+  if (std::optional<Surface> replayed = replayed_rounds(mesh)) {
+    put_values(*replayed, mesh);
+    return std::move(*replayed);
+  }
   Surface surface;
   surface.reserve(static_cast<Surface::size_type>(mesh.points.size()),
                   static_cast<Surface::size_type>(mesh.number_of_corners()),
@@ -192,6 +212,14 @@ std::optional<Normal_map> normals_of(const Surface& surface)
 Normal_map add_normals(Surface& surface)
 {
   return surface.add_property_map<Vertex, Vector_3>(normals_name, CGAL::NULL_VECTOR).first;
+}
+
+void remove_normals(Surface& surface)
+{
+  if (std::optional<Normal_map> normals = normals_of(surface))
+    surface.remove_property_map(*normals);
+  if (std::optional<Corner_normal_map> normals = corner_normals_of(surface))
+    surface.remove_property_map(*normals);
 }
 
 std::optional<Corner_normal_map> corner_normals_of(const Surface& surface)

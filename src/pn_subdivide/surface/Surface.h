@@ -66,6 +66,8 @@ Corner_normal_map add_corner_normals(Surface& surface);
 std::vector<Vector_3> take_corner_normals(Surface& surface);
 // Gives each corner the normal of its wedge.
 void put_corner_normals(Surface& surface, const Wedge_list& wedges);
+// those of vertices and of corners
+void remove_normals(Surface& surface);
 
 // zero at all vertices; the mesh must have none yet
 Normal_map add_normals(Surface& surface);

@@ -106,6 +106,8 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
   split_mesh.copied_from = std::move(mesh.copied_from);
   split_mesh.vertices_with_several_normals = mesh.vertices_with_several_normals;
   split_mesh.flat_shading = mesh.flat_shading;
+  split_mesh.normal_kind = mesh.normal_kind;
+  split_mesh.tags = std::move(mesh.tags);
   mesh = std::move(split_mesh);
   report.note(name + ": " + plural(triangulation.split_faces, "face", "faces") +
               " split into triangles");

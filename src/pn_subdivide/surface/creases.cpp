@@ -12,8 +12,10 @@
 #include "io/corner_normals.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pn_subdivide {
@@ -23,6 +25,10 @@ using Index = Mesh_data::Index;
 using Edge = Surface::Edge_index;
 using Vertex = Surface::Vertex_index;
 using Source = Crease_plan::Source;
+
+constexpr const char* edges_name = "e:sharpness";
+constexpr const char* vertices_name = "v:sharpness";
+constexpr const char* tangents_name = "h:tangent";
 
 std::string plural(std::size_t n, const std::string& one, const std::string& many)
 {
@@ -52,61 +58,61 @@ std::vector<bool> edges_where_normals_differ(const Surface& surface)
   return result;
 }
 
-// --- of a selection ---
+// --- by the numbers of a file ---
 
-class Selected
+// What a file says of edges and vertices, by their numbers there, in the mesh that has become of it.
+class Numbers_of_file
 {
 public:
-  Selected(const Mesh_data& mesh, const Crease_plan& plan)
+  using Pair = std::pair<Index, Index>;
+
+  // file: for messages
+  Numbers_of_file(const Mesh_data& mesh, std::string file)
     : mesh_(mesh)
-    , plan_(plan)
+    , file_(std::move(file))
     , copies_begin_(mesh.points.size() - mesh.copied_from.size())
   {}
 
-  std::vector<bool> edges(const Surface& surface) const
-  {
-    using Pair = std::pair<Index, Index>;
-    const auto ordered = [](Index a, Index b) { return Pair((std::min)(a, b), (std::max)(a, b)); };
-    std::vector<Pair> wanted;
-    for (const auto& [a, b] : plan_.selection.edges)
-      wanted.push_back(ordered(number_now(a), number_now(b)));
-    std::vector<Pair> sorted = wanted;
-    std::sort(sorted.begin(), sorted.end());
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    std::vector<bool> result(surface.number_of_edges(), false);
-    std::vector<Pair> found;
+  // For each edge of the surface the place of its ends among `wanted`, or `none`. Throws Error if one is no edge,
+  // unless edges have gone because the mesh was mended.
+  std::vector<std::size_t> places_of_edges(const Surface& surface, const std::vector<Pair>& wanted,
+                                           bool is_mended_file) const
+  {
+    const auto ordered = [](Index a, Index b) { return Pair((std::min)(a, b), (std::max)(a, b)); };
+    std::vector<std::pair<Pair, std::size_t>> sorted;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      sorted.emplace_back(ordered(number_now(wanted[i].first), number_now(wanted[i].second)), i);
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<bool> is_found(wanted.size(), false);
+    std::vector<std::size_t> result(surface.number_of_edges(), none);
     for (const Edge e : surface.edges()) {
       const Pair ends = ordered(original(surface.vertex(e, 0)), original(surface.vertex(e, 1)));
-      result[e] = std::binary_search(sorted.begin(), sorted.end(), ends);
-      if (result[e]) found.push_back(ends);
+      auto it =
+        std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(ends, std::size_t(0)));
+      if (it != sorted.end() && it->first == ends) result[e] = it->second;
+      for (; it != sorted.end() && it->first == ends; ++it) is_found[it->second] = true;
     }
-    std::sort(found.begin(), found.end());
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (!std::binary_search(found.begin(), found.end(), wanted[i]))
-        throw Error(plan_.file + ": the mesh has no edge between the vertices " +
-                    std::to_string(plan_.selection.edges[i][0]) + " and " +
-                    std::to_string(plan_.selection.edges[i][1]));
-    return result;
+    const auto missing = std::find(is_found.begin(), is_found.end(), false);
+    if (missing == is_found.end() || (is_mended_file && is_mended())) return result;
+    const Pair& ends = wanted[std::size_t(missing - is_found.begin())];
+    throw Error(file_ + ": the mesh has no edge between the vertices " +
+                std::to_string(ends.first) + " and " + std::to_string(ends.second));
   }
 
-  std::vector<bool> vertices() const
+  // The largest of the values of what each vertex has been in the file; `values(set)` calls set(number, value).
+  template <class Values>
+  std::vector<double> of_vertices(const Values& values) const
   {
-    std::vector<bool> wanted(copies_begin_, false), result(mesh_.points.size());
-    for (const std::int64_t v : plan_.selection.vertices) wanted[number_now(v)] = true;
-    for (std::size_t v = 0; v < result.size(); ++v) result[v] = wanted[original(Vertex(Index(v)))];
+    std::vector<double> of_originals(copies_begin_, 0.), result(mesh_.points.size());
+    values([&](std::int64_t v, double value) {
+      double& x = of_originals[number_now(v)];
+      x = (std::max)(x, value);
+    });
+    for (std::size_t v = 0; v < result.size(); ++v)
+      result[v] = of_originals[original(Vertex(Index(v)))];
     return result;
-  }
-
-private:
-  Index number_now(std::int64_t v) const
-  {
-    const std::size_t in_file =
-      mesh_.merged_into.empty() ? copies_begin_ : mesh_.merged_into.size();
-    if (v < 0 || static_cast<std::uint64_t>(v) >= in_file)
-      throw Error(plan_.file + ": vertex " + std::to_string(v) + " is out of range, the mesh has " +
-                  plural(in_file, "vertex", "vertices"));
-    const auto i = static_cast<std::size_t>(v);
-    return mesh_.merged_into.empty() ? static_cast<Index>(i) : mesh_.merged_into[i];
   }
 
   Index original(Vertex vertex) const
@@ -116,10 +122,69 @@ private:
     return static_cast<Index>(v);
   }
 
+  Index number_now(std::int64_t v) const
+  {
+    const std::size_t in_file =
+      mesh_.merged_into.empty() ? copies_begin_ : mesh_.merged_into.size();
+    if (v < 0 || static_cast<std::uint64_t>(v) >= in_file)
+      throw Error(file_ + ": vertex " + std::to_string(v) + " is out of range, the mesh has " +
+                  plural(in_file, "vertex", "vertices"));
+    const auto i = static_cast<std::size_t>(v);
+    return mesh_.merged_into.empty() ? static_cast<Index>(i) : mesh_.merged_into[i];
+  }
+
+private:
+  bool is_mended() const { return !mesh_.merged_into.empty() || !mesh_.copied_from.empty(); }
+
   const Mesh_data& mesh_;
-  const Crease_plan& plan_;
+  const std::string file_;
   std::size_t copies_begin_; // the vertices that are copies are behind the others
 };
+
+// Sharp by nothing else yet; numbers of edges are those of the surface.
+void set_selection(Creases& creases, const Surface& surface, const Mesh_data& mesh,
+                   const Crease_plan& plan)
+{
+  const Numbers_of_file numbers(mesh, plan.file);
+  std::vector<Numbers_of_file::Pair> wanted;
+  for (const auto& [a, b] : plan.selection.edges) {
+    numbers.number_now(a); // is it in range?
+    numbers.number_now(b);
+    wanted.emplace_back(static_cast<Index>(a), static_cast<Index>(b));
+  }
+  const std::vector<std::size_t> places = numbers.places_of_edges(surface, wanted, false);
+  for (std::size_t e = 0; e < places.size(); ++e)
+    if (places[e] != Numbers_of_file::none) creases.edges[e] = plan.sharpness;
+  creases.vertices = numbers.of_vertices([&](const auto& set) {
+    for (const std::int64_t v : plan.selection.vertices)
+      set(v, std::numeric_limits<double>::infinity());
+  });
+}
+
+// The same by the tags of the mesh's own file.
+void set_tags(Creases& creases, const Surface& surface, const Mesh_data& mesh,
+              const Crease_plan& plan, const std::string& name)
+{
+  const Numbers_of_file numbers(mesh, name);
+  const std::vector<Crease_tags::Edge>& tags = mesh.tags.edges;
+  std::vector<Numbers_of_file::Pair> wanted;
+  for (const Crease_tags::Edge& tag : tags) wanted.emplace_back(tag.ends[0], tag.ends[1]);
+  const std::vector<std::size_t> places = numbers.places_of_edges(surface, wanted, true);
+  creases.tangents.assign(surface.number_of_halfedges(), Vector_3(0, 0, 0));
+  for (const Edge e : surface.edges()) {
+    if (places[e] == Numbers_of_file::none) continue;
+    const Crease_tags::Edge& tag = tags[places[e]];
+    creases.edges[e] = plan.has_sharpness ? plan.sharpness : tag.sharpness;
+    const auto h = surface.halfedge(e, 0);
+    const bool is_along = numbers.original(surface.source(h)) == numbers.number_now(tag.ends[0]);
+    creases.tangents[h] = to_vector(tag.tangents[is_along ? 0 : 1]);
+    creases.tangents[surface.opposite(h)] = to_vector(tag.tangents[is_along ? 1 : 0]);
+  }
+  creases.vertices = numbers.of_vertices([&](const auto& set) {
+    for (std::size_t v = 0; v < mesh.tags.vertices.size(); ++v)
+      set(static_cast<std::int64_t>(v), mesh.tags.vertices[v]);
+  });
+}
 
 std::vector<bool> edges_of_angle(Surface& surface, double degrees, Creases& creases)
 {
@@ -141,22 +206,20 @@ std::vector<bool> edges_of_angle(Surface& surface, double degrees, Creases& crea
   return result;
 }
 
-// Edges have the sharpness of the options, vertices are corners for ever.
-void set_sharpness(Creases& creases, const std::vector<bool>& edges,
-                   const std::vector<bool>& vertices, double of_edges)
+void set_edges(Creases& creases, const std::vector<bool>& edges, double sharpness)
 {
-  creases.edges.assign(edges.size(), 0.);
   for (std::size_t e = 0; e < edges.size(); ++e)
-    if (edges[e] && of_edges > 0) {
-      creases.edges[e] = of_edges;
-      ++creases.number_of_edges;
-    }
-  creases.vertices.assign(vertices.size(), 0.);
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    if (vertices[v]) {
-      creases.vertices[v] = std::numeric_limits<double>::infinity();
-      ++creases.number_of_vertices;
-    }
+    if (edges[e]) creases.edges[e] = sharpness;
+}
+
+void count(Creases& creases)
+{
+  const auto number_of_sharp = [](const std::vector<double>& sharpness) {
+    return std::size_t(
+      std::count_if(sharpness.begin(), sharpness.end(), [](double s) { return s > 0; }));
+  };
+  creases.number_of_edges = number_of_sharp(creases.edges);
+  creases.number_of_vertices = number_of_sharp(creases.vertices);
 }
 
 bool has_border(const Surface& surface)
@@ -181,9 +244,13 @@ std::string Creases::description() const
   std::string s;
   if (number_of_edges > 0) {
     s += ", " + plural(number_of_edges, "sharp edge", "sharp edges");
-    const double sharpness = *std::max_element(edges.begin(), edges.end());
-    if (sharpness < std::numeric_limits<double>::infinity())
-      s += " of sharpness " + short_number(sharpness);
+    const double most = *std::max_element(edges.begin(), edges.end());
+    double least = most;
+    for (const double x : edges)
+      if (x > 0) least = (std::min)(least, x);
+    if (least < std::numeric_limits<double>::infinity())
+      s += " of sharpness " + short_number(least) +
+           (least < most ? " to " + short_number(most) : std::string());
   }
   if (number_of_close_edges > 0)
     s += ", " + plural(number_of_close_edges, "edge", "edges") + " within 1 degree of " +
@@ -200,12 +267,16 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
 {
   Creases creases;
   creases.border = plan.border;
-  const bool by_normals = plan.source == Source::automatic || plan.source == Source::normals;
+  const bool by_file = plan.source == Source::automatic || plan.source == Source::normals;
+  const bool by_tags = by_file && mesh.tags.any(), by_normals = by_file && !by_tags;
   const bool can_be_sharp =
     scheme.empty() && plan.source != Source::none && (!by_normals || mesh.has_corner_normals());
-  if (plan.source == Source::normals && !mesh.has_normals())
-    throw Error("--sharp file, but the file has no normals, and without normals of its corners it "
-                "says nothing of creases");
+  if (by_tags && !scheme.empty())
+    report.warn(name + ": what is tagged as sharp in it takes no part: " + scheme +
+                " has no rules for creases");
+  if (plan.source == Source::normals && !by_tags && !mesh.has_normals())
+    throw Error("--sharp file, but the file has no normals and no tags of sharp edges, and without "
+                "normals of its corners or tags it says nothing of creases");
   if (!can_be_sharp && plan.border == Border::surface) {
     if (plan.source == Source::normals || plan.has_sharpness)
       report.warn(name + ": no edge is sharp");
@@ -213,21 +284,22 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   }
 
   Surface surface = make_surface(mesh);
-  std::vector<bool> edges(surface.number_of_edges(), false), vertices(mesh.points.size(), false);
+  creases.edges.assign(surface.number_of_edges(), 0.);
+  creases.vertices.assign(mesh.points.size(), 0.);
   if (plan.source == Source::angle)
-    edges = edges_of_angle(surface, plan.degrees, creases);
+    set_edges(creases, edges_of_angle(surface, plan.degrees, creases), plan.sharpness);
   else if (plan.source == Source::selection) {
-    const Selected selected(mesh, plan);
-    edges = selected.edges(surface);
-    vertices = selected.vertices();
+    set_selection(creases, surface, mesh, plan);
     if (!plan.selection.faces.empty())
       report.warn(plan.file + ": the faces of the selection take no part");
-  } else if (can_be_sharp) {
+  } else if (can_be_sharp && by_tags)
+    set_tags(creases, surface, mesh, plan, name);
+  else if (can_be_sharp) {
     const bool says_nothing = mesh.flat_shading.is_there() && !mesh.flat_shading.makes_creases();
     if (plan.source == Source::normals || !says_nothing)
-      edges = edges_where_normals_differ(surface);
+      set_edges(creases, edges_where_normals_differ(surface), plan.sharpness);
   }
-  set_sharpness(creases, edges, vertices, plan.sharpness);
+  count(creases);
   creases.are_by_normals = by_normals && creases.any();
   const bool wants_some = plan.source != Source::automatic && plan.source != Source::none;
   if (!creases.any() && (wants_some || plan.has_sharpness))
@@ -239,16 +311,55 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   return creases;
 }
 
+Crease_tags tags_of(const Surface& surface, const Crease_maps& maps)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Crease_tags tags;
+  for (const Edge e : surface.edges()) {
+    const bool is_crease = surface.is_border(e) && maps.border != Border::surface;
+    const double sharpness = is_crease ? infinity : maps.edges[e];
+    if (!(sharpness > 0)) continue;
+    const auto h = surface.halfedge(e, 0), g = surface.opposite(h);
+    tags.edges.push_back({{Index(surface.source(h)), Index(surface.target(h))},
+                          sharpness,
+                          {to_triple(get(maps.tangents, h)), to_triple(get(maps.tangents, g))}});
+  }
+  const auto is_kept = [&](Vertex v) {
+    if (maps.border != Border::corners && maps.border != Border::fixed) return false;
+    if (surface.is_isolated(v) || !surface.is_border(v)) return false;
+    return maps.border == Border::fixed || surface.degree(v) == 2;
+  };
+  for (const Vertex v : surface.vertices()) {
+    const double sharpness = is_kept(v) ? infinity : maps.vertices[v];
+    if (!(sharpness > 0)) continue;
+    tags.vertices.resize(surface.number_of_vertices(), 0.);
+    tags.vertices[v] = sharpness;
+  }
+  return tags;
+}
+
+std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<Crease_maps>& maps)
+{
+  using CGAL::PN_subdivision_3::internal::find_property_map;
+  if (!maps) return std::nullopt;
+  return Crease_maps{find_property_map<Edge, double>(copy, edges_name).value(),
+                     find_property_map<Vertex, double>(copy, vertices_name).value(),
+                     maps->border,
+                     {find_property_map<Surface::Halfedge_index, Vector_3>(copy, tangents_name)}};
+}
+
 Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents)
 {
-  Crease_maps maps{surface.add_property_map<Edge, double>("e:sharpness", 0).first,
-                   surface.add_property_map<Vertex, double>("v:sharpness", 0).first,
+  Crease_maps maps{surface.add_property_map<Edge, double>(edges_name, 0).first,
+                   surface.add_property_map<Vertex, double>(vertices_name, 0).first,
                    creases.border,
                    {}};
-  if (with_tangents)
+  if (with_tangents || !creases.tangents.empty())
     maps.tangents.map =
-      surface.add_property_map<Surface::Halfedge_index, Vector_3>("h:tangent", Vector_3(0, 0, 0))
+      surface.add_property_map<Surface::Halfedge_index, Vector_3>(tangents_name, Vector_3(0, 0, 0))
         .first;
+  if (!creases.tangents.empty())
+    for (const auto h : surface.halfedges()) put(maps.tangents, h, creases.tangents[h]);
   if (!creases.edges.empty())
     for (const Edge e : surface.edges()) maps.edges[e] = creases.edges[e];
   if (!creases.vertices.empty())

@@ -27,7 +27,8 @@ struct Creases
   std::vector<double> edges, vertices; // sharpness, by the numbers of make_surface()
   std::size_t number_of_edges = 0, number_of_vertices = 0; // that are sharp
   Border border = Border::surface;
-  bool are_by_normals = false; // edges: where the normals of the file differ
+  bool are_by_normals = false;    // edges: where the normals of the file differ
+  std::vector<Vector_3> tangents; // by half-edge, from its source; or empty
   std::size_t number_of_close_edges =
     0;                // whose angle is within a degree of the one that was asked for
   double degrees = 0; // that angle
@@ -73,9 +74,14 @@ struct Crease_maps
   Border border;
   Crease_tangents tangents;
 };
+// What is sharp in a surface whose vertices are numbered as they are written. With a border that is a crease,
+// also that.
+Crease_tags tags_of(const Surface& surface, const Crease_maps& maps);
 // with_tangents: whether there is a map of them, for what goes on from the refined mesh
 Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tangents = false);
 void remove_creases(Surface& surface, Crease_maps& maps);
+// the maps of a copy
+std::optional<Crease_maps> creases_of(const Surface& copy, const std::optional<Crease_maps>& maps);
 
 } // namespace pn_subdivide
 

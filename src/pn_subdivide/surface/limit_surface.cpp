@@ -87,7 +87,7 @@ void require_limit_of_vertices(const std::string& scheme, const Limit_choice& ch
     std::visit([](const auto& s) { return std::decay_t<decltype(s)>::Host::keeps_vertices; },
                make_scheme("--scheme", scheme, {}));
   if (!has_limits)
-    throw Usage_error(std::string(choice.points ? "--limit" : "--surface-normals") +
+    throw Usage_error(std::string(choice.points ? "--limit" : choice.normals_option) +
                       ": the limit points of " + scheme +
                       " belong to the faces, not to the vertices; take another scheme");
 }

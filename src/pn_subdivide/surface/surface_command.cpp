@@ -13,14 +13,19 @@
 #include "io/file_references.h"
 #include "io/mesh_io.h"
 #include "io/normals_of_file.h"
+#include "io/types_of_format.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
 #include "surface/Bounding_box.h"
+#include "surface/Output_normals.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
 #include "surface/expected_time.h"
 #include "surface/interpolate_surface.h"
+#include "surface/mesh_origin.h"
+#include "surface/output_mesh.h"
+#include "surface/output_tags.h"
 #include "surface/refine_surface.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
@@ -41,6 +46,8 @@ struct Plan
 {
   Mesh_file input, output;
   Normals_option normals;
+  Output_normals output_normals;
+  Limit_choice limit; // with the normals of the surface, if they are written
   Crease_plan creases;
   std::optional<Interpolation_mode> interpolation;
   std::optional<Curvature_kind> curvature;
@@ -53,8 +60,6 @@ void require_consistent(const Surface_options& options)
 {
   require_surface_schemes(options.scheme);
   require_consistent(options.limit);
-  if (!options.scheme.scheme.empty())
-    require_limit_of_vertices(options.scheme.scheme, options.limit);
   if (options.interpolate && !options.scheme.scheme.empty()) require_interpolation(options.scheme);
   if (options.format && options.input != "-" && options.output != "-")
     throw Usage_error(
@@ -88,10 +93,20 @@ unsigned number_of_threads(const Surface_options& options)
   return threads;
 }
 
+Limit_choice limit_choice(const Surface_options& options, const Output_normals& normals)
+{
+  Limit_choice limit = options.limit;
+  limit.normals = normals.kind == Normal_kind::of_surface;
+  if (options.output_normals) limit.normals_option = "--output-normals";
+  return limit;
+}
+
 Plan make_plan(const Surface_options& options)
 {
   Plan plan{input_mesh_file(options.input, options.format),
             output_mesh_file(options.output, options.format),
+            {},
+            {},
             {},
             {},
             parse_interpolation(options.interpolate),
@@ -100,6 +115,9 @@ Plan make_plan(const Surface_options& options)
             texture_rule(options),
             1};
   require_consistent(options);
+  plan.output_normals = Output_normals::make(options, plan.output);
+  plan.limit = limit_choice(options, plan.output_normals);
+  if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
   if (options.merge_distance) parse_merge_distance(*options.merge_distance);
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
   plan.creases = Crease_plan::make(options.creases);
@@ -113,6 +131,8 @@ Plan make_plan(const Surface_options& options)
   }
   require_writable_place(options.output);
   require_report_place(options.report, {options.input, options.output, plan.creases.file});
+  require_tags_place(
+    options, {options.input, options.output, plan.creases.file, options.report.file.value_or("")});
   return plan;
 }
 
@@ -127,6 +147,14 @@ void warn_of_opposing_normals(const Opposing_normals& opposing, const std::strin
               (opposing.number == opposing.of
                  ? "), as if these were inside out"
                  : "), and the surface may tear there; --normals estimate takes none of the file"));
+}
+
+void warn_of_other_normals(Normal_kind kind, const std::string& input, Report& report)
+{
+  if (kind == Normal_kind::control) return;
+  report.warn(input + ": the " + comment_of(kind) +
+              " in the file are taken for control normals, which they are not; --output-normals "
+              "both writes a file with both, from which a further round takes the right ones");
 }
 
 // How it came to its normals, for the closing line.
@@ -146,8 +174,12 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
   if (from_file) {
     if (are_all_zero(mesh)) return "no normals, those of the file are zero";
     warn_of_opposing_normals(opposing, input, report);
+    if (plan.output_normals.copies) return "normals of the file";
+    warn_of_other_normals(mesh.normal_kind, input, report);
+    mesh.normal_kind = Normal_kind::control;
     return "normals of the file";
   }
+  mesh.normal_kind = Normal_kind::control;
   if (source == Source::none) return "no normals";
   const bool is_shape = source == Source::sphere || source == Source::cylinder;
   return is_shape ? "normals of the given shape" : "estimated normals";
@@ -176,15 +208,33 @@ void add_curvature(Mesh_data& mesh, const Plan& plan, Curvature_values values, R
                 ": the file's colors or values of vertices give way to those of the curvature");
 }
 
+Limit_summary limits(Surface& surface, const Plan& plan, const Surface_options& options,
+                     const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
+                     const Limit_choice& limit)
+{
+  return creases ? set_limits(surface, scheme, limit, *creases, options.levels, plan.threads)
+                 : set_limits(surface, scheme, limit, options.levels, plan.threads);
+}
+
+// Those of the limit, beside those of the surface.
+Kept_normals control_normals_at_limits(const Surface& surface, const Plan& plan,
+                                       const Surface_options& options, const Scheme_choice& scheme,
+                                       const std::optional<Crease_maps>& creases)
+{
+  Surface copy = surface;
+  Limit_choice limit = plan.limit;
+  limit.normals = false;
+  limits(copy, plan, options, scheme, creases_of(copy, creases), limit);
+  return kept_normals(copy);
+}
+
 void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
                     const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
                     Report& report)
 {
-  const Limit_summary summary =
-    creases ? set_limits(surface, scheme, options.limit, *creases, options.levels, plan.threads)
-            : set_limits(surface, scheme, options.limit, options.levels, plan.threads);
-  report.note(summary.description(options.limit));
-  report.set_limit(summary.numbers(options.limit));
+  const Limit_summary summary = limits(surface, plan, options, scheme, creases, plan.limit);
+  report.note(summary.description(plan.limit));
+  report.set_limit(summary.numbers(plan.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
 }
@@ -235,9 +285,17 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
-  if (options.levels == 0 && !options.limit.is_used() && !plan.interpolation && !plan.curvature &&
-      !must_split)
-    return;
+  const bool is_creased = creases.any() || creases.border != Border::surface;
+  const bool has_tags = is_creased && are_tags_written(options, plan.output_normals);
+  Mesh_origin origin;
+  if (plan.output_normals.with_control())
+    origin = origin_after(mesh, scheme.scheme, options.levels);
+  if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
+      !must_split && !has_tags) {
+    mesh.tags = Crease_tags();
+    mesh.origin = std::move(origin);
+    return put_control_normals(mesh, plan.output_normals);
+  }
   Surface surface = make_surface(mesh);
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
@@ -246,8 +304,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   Refinement rounds = refinement(options, plan.threads, report);
   Wedge_list wedges;
   rounds.wedges = &wedges;
-  if (creases.any() || creases.border != Border::surface)
-    rounds.creases = add_creases(surface, creases, options.limit.is_used());
+  if (is_creased) rounds.creases = add_creases(surface, creases, plan.limit.is_used() || has_tags);
   if (options.levels > 0) {
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
@@ -255,8 +312,11 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
     refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
-  if (options.limit.is_used()) {
+  Kept_normals control;
+  if (plan.limit.is_used()) {
     if (!wedges.empty()) put_corner_normals(surface, std::exchange(wedges, {}));
+    if (plan.output_normals.with_control())
+      control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
   std::optional<Curvature_values> curvature;
@@ -266,11 +326,13 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                       " vertices");
     curvature = measure_curvature(surface, rounds.creases, *plan.curvature, plan.threads);
   }
-  if (rounds.creases)
-    remove_creases(surface, *rounds.creases); // the output is made beside what is left
+  Crease_tags tags;
+  if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, report);
-  mesh = to_mesh_data(surface, wedges);
+  mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
   mesh.attributes = std::move(attributes);
+  mesh.tags = std::move(tags);
+  mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
 }
 
@@ -278,7 +340,6 @@ void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Pl
                     Report& report)
 {
   constexpr double noteworthy = 0.5; // the sphere from a cube: 0.37
-  if (!mesh.has_normals()) return;   // whoever takes the linear scheme has chosen so
   const Excess e = excess(control, Bounding_box(mesh.points));
   if (!(e.ratio > noteworthy)) return;
   char text[300];
@@ -295,9 +356,11 @@ void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Pl
 void require_limit_of_creases(const Creases& creases, const Limit_choice& limit, unsigned levels)
 {
   if (!limit.is_used() || creases.number_of_edges == 0) return;
-  const double sharpness = *std::max_element(creases.edges.begin(), creases.edges.end());
-  if (std::isinf(sharpness) || sharpness <= levels) return;
-  throw Usage_error(std::string(limit.points ? "--limit" : "--surface-normals") +
+  double sharpness = 0; // the largest that is not for ever
+  for (const double s : creases.edges)
+    if (!std::isinf(s)) sharpness = (std::max)(sharpness, s);
+  if (sharpness <= levels) return;
+  throw Usage_error(std::string(limit.points ? "--limit" : limit.normals_option) +
                     ": limits are known only of edges that are smooth or sharp for ever; with this "
                     "--sharpness take --levels " +
                     std::to_string(static_cast<unsigned long>(std::ceil(sharpness))) + " or more");
@@ -350,13 +413,13 @@ std::string time_of(const Report& report)
 }
 
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
-                         const Scheme_choice& scheme, const std::string& normals,
+                         const Scheme_choice& scheme, const std::string& normals, bool has_normals,
                          const Creases& creases, const Report& report)
 {
   std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
-                  rounds_of(plan, options, scheme, mesh.has_normals()) + ", " + normals +
+                  rounds_of(plan, options, scheme, has_normals) + ", " + normals +
                   creases.description();
-  if (mesh.has_normals() && !holds_normals(plan.output))
+  if (has_normals && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
   return s + time_of(report);
 }
@@ -394,30 +457,34 @@ void run_surface_command(const Surface_options& options)
   Mesh_data mesh;
   Scheme_choice scheme;
   std::string normals;
+  bool has_normals = false; // to refine with
   Creases creases;
   Pieces_job pieces;
   const bool in_pieces = is_in_pieces(options, plan.output);
   try {
     mesh = read_control_mesh(plan.input, options, report);
     scheme = chosen_scheme(mesh, options.scheme);
-    if (options.levels > 0 || options.limit.is_used() || plan.interpolation || in_pieces)
+    if (options.levels > 0 || plan.limit.is_used() || plan.interpolation || in_pieces)
       require_faces_for_scheme(mesh, scheme);
-    require_limit_of_vertices(scheme.scheme, options.limit);
+    require_limit_of_vertices(scheme.scheme, plan.limit);
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
-    require_limit_of_creases(creases, options.limit, options.levels);
+    require_limit_of_creases(creases, plan.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases);
     const bool has_file_normals = mesh.has_normals();
     normals = set_normals(mesh, plan, creases, report);
+    has_normals = mesh.has_normals();
+    plan.output_normals.suit(mesh);
     if (in_pieces)
-      pieces = make_pieces_job(std::move(mesh), options, scheme, plan.output);
+      pieces = make_pieces_job(std::move(mesh), options, scheme, plan.output, plan.output_normals);
     else {
       const Bounding_box control(mesh.points);
       process(mesh, plan, options, scheme, creases, has_file_normals, report);
-      if (options.levels > 0) warn_of_excess(control, mesh, plan, report);
+      // whoever takes the linear scheme has chosen so
+      if (options.levels > 0 && has_normals) warn_of_excess(control, mesh, plan, report);
       if (plan.verification) plan.verification->measure(mesh.points);
     }
   } catch (const Usage_error&) {
@@ -436,9 +503,13 @@ void run_surface_command(const Surface_options& options)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   warn_of_lost_normals(mesh, plan, report);
   warn_of_lost_attributes(mesh, plan, report);
+  take_types_of_format(plan.output, mesh.attributes);
   move_file_references(mesh.attributes, plan.input, plan.output);
+  Tags_file tags(options, mesh.tags, report);
+  suit_tags(mesh, plan.output, options, plan.output_normals, report);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
-  report.note(closing_line(mesh, plan, options, scheme, normals, creases, report));
+  tags.commit();
+  report.note(closing_line(mesh, plan, options, scheme, normals, has_normals, creases, report));
   report.print_warnings();
   report.write_file(
     {options.input, options.output, mesh.points.size(), mesh.number_of_faces(), options.levels});

@@ -214,7 +214,9 @@ TEST_F(Pn_subdivide, SpheresStaySpheres)
   for (const auto& c : cases) {
     const std::string input = folder.write("sphere.off", c.content);
     const Mesh_data mesh =
-      refined(input, std::string("--levels 4 --normals sphere:0,0,0 --scheme ") + c.scheme);
+      refined(input, std::string("--levels 4 --normals sphere:0,0,0 --output-normals control "
+                                 "--scheme ") +
+                       c.scheme);
     const long double radius = c.content == cube ? std::sqrt(3.L) : 1;
     ASSERT_EQ(mesh.normals.size(), mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {

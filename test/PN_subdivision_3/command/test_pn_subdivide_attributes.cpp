@@ -730,9 +730,10 @@ protected:
   }
 
   // The mesh of the output, which is a PLY file.
-  Mesh_data refined(const std::string& input, const std::string& options) const
+  Mesh_data refined(const std::string& input, const std::string& options,
+                    const std::string& name = "refined.ply") const
   {
-    const std::string output = folder.file("refined.ply");
+    const std::string output = folder.file(name);
     const Outcome outcome = surface(input, output, "--quiet " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
@@ -805,10 +806,12 @@ TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
 {
   const std::string input = folder.write("a.obj", obj);
   const Attributes attributes = read_mesh(input).attributes;
-  for (const char* output : {"b.obj", "b.ply"})
+  const std::string of_ply = folder.file("a.ply");
+  write_mesh(of_ply, read_mesh(input), Encoding::binary); // with types of its own
+  for (const auto& [from, output] : {std::pair(input, "b.obj"), std::pair(of_ply, "b.ply")})
     for (const char* options : {"", " --ascii", " --normals none"}) {
       const Outcome outcome =
-        surface(input, folder.file(output), std::string("--quiet --levels 0") + options);
+        surface(from, folder.file(output), std::string("--quiet --levels 0") + options);
       EXPECT_EQ(outcome.code, 0);
       EXPECT_EQ(outcome.err, "");
       expect_same(read_mesh(folder.file(output)).attributes, attributes);
@@ -919,7 +922,7 @@ TEST_F(Pn_subdivide_carries, ALinearTextureStaysLinear)
 // On the cut of the side the two texture points of a vertex are a width apart, as on the control mesh.
 TEST_F(Pn_subdivide_carries, TheSeamOfTheVaseDoesNotTear)
 {
-  const Mesh_data mesh = refined(data("vase.obj"), "--levels 3");
+  const Mesh_data mesh = refined(data("vase.obj"), "--levels 3", "refined.obj");
   std::vector<Texture_point> first(mesh.points.size(), {-1, 0, 0});
   std::size_t on_cut = 0;
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)

@@ -253,7 +253,8 @@ TEST_F(Pn_subdivide_creases, PartsKeepTheirPlanesCylindersAndSpheres)
     const std::vector<std::size_t> groups = refined_groups(control, 4);
     const std::string options =
       "--scheme catmull-clark --levels 4 --sharp '" + part(name + ".selection.txt") + "'";
-    const Errors pn = errors(control, Obj(refine(input, options)), groups);
+    const Errors pn =
+      errors(control, Obj(refine(input, options + " --output-normals control")), groups);
     EXPECT_LE(pn.points, 8) << name;
     EXPECT_LE(pn.normals, 8) << name;
     const Errors linear = errors(control, Obj(refine(input, options + " --linear")), groups);
@@ -268,8 +269,8 @@ TEST_F(Pn_subdivide_creases, LimitsOfPartsLieOnTheirPlanesCylindersAndSpheres)
     const Obj control(input);
     const std::string options =
       "--scheme catmull-clark --limit --sharp '" + part(name + ".selection.txt") + "' --levels ";
-    const Errors limit =
-      errors(control, Obj(refine(input, options + "2")), refined_groups(control, 2));
+    const Errors limit = errors(control, Obj(refine(input, options + "2 --output-normals control")),
+                                refined_groups(control, 2));
     EXPECT_LE(limit.points, 8) << name;
     EXPECT_LE(limit.normals, 8) << name;
     const Errors normals = errors(control, Obj(refine(input, options + "2 --surface-normals")),
@@ -311,7 +312,8 @@ TEST_F(Pn_subdivide_creases, TrianglesOfPartsKeepTheNormalsOfTheirCorners)
 {
   for (const std::string name : {"capped_cylinder", "lens", "plate_with_holes"}) {
     const Obj control(part(name + ".obj"));
-    const Obj refined(refine(part(name + ".obj"), "--triangulate --levels 3"));
+    const Obj refined(
+      refine(part(name + ".obj"), "--triangulate --levels 3 --output-normals control"));
     const Real size = control.greatest_coordinate();
     for (const auto& face : refined.faces) {
       EXPECT_EQ(face.size(), 3u);
@@ -344,7 +346,7 @@ TEST_F(Pn_subdivide_creases, NormalsOfTheFileAnglesAndSelectionsFindTheSameCreas
 TEST_F(Pn_subdivide_creases, PrismsNeedPointsAndAnAngleOnly)
 {
   const std::string input = folder.write("prism.off", prism_off());
-  const Obj refined(refine(input, "--levels 4 --sharp angle:75"));
+  const Obj refined(refine(input, "--levels 4 --sharp angle:75 --output-normals control"));
   Shape side;
   side.kind = "cylinder";
   side.d = {0, 0, 1};

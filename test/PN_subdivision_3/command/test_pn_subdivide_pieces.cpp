@@ -14,8 +14,11 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -54,6 +57,40 @@ TEST_F(Pieces, OfOtherOptions)
   expect_whole("ct-catmull-clark", "--levels 4", "--pieces 7");
 }
 
+TEST_F(Pieces, OfEveryKindOfNormals)
+{
+  for (const std::string& scheme : schemes)
+    for (const char* const normals : {"auto", "control", "both", "none"})
+      for (const char* const levels : {"--levels 1 ", "--levels 2 ", "--levels 4 "})
+        for (const char* const pieces : {"--pieces 1", "--pieces 7", "--pieces 64"})
+          expect_whole(scheme, levels + ("--output-normals " + std::string(normals)), pieces);
+  expect_whole("doo-sabin", "--levels 0 --output-normals both", "--pieces 3");
+  expect_whole("loop", "--levels 3 --output-normals both --normal-scheme modified-loop",
+               "--pieces 7 --threads 2");
+  expect_whole("ct-catmull-clark", "--levels 3 --output-normals both", "--pieces 7 --resume");
+}
+
+// Areas whose squares are no numbers.
+TEST_F(Pieces, OfEverySize)
+{
+  std::istringstream in(content("quads.off"));
+  for (const char* const exponent : {"e180", "e-180"}) {
+    std::string scaled, line;
+    in.clear();
+    in.seekg(0);
+    for (int i = 0; std::getline(in, line); ++i) {
+      std::istringstream words(line);
+      std::string x, y, z;
+      if (i >= 2 && i < 39 && words >> x >> y >> z)
+        line = x + exponent + " " + y + exponent + " " + z + exponent;
+      scaled += line + "\n";
+    }
+    folder.write("quads.off", scaled);
+    expect_whole("catmull-clark", "--levels 2", "--pieces 7");
+    EXPECT_EQ(content("whole.ply").find("nan"), std::string::npos);
+  }
+}
+
 TEST_F(Pieces, LongFaces)
 {
   std::string points, face = "300";
@@ -83,7 +120,7 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   expect_refusal("--pieces 2", 2, ".ply or .pvtp", "out.obj");
   for (const std::string option :
        {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide", "--limit",
-        "--surface-normals", "--border curve", "--ascii"})
+        "--surface-normals", "--output-normals surface", "--border curve", "--ascii"})
     expect_refusal("--pieces 2 " + option, 2, option.substr(0, option.find(' ')));
   expect_refusal("--pieces 2 --sharp angle:5", 1, "--sharp none");
   folder.write("quads.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
@@ -91,6 +128,57 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   off.replace(0, 3, "COFF");
   folder.write("quads.off", off);
   expect_refusal("--pieces 2", 1, "--drop-attributes");
+}
+
+namespace {
+
+// The array of a VTP file with raw data, as it stands in it.
+template <class T>
+std::vector<T> raw_array(const std::string& vtp, const std::string& name)
+{
+  const std::size_t tag = vtp.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos) return {};
+  const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", tag) + 8));
+  const std::size_t begin = vtp.find("\n_", vtp.find("<AppendedData")) + 2 + offset;
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, vtp.data() + begin, sizeof bytes);
+  std::vector<T> values(bytes / sizeof(T));
+  std::memcpy(values.data(), vtp.data() + begin + sizeof bytes, bytes);
+  return values;
+}
+
+} // namespace
+
+// Each piece has the normals that the whole file has at its vertices, and those of faces around none of its own.
+TEST_F(Pieces, PvtpHasTheNormalsOfTheWhole)
+{
+  for (const std::string& scheme : schemes)
+    for (const char* const normals : {"auto", "control", "both", "none"}) {
+      const std::string options = std::string("--levels 2 --output-normals ") + normals;
+      ASSERT_EQ(run(in_out(scheme, "whole.vtp") + options).code, 0);
+      ASSERT_EQ(run(in_out(scheme, "out.pvtp") + options + " --pieces 5").code, 0);
+      const std::string whole = content("whole.vtp");
+      std::size_t faces = 0;
+      for (int i = 0; i < 5; ++i) {
+        const std::string piece = content("out_pieces/piece_" + std::to_string(i) + ".vtp");
+        const auto number = raw_array<std::int64_t>(piece, "GlobalPointIds");
+        ASSERT_FALSE(number.empty());
+        faces += raw_array<std::int64_t>(piece, "offsets").size();
+        for (const char* const name : {"Points", "Normals", "control_normals"}) {
+          const auto of_whole = raw_array<double>(whole, name),
+                     values = raw_array<double>(piece, name);
+          ASSERT_EQ(values.size(), of_whole.empty() ? 0 : 3 * number.size()) << name << normals;
+          for (std::size_t k = 0; k < values.size(); ++k)
+            ASSERT_EQ(values[k], of_whole[3 * std::size_t(number[k / 3]) + k % 3])
+              << name << normals;
+        }
+      }
+      EXPECT_EQ(faces, raw_array<std::int64_t>(whole, "offsets").size());
+      const std::string index = content("out.pvtp");
+      for (const std::string name : {"Normals", "control_normals"})
+        EXPECT_EQ(index.find("Name=\"" + name + "\"") != std::string::npos,
+                  !raw_array<double>(whole, name).empty());
+    }
 }
 
 TEST_F(Pieces, PvtpAndItsFolder)

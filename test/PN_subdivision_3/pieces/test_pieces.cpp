@@ -120,4 +120,6 @@ TEST(Pieces, ThatDoNotExistAreRefused)
   const PN::Surface_pieces pieces(control.mesh, PN::CatmullClark_scheme(), 3, np);
   EXPECT_GT(pieces.piece(2).number_of_faces(), 0u);
   EXPECT_THROW(pieces.piece(3), std::out_of_range);
+  EXPECT_NO_THROW(pieces.piece(2, 1));
+  EXPECT_THROW(pieces.piece(2, 2), std::invalid_argument); // than a round leaves right
 }

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -99,7 +100,7 @@ class Collected_pieces
 
 public:
   template <class Pieces>
-  explicit Collected_pieces(const Pieces& pieces)
+  explicit Collected_pieces(const Pieces& pieces, unsigned rings = 0)
     : vertex_owners_(pieces.size().vertices, 0)
     , face_owners_(pieces.size().faces, 0)
     , points_(pieces.size().vertices)
@@ -108,12 +109,15 @@ public:
   {
     std::vector<typename Pieces::Piece> all;
     for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
-      all.push_back(pieces.piece(i));
+      all.push_back(pieces.piece(i, rings));
       EXPECT_EQ(pieces.is_empty(i), all.back().number_of_vertices() == 0) << "piece " << i;
       add(all.back());
     }
     // without gaps: what is not the owner has the same bits
-    for (const auto& piece : all) compare(piece);
+    for (const auto& piece : all) {
+      compare(piece);
+      if (rings > 0) count_faces_at_own_vertices(piece);
+    }
   }
 
   void expect(const Mesh& mesh, const std::vector<typename C::Vector>& normals) const
@@ -123,6 +127,9 @@ public:
     EXPECT_EQ(vertex_owners_, std::vector<int>(points_.size(), 1));
     EXPECT_EQ(face_owners_, std::vector<int>(faces_.size(), 1));
     EXPECT_EQ(other_values_, 0u);
+    for (const auto& [v, n] : faces_at_vertices_)
+      EXPECT_EQ(n, CGAL::degree(typename Mesh::Vertex_index(unsigned(v)), mesh) -
+                     unsigned(mesh.is_border(typename Mesh::Vertex_index(unsigned(v)))));
     std::size_t wrong_points = 0, wrong_normals = 0, wrong_faces = 0;
     for (const auto v : mesh.vertices()) {
       wrong_points += points_[v] != mesh.point(v);
@@ -142,7 +149,6 @@ private:
   template <class Piece>
   void add(const Piece& piece)
   {
-    const auto& level = piece.connectivity();
     for (unsigned v = 0; v < piece.number_of_vertices(); ++v) {
       const auto number = piece.vertex_number(v);
       ASSERT_LT(number, points_.size());
@@ -153,16 +159,43 @@ private:
     }
     for (unsigned f = 0; f < piece.number_of_faces(); ++f) {
       ASSERT_LT(piece.face_number(f), faces_.size());
+      if (f > 0) {
+        ASSERT_LT(piece.face_number(f - 1), piece.face_number(f));
+      }
+      if (!piece.owns_face(f)) continue;
       ++face_owners_[piece.face_number(f)];
-      auto& corners = faces_[piece.face_number(f)];
-      corners.clear();
-      const auto first = level.halfedge_of_face(f);
-      auto h = first;
-      do {
-        corners.push_back(piece.vertex_number(level.target(h)));
-        h = level.next(h);
-      } while (h != first && corners.size() < 1000);
+      faces_[piece.face_number(f)] = corners(piece, f);
     }
+  }
+
+  template <class Piece>
+  static std::vector<std::uint64_t> corners(const Piece& piece, unsigned f)
+  {
+    std::vector<std::uint64_t> result;
+    const auto& level = piece.connectivity();
+    const auto first = level.halfedge_of_face(f);
+    auto h = first;
+    do {
+      result.push_back(piece.vertex_number(level.target(h)));
+      h = level.next(h);
+    } while (h != first && result.size() < 1000);
+    return result;
+  }
+
+  // with its rings
+  template <class Piece>
+  void count_faces_at_own_vertices(const Piece& piece)
+  {
+    std::map<std::uint64_t, unsigned> number;
+    for (const bool is_own : {true, false})
+      for (unsigned f = 0; f < piece.number_of_faces(); ++f) {
+        if (piece.owns_face(f) != is_own) continue;
+        const auto vertices = corners(piece, f);
+        other_values_ += vertices != faces_[piece.face_number(f)];
+        for (const auto v : vertices)
+          if (is_own || number.count(v) != 0) ++number[v];
+      }
+    faces_at_vertices_.insert(faces_at_vertices_.end(), number.begin(), number.end());
   }
 
   template <class Piece>
@@ -179,6 +212,7 @@ private:
   std::vector<typename C::Point> points_;
   std::vector<typename C::Vector> normals_;
   std::vector<std::vector<std::uint64_t>> faces_;
+  std::vector<std::pair<std::uint64_t, unsigned>> faces_at_vertices_; // of pieces with rings
   std::size_t other_values_ = 0;
 };
 
@@ -196,6 +230,7 @@ void expect_as_subdivide(const Control_mesh& control_mesh, const Scheme& scheme,
       EXPECT_EQ(pieces.size().vertices, mesh.number_of_vertices());
       EXPECT_EQ(pieces.size().edges, mesh.number_of_edges());
       Collected_pieces<FT>(pieces).expect(mesh, normals);
+      Collected_pieces<FT>(pieces, 1).expect(mesh, normals);
     });
   }
 }
@@ -231,7 +266,7 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
           typename Control<double>::Mesh::Vertex_index(static_cast<unsigned>(vertices.number(v)));
         other += mesh.point(place) != typename Control<double>::Point(p[0], p[1], p[2]);
       };
-      refiner.refine(i, {begin, put});
+      refiner.refine(i, 0, {begin, put});
     }
   });
   return other + (mesh.number_of_faces() - faces);

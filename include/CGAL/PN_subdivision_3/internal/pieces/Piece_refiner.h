@@ -100,15 +100,16 @@ public:
            (piece != 0 || isolated_vertices_.empty());
   }
 
-  void refine(std::size_t piece, const Output& out) const
+  // the faces that the piece owns, and some rings around them
+  void refine(std::size_t piece, unsigned rings, const Output& out) const
   {
     const bool has_isolated = piece == 0;
     Part part = first_part(piece, has_isolated);
     for (unsigned k = base_round_ + 1; k < rounds_; ++k) part = refined(part, k, has_isolated);
     if (base_round_ == rounds_)
-      put(part.level, part.elements, has_isolated, part.values, out);
+      put(part.level, part.elements, has_isolated, rings, part.values, out);
     else
-      put_last_round(part, has_isolated, out);
+      put_last_round(part, has_isolated, rings, out);
   }
 
 private:
@@ -197,12 +198,19 @@ private:
     return {std::move(extraction.piece()), std::move(elements), extraction.values(base_.values())};
   }
 
+  static Face_marks marked(const Level_connectivity& level, const Piece_elements& elements,
+                           unsigned rings)
+  {
+    Face_marks marks = owned_faces(elements.faces);
+    for (unsigned i = 0; i < rings; ++i) add_ring(level, marks);
+    return marks;
+  }
+
   // what is owned, and the rings around it
   Part with_rings(const Level_connectivity& level, const Piece_elements& elements,
                   const Values& values, bool has_isolated) const
   {
-    Face_marks kept = owned_faces(elements.faces);
-    for (unsigned i = 0; i < rings_; ++i) add_ring(level, kept);
+    const Face_marks kept = marked(level, elements, rings_);
     const All_candidates candidates(level, kept);
     Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
     return {std::move(extraction.piece()), extraction.elements(elements),
@@ -239,12 +247,12 @@ private:
     return with_rings(level.level(), elements, level.values(), has_isolated);
   }
 
-  void put_last_round(Part& part, bool has_isolated, const Output& out) const
+  void put_last_round(Part& part, bool has_isolated, unsigned rings, const Output& out) const
   {
     close_rim_before(rounds_, part);
     const Refiner level = refiner(part, rounds_);
     const One_round one = level.next_round();
-    const auto vertices = put_connectivity(level, one, part.elements, has_isolated, out);
+    const auto vertices = put_connectivity(level, one, part.elements, has_isolated, rings, out);
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
       for (Index i = 0; i < n; ++i)
         out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
@@ -262,7 +270,7 @@ private:
 
   typename Piece_extraction<All_candidates>::Old_vertices
   put_connectivity(const Refiner& level, const One_round& one, const Piece_elements& elements,
-                   bool has_isolated, const Output& out) const
+                   bool has_isolated, unsigned rings, const Output& out) const
   {
     const Child_elements<Host> children(level.level(), elements, one.host(),
                                         (*wholes_)[rounds_ - 1], for_chunks_);
@@ -271,16 +279,15 @@ private:
     level.connect(one, child);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
                              children.faces(child.size().faces)};
-    return put(child, all, has_isolated, out);
+    return put(child, all, has_isolated, rings, out);
   }
 
-  // without the rings
   static typename Piece_extraction<All_candidates>::Old_vertices
   put(const Level_connectivity& level, const Piece_elements& elements, bool has_isolated,
-      const Output& out)
+      unsigned rings, const Output& out)
   {
-    const Face_marks owned = owned_faces(elements.faces);
-    const All_candidates candidates(level, owned);
+    const Face_marks kept = marked(level, elements, rings);
+    const All_candidates candidates(level, kept);
     Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
     Numbered_elements vertices = extraction.vertices(elements.vertices);
     Numbered_elements faces = extraction.faces(elements.faces);
@@ -289,9 +296,9 @@ private:
   }
 
   static void put(const Level_connectivity& level, const Piece_elements& elements,
-                  bool has_isolated, const Values& values, const Output& out)
+                  bool has_isolated, unsigned rings, const Values& values, const Output& out)
   {
-    const auto vertices = put(level, elements, has_isolated, out);
+    const auto vertices = put(level, elements, has_isolated, rings, out);
     for (Index v = 0; v < vertices.size(); ++v) {
       const Value value = values[vertices[v]];
       out.put(v, value);

@@ -6,10 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
+#include "io/selection.h"
 #include "io/Error.h"
+#include "io/Output_file.h"
 #include "io/Text_reader.h"
 #include "io/file_content.h"
-#include "io/selection.h"
 
 #include <new>
 #include <string_view>
@@ -61,6 +62,19 @@ Selection read_selection(const std::string& file)
   } catch (const std::exception& e) {
     throw Error(file + ": " + e.what());
   }
+}
+
+void write_selection(Output_file& out, const Crease_tags& tags)
+{
+  std::string line;
+  for (std::size_t v = 0; v < tags.vertices.size(); ++v)
+    if (tags.vertices[v] > 0) line += (line.empty() ? "" : " ") + std::to_string(v);
+  out.text(line + "\n\n");
+  line.clear();
+  for (const Crease_tags::Edge& edge : tags.edges)
+    line +=
+      (line.empty() ? "" : " ") + std::to_string(edge.ends[0]) + " " + std::to_string(edge.ends[1]);
+  out.text(line + "\n");
 }
 
 } // namespace pn_subdivide

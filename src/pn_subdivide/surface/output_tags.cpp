@@ -1,0 +1,115 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/output_tags.h"
+
+#include "io/Error.h"
+#include "io/selection.h"
+#include "surface/surface_schemes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pn_subdivide {
+namespace {
+
+bool has_control_normals(const Output_normals& normals)
+{
+  using Choice = Output_normals::Choice;
+  return normals.choice == Choice::control || normals.choice == Choice::both;
+}
+
+bool ends_with(const std::string& text, const std::string& end)
+{
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string number_of(std::size_t n, const std::string& things)
+{
+  return std::to_string(n) + " " + things + (n == 1 ? "" : "s");
+}
+
+} // namespace
+
+void require_tags_place(const Surface_options& options, const std::vector<std::string>& other_files)
+{
+  if (!options.write_tags) return;
+  const std::string& name = *options.write_tags;
+  const std::string option = "--write-tags " + name;
+  if (!ends_with(name, ".selection.txt"))
+    throw Usage_error(option + ": the name of the file must end in .selection.txt");
+  const std::string& scheme = options.scheme.scheme;
+  if (!scheme.empty() && !keeps_edges(scheme))
+    throw Usage_error(option + " and --scheme " + scheme +
+                      " exclude each other: that scheme keeps no edges");
+  for (const std::string& other : other_files)
+    if (!other.empty() && other != "-" && same_file(name, other))
+      throw Usage_error(option + ": the tags need a file of their own");
+  require_writable_place(name);
+}
+
+bool are_tags_written(const Surface_options& options, const Output_normals& normals)
+{
+  return options.write_tags || has_control_normals(normals);
+}
+
+void suit_tags(Mesh_data& mesh, const Mesh_file& output, const Surface_options& options,
+               const Output_normals& normals, Report& report)
+{
+  if (!has_control_normals(normals)) mesh.tags = Crease_tags();
+  if (!mesh.tags.any()) return;
+  const std::string name = output.title("standard output");
+  const bool has_place = output.format == "ply" || output.format == "obj";
+  if (!has_place && options.write_tags) return;
+  if (!has_place)
+    return report.warn_of_dropped(name + ": not written, " + output.format +
+                                    " files cannot hold it: what is sharp; --write-tags writes "
+                                    "it to a file of its own",
+                                  {"what is sharp"});
+  Columns& columns = mesh.attributes.of_vertices;
+  const auto has_name = [](const Column& column) { return column.name == "sharpness"; };
+  if (output.format != "ply" || std::none_of(columns.begin(), columns.end(), has_name)) return;
+  columns.erase(std::remove_if(columns.begin(), columns.end(), has_name), columns.end());
+  report.warn_of_dropped(name +
+                           ": the property 'sharpness' of vertices gives way to that of corners",
+                         {"'sharpness' of vertices"});
+}
+
+Tags_file::Tags_file(const Surface_options& options, const Crease_tags& tags, Report& report)
+{
+  if (!options.write_tags) return;
+  name_ = *options.write_tags;
+  try {
+    file_.emplace(name_);
+    write_selection(*file_, tags);
+  } catch (const std::exception& e) {
+    throw Error(name_ + ": " + message_of(e));
+  }
+  const auto is_finite = [](double s) { return s > 0 && std::isfinite(s); };
+  const auto edges = std::size_t(
+    std::count_if(tags.edges.begin(), tags.edges.end(),
+                  [&](const Crease_tags::Edge& edge) { return is_finite(edge.sharpness); }));
+  const auto vertices =
+    std::size_t(std::count_if(tags.vertices.begin(), tags.vertices.end(), is_finite));
+  if (edges + vertices > 0)
+    report.warn(name_ + ": a selection does not say that " + number_of(edges, "edge") +
+                (vertices > 0 ? " and " + number_of(vertices, "corner") : std::string()) +
+                (edges + vertices == 1 ? " is" : " are") + " sharp for some rounds only");
+}
+
+void Tags_file::commit()
+{
+  if (!file_) return;
+  try {
+    file_->commit();
+  } catch (const Error& e) {
+    throw Error(name_ + ": " + e.what());
+  }
+}
+
+} // namespace pn_subdivide
