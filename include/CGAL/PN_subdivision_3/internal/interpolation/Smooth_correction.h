@@ -25,6 +25,21 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// Unknowns with few entries first, those with many at the end: of symmetric patterns. Eigen's SparseLU takes
+// an order the other way round than Eigen's factors of symmetric matrices.
+struct Degree_ordering
+{
+  using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
+
+  template <class Matrix>
+  void operator()(const Matrix& matrix, PermutationType& order) const
+  {
+    PermutationType inverse;
+    Eigen::AMDOrdering<int>()(matrix, inverse);
+    order = inverse.inverse();
+  }
+};
+
 // The smallest smooth change d of control points, sum |U d|^2 + 1e-6 |d|^2 with the umbrella Laplacian
 // U, that fulfils linear conditions on it. Vertices further than some rings of faces from all that have
 // conditions stay. Conditions that contradict each other are met as well as they can be.
@@ -175,8 +190,7 @@ private:
   std::vector<Eigen::Triplet<double>> energy_;
   int sums_ = 0; // three unknowns each
   Eigen::SparseLU<Matrix> factor_;
-  // an order that leaves unknowns with many entries for the end
-  Eigen::SparseLU<Matrix, Eigen::AMDOrdering<int>> factor_with_sums_;
+  Eigen::SparseLU<Matrix, Degree_ordering> factor_with_sums_;
 };
 
 } // namespace internal
