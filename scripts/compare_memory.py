@@ -13,7 +13,7 @@
 
 A tube of 64 x 61 quads is refined to a million faces, smooth, with its border a curve, and with a crease in each case;
 limits are sought of a tube of 400 x 500 quads, and of the same with two quads joined, about which alone a level has to be
-refined. Fails where a quotient of memory exceeds QUOTIENT."""
+refined; the same of a torus, and with a hole, by sqrt(3). Fails where a quotient of memory exceeds QUOTIENT."""
 
 import argparse
 import math
@@ -38,6 +38,21 @@ def write_tube(name, rings, segments, joined=False):
                 if joined and i == middle and j == 0:
                     face = [vertex(i, 0), vertex(i, 1), vertex(i, 2), vertex(i + 1, 2), vertex(i + 1, 1), vertex(i + 1, 0)]
                 f.write("f " + " ".join(map(str, face)) + "\n")
+
+
+def write_torus(name, rings, segments, hole=False):
+    """Of triangles."""
+    with open(name, "w") as f:
+        for i in range(rings):
+            for j in range(segments):
+                a, b = 2 * math.pi * i / rings, 2 * math.pi * j / segments
+                f.write(f"v {(3 + math.cos(b)) * math.cos(a)!r} {(3 + math.cos(b)) * math.sin(a)!r} {math.sin(b)!r}\n")
+        vertex = lambda i, j: i % rings * segments + j % segments + 1
+        for i in range(rings):
+            for j in range(segments):
+                if not (hole and i == j == 5):
+                    f.write(f"f {vertex(i, j)} {vertex(i + 1, j)} {vertex(i + 1, j + 1)}\n"
+                            f"f {vertex(i, j)} {vertex(i + 1, j + 1)} {vertex(i, j + 1)}\n")
 
 
 def write_ring(name, rings, segments):
@@ -68,7 +83,10 @@ def main():
         write_tube(name("large.obj"), 400, 500)
         write_tube(name("joined.obj"), 400, 500, True)
         write_ring(name("ring.selection.txt"), 64, 61)
+        write_torus(name("torus.obj"), 400, 500)
+        write_torus(name("hole.obj"), 400, 500, True)
         limits = ["--levels", "0", "--limit", "--border", "curve"]
+        sqrt3_limits = ["--levels", "0", "--limit", "--scheme", "sqrt3"]
         for title, input, arguments, is_first in (
                 ("smooth", "tube.obj", ["--levels", "4"], True),
                 ("border", "tube.obj", ["--levels", "4", "--border", "curve"], False),
@@ -76,7 +94,9 @@ def main():
                 ("smooth, obj", "tube.obj", ["--levels", "4"], True),
                 ("both, obj", "tube.obj", ["--levels", "4", "--border", "curve", "--sharp", name("ring.selection.txt")], False),
                 ("limits", "large.obj", limits, True),
-                ("limits, two quads joined", "joined.obj", limits, False)):
+                ("limits, two quads joined", "joined.obj", limits, False),
+                ("limits, sqrt(3)", "torus.obj", sqrt3_limits, True),
+                ("limits, sqrt(3), a hole", "hole.obj", sqrt3_limits, False)):
             output = name("out.obj" if "obj" in title else "out.ply")
             megabytes, seconds = measured([options.command, name(input), output, "--quiet", *arguments])
             if is_first:

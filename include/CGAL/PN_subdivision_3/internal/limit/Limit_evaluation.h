@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
@@ -16,6 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 #include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Rim_closure.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -23,10 +25,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -229,15 +231,29 @@ private:
   // the next level; `vertices` are given, and come back, as their numbers there
   Level refined_about(const Level& level, std::vector<Index>& vertices, unsigned round) const
   {
-    if constexpr (Neighborhood::cut_rings == (std::numeric_limits<unsigned>::max)())
-      return refined(level.level, stored(level.values), round);
-    else {
-      Sub_level cut(level.level, vertices, Neighborhood::cut_rings);
-      std::vector<Stored_value> values;
-      values.reserve(cut.origin().size());
-      for (const Index v : cut.origin()) values.emplace_back(level.values[v]);
-      vertices = cut.centers();
-      return refined(cut.level(), values, round);
+    constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
+    const Sub_level cut(level.level, vertices, Neighborhood::cut_rings, is_sqrt3);
+    std::vector<Stored_value> values;
+    values.reserve(cut.origin().size());
+    for (const Index v : cut.origin()) values.emplace_back(level.values[v]);
+    vertices = cut.centers();
+    if constexpr (is_sqrt3)
+      if (Sqrt3_host::refines_border(round)) {
+        Level_connectivity closed = cut.level();
+        close_rim(level.level, cut, closed, values);
+        return refined(closed, values, round);
+      }
+    return refined(cut.level(), values, round);
+  }
+  // A round that refines the border would take the rim for it.
+  static void close_rim(const Level_connectivity& whole, const Sub_level& cut,
+                        Level_connectivity& level, std::vector<Stored_value>& values)
+  {
+    const Rim_closure closure(level,
+                              [&](Index b) { return !whole.is_border(cut.halfedge_origin(b)); });
+    for (const Index v : closure.neighbors_of_new_vertices()) {
+      const Stored_value value = values[v];
+      values.push_back(value);
     }
   }
 

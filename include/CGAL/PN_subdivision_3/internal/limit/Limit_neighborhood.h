@@ -28,7 +28,6 @@
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -69,10 +68,9 @@ using Wide_neighborhood =
 using Plain_neighborhood = Limit_neighborhood_of<0, true, 4, true, false>;
 // whether a vertex is separated depends on the vertices of its faces
 using Modified_neighborhood = Limit_neighborhood_of<1, true, 6, true, false>;
-// Faces at the border are cut in another way, and in every other round: see is_settled(). Nothing is
-// cut out, since rounds would refine the border that this makes.
-using Sqrt3_neighborhood =
-  Limit_neighborhood_of<0, true, (std::numeric_limits<unsigned>::max)(), false, false>;
+// Faces at the border are cut in another way, and in every other round: see is_settled(). Rings grow by the root of 3
+// only.
+using Sqrt3_neighborhood = Limit_neighborhood_of<0, true, 8, false, false>;
 
 template <class Scheme>
 struct Limit_neighborhood : Wide_neighborhood<Scheme>
