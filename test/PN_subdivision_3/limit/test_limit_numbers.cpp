@@ -184,6 +184,35 @@ TEST_F(Limit_precision, OfTheCubicBSpline)
   }
 }
 
+// the transfer of curvature leaves spheres as they are: the limits of the neighbors of an apex of valence 5
+TEST_F(Limit_precision, OfSchemesThatTransferCurvature)
+{
+  using K = CGAL::Simple_cartesian<FT>;
+  using Mesh = CGAL::Surface_mesh<K::Point_3>;
+  Mesh mesh;
+  auto normals = mesh.add_property_map<Mesh::Vertex_index, K::Vector_3>("n").first;
+  const auto limits = mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<K>>("limit").first;
+  const int triples[][4] = {{0, 0, 1, 1},  {3, 4, 0, 5},    {-7, 24, 0, 25}, {-12, -5, 0, 13},
+                            {0, -1, 0, 1}, {15, -8, 0, 17}, {0, 0, -1, 1}}; // x, y, z, length
+  for (const auto& t : triples) {
+    const K::Vector_3 n(FT(t[0]) / FT(t[3]), FT(t[1]) / FT(t[3]), FT(t[2]) / FT(t[3]));
+    normals[mesh.add_vertex(CGAL::ORIGIN + n)] = n;
+  }
+  const auto v = [](int i) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(i)); };
+  for (int i = 0; i < 5; ++i) {
+    mesh.add_face(v(0), v(1 + i), v(1 + (i + 1) % 5));
+    mesh.add_face(v(6), v(1 + (i + 1) % 5), v(1 + i));
+  }
+  PN::Limit_options options;
+  options.max_depth = 4;
+  PN::limit_points(mesh, PN::ct_Loop_scheme(), limits, options,
+                   CGAL::parameters::vertex_normal_map(normals));
+  for (const auto u : mesh.vertices()) {
+    const K::Vector_3 p = limits[u].point - CGAL::ORIGIN;
+    EXPECT_LE(CGAL::abs(FT(p * p - FT(1))), power_of_two(-285));
+  }
+}
+
 // --- intervals ---
 
 using Interval = CGAL::Interval_nt<true>;
