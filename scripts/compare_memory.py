@@ -6,7 +6,6 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-# Author(s): PN_subdivision_3 developers
 """Peak memory and time of the command with borders, creases and limits, beside those without.
 
   compare_memory.py PN_SUBDIVIDE [--limit QUOTIENT]
