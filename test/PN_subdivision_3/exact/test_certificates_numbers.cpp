@@ -16,7 +16,10 @@
 #include <CGAL/PN_subdivision_3/boost_multiprecision_floats.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/mpq_class.h>
+
+#ifdef CGAL_USE_GMPXX
+#  include <CGAL/mpq_class.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -128,7 +131,9 @@ void expect_shapes_are_taken(const FT& two)
 TEST(Certificates_of_mixed_kernels, TakeShapesOfExactAndOfRoundedNumbers)
 {
   expect_shapes_are_taken(CGAL::Gmpq(2));
+#ifdef CGAL_USE_GMPXX
   expect_shapes_are_taken(mpq_class(2));
+#endif
   expect_shapes_are_taken(CGAL::Gmpfr(2));
   // 1.1 is a fraction, and no double
   using K = Kernel_of<CGAL::Gmpq>;
