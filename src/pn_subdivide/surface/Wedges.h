@@ -11,7 +11,7 @@
 
 #include "surface/Surface.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -20,12 +20,11 @@ namespace pn_subdivide {
 // The wedges of all vertices: runs of faces round a vertex between sharp edges and border edges.
 struct Wedges
 {
-  using Index = std::uint32_t;
-  static constexpr Index none = std::numeric_limits<Index>::max();
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  std::vector<Index> of_corner; // of the face of a half-edge at its target; by half-edge
+  std::vector<std::size_t> of_corner; // of the face of a half-edge at its target; by half-edge
   std::vector<Surface::Vertex_index> vertex; // of each wedge
-  std::vector<Index> number;                 // at each vertex
+  std::vector<std::size_t> number;           // at each vertex
 
   // `is_sharp(edge)`
   template <class Is_sharp>
@@ -49,18 +48,17 @@ private:
   void fill(const Surface& surface, const Is_sharp& is_sharp, Halfedge first)
   {
     const auto is_new = [&](Halfedge h) { return !surface.is_border(h) && of_corner[h] == none; };
-    const auto wedge = static_cast<Index>(vertex.size());
     Halfedge h = first;
-    of_corner[h] = wedge;
+    of_corner[h] = vertex.size();
     while (!is_sharp(surface.edge(surface.next(h)))) {
       h = surface.opposite(surface.next(h));
       if (!is_new(h)) break;
-      of_corner[h] = wedge;
+      of_corner[h] = vertex.size();
     }
     for (h = first; !is_sharp(surface.edge(h)) && !surface.is_border(surface.opposite(h));) {
       h = surface.prev(surface.opposite(h));
       if (!is_new(h)) break;
-      of_corner[h] = wedge;
+      of_corner[h] = vertex.size();
     }
   }
 };

@@ -9,12 +9,13 @@
 #include "surface/output_mesh.h"
 
 #include "surface/Area_normals.h"
-#include "surface/Wedges.h"
+#include "surface/Several_wedges.h"
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
@@ -35,36 +36,36 @@ void for_each_face(const Surface& surface, const Function& f)
   }
 }
 
-// Of vertices with several wedges the normalized sum of those.
-std::vector<Triple> vertex_normals(const std::vector<Triple>& of_wedges, const Wedges& wedges)
-{
-  std::vector<Triple> normals(wedges.number.size(), Triple{0, 0, 0});
-  for (std::size_t w = 0; w < of_wedges.size(); ++w)
-    for (std::size_t k = 0; k < 3; ++k) normals[wedges.vertex[w]][k] += of_wedges[w][k];
-  for (std::size_t v = 0; v < normals.size(); ++v)
-    if (wedges.number[v] > 1) normals[v] = normalized(normals[v]);
-  return normals;
-}
-
-void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Wedges& wedges,
+// Of vertices with several wedges `normals` get the normalized sum of those.
+void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Several_wedges& wedges,
                            double scale)
 {
-  Area_normals sums(wedges.vertex.size(), scale);
+  const std::size_t vertices = mesh.points.size();
+  Area_normals sums(vertices + wedges.size(), scale);
   for_each_face(surface, [&](const std::vector<Halfedge>& corners) {
     sums.add_face(
       corners.size(),
       [&](std::size_t i) { return to_triple(surface.point(surface.target(corners[i]))); },
-      [&](std::size_t i) { return wedges.of_corner[corners[i]]; });
+      [&](std::size_t i) -> std::size_t {
+        const Vertex v = surface.target(corners[i]);
+        return wedges.at(v) ? vertices + wedges.of(corners[i]) : std::size_t(v);
+      });
   });
-  const std::vector<Triple> of_wedges = sums.take();
-  mesh.normals = vertex_normals(of_wedges, wedges);
+  mesh.normals = sums.take();
+  const std::vector<Triple> of_wedges(mesh.normals.begin() + std::ptrdiff_t(vertices),
+                                      mesh.normals.end());
+  mesh.normals.resize(vertices);
+  for (std::size_t w = 0; w < of_wedges.size(); ++w)
+    for (std::size_t k = 0; k < 3; ++k) mesh.normals[wedges.vertex(w)][k] += of_wedges[w][k];
+  for (const Vertex v : surface.vertices())
+    if (wedges.at(v)) mesh.normals[v] = normalized(mesh.normals[v]);
   std::size_t corner = 0;
   for_each_face(surface, [&](const std::vector<Halfedge>& corners) {
     for (const Halfedge h : corners) {
       const Vertex v = surface.target(h);
-      if (wedges.number[v] > 1)
+      if (wedges.at(v))
         mesh.several_normals.push_back(
-          {corner, static_cast<Mesh_data::Index>(v), of_wedges[wedges.of_corner[h]]});
+          {corner, static_cast<Mesh_data::Index>(v), of_wedges[wedges.of(h)]});
       ++corner;
     }
   });
@@ -83,12 +84,12 @@ void set_normals_of_vertices(Mesh_data& mesh, double scale)
 }
 
 // If a vertex has several.
-std::optional<Wedges> wedges_of(const Surface& surface, const std::optional<Crease_maps>& creases)
+std::optional<Several_wedges> wedges_of(const Surface& surface,
+                                        const std::optional<Crease_maps>& creases)
 {
   if (!creases) return std::nullopt;
-  Wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
-  const auto is_several = [](std::size_t n) { return n > 1; };
-  if (std::none_of(wedges.number.begin(), wedges.number.end(), is_several)) return std::nullopt;
+  Several_wedges wedges(surface, [&](Surface::Edge_index e) { return creases->edges[e] > 0; });
+  if (wedges.size() == 0) return std::nullopt;
   return wedges;
 }
 
@@ -96,7 +97,7 @@ std::optional<Wedges> wedges_of(const Surface& surface, const std::optional<Crea
 Mesh_data with_normals_of_faces(Surface& surface, std::optional<Crease_maps>& creases, double scale)
 {
   remove_normals(surface);
-  const std::optional<Wedges> wedges = wedges_of(surface, creases);
+  const std::optional<Several_wedges> wedges = wedges_of(surface, creases);
   if (creases) remove_creases(surface, *creases);
   Mesh_data mesh = to_mesh_data(surface);
   if (wedges)
