@@ -89,7 +89,7 @@ endif()
 
 # Programs that run for longer without optimization than it takes to compile.
 set(pn_computing_tests
-    test_creases_shapes test_estimate_curvature test_exact_schemes test_extraordinary_curvature
+    test_creases_shapes test_curvature_fit test_estimate_curvature test_exact_schemes test_extraordinary_curvature
     test_extraordinary_measure test_failures test_interpolation test_limit_masks test_limit_points test_pieces
     test_reproduction test_scheme_properties)
 if(PN_TEST_OPTIMIZATION STREQUAL "-O0" AND NOT PN_TEST_PART STREQUAL "others")

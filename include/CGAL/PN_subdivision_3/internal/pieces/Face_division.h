@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -33,85 +32,94 @@ public:
   template <class Point>
   Face_division(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point)
     : piece_(level.number_of_faces(), 0)
-    , centers_(level.number_of_faces())
-    , corners_(level.number_of_faces())
   {
-    std::vector<Index> faces(level.number_of_faces());
+    std::vector<Face> faces(level.number_of_faces());
     for (Index f = 0; f < faces.size(); ++f) {
-      faces[f] = f;
       const Index first = level.halfedge_of_face(f);
       const double m = level.degree(first);
-      corners_[f] = m;
-      Center& center = centers_[f];
-      center = {0, 0, 0};
+      Center center{0, 0, 0};
       Index h = first;
       do {
         const Center p = point(level.target(h));
         for (std::size_t i = 0; i < 3; ++i) center[i] += p[i] / m;
         h = level.next(h);
       } while (h != first);
+      faces[f] = {center, m, f};
     }
-    is_uniform_ =
-      std::adjacent_find(corners_.begin(), corners_.end(), std::not_equal_to<>()) == corners_.end();
+    const auto differs = [](const Face& f, const Face& g) { return f.corners != g.corners; };
+    is_uniform_ = std::adjacent_find(faces.begin(), faces.end(), differs) == faces.end();
     divide(faces.data(), faces.data() + faces.size(), 0, number_of_pieces);
   }
 
   std::size_t piece_of_face(Index f) const { return piece_[f]; }
 
 private:
+  // moved as a whole: what is looked at lies in a row
+  struct Face
+  {
+    Center center;
+    double corners;
+    Index number;
+  };
+
   // into pieces [first, first + number)
-  void divide(Index* begin, Index* end, std::size_t first, std::size_t number)
+  void divide(Face* begin, Face* end, std::size_t first, std::size_t number)
   {
     if (number == 1 || begin == end) {
-      for (const Index* f = begin; f != end; ++f) piece_[*f] = first;
+      for (const Face* f = begin; f != end; ++f) piece_[f->number] = first;
       return;
     }
     const std::size_t axis = longest_axis(begin, end);
-    const auto is_before = [&](Index f, Index g) {
-      return centers_[f][axis] != centers_[g][axis] ? centers_[f][axis] < centers_[g][axis] : f < g;
+    const auto is_before = [axis](const Face& f, const Face& g) {
+      return f.center[axis] != g.center[axis] ? f.center[axis] < g.center[axis]
+                                              : f.number < g.number;
     };
     if (!is_uniform_) std::sort(begin, end, is_before);
     const std::size_t half = number / 2;
-    Index* const middle = end_of_share(begin, end, double(half) / double(number));
+    Face* const middle = end_of_share(begin, end, double(half) / double(number));
     if (is_uniform_ && middle != end) std::nth_element(begin, middle, end, is_before);
     divide(begin, middle, first, half);
     divide(middle, end, first + half, number - half);
   }
 
   // The order matters only where the faces have different numbers of corners.
-  Index* end_of_share(Index* begin, Index* end, double share) const
+  Face* end_of_share(Face* begin, Face* end, double share) const
   {
+    if (is_uniform_) return end_of_uniform_share(begin, end, share);
     double total = 0;
-    for (const Index* f = begin; f != end; ++f) total += corners_[*f];
-    Index* middle = begin;
-    for (double sum = corners_[*middle] / 2; middle != end && sum < total * share;) {
-      sum += corners_[*middle] / 2;
-      if (++middle != end) sum += corners_[*middle] / 2;
+    for (const Face* f = begin; f != end; ++f) total += f->corners;
+    Face* middle = begin;
+    for (double sum = middle->corners / 2; middle != end && sum < total * share;) {
+      sum += middle->corners / 2;
+      if (++middle != end) sum += middle->corners / 2;
     }
     return middle;
   }
-
-  std::size_t longest_axis(const Index* begin, const Index* end) const
+  // the same sums, which are exact
+  static Face* end_of_uniform_share(Face* begin, Face* end, double share)
   {
+    const double m = begin->corners, wanted = double(end - begin) * m * share;
+    auto i = static_cast<std::ptrdiff_t>(wanted / m - 0.5);
+    while (i > 0 && m / 2 + double(i - 1) * m >= wanted) --i;
+    while (begin + i != end && m / 2 + double(i) * m < wanted) ++i;
+    return begin + i;
+  }
+
+  static std::size_t longest_axis(const Face* begin, const Face* end)
+  {
+    Center low = begin->center, high = low;
+    for (const Face* f = begin; f != end; ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = (std::min)(low[i], f->center[i]);
+        high[i] = (std::max)(high[i], f->center[i]);
+      }
     std::size_t axis = 0;
-    double longest = -1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      double low = centers_[*begin][i], high = low;
-      for (const Index* f = begin; f != end; ++f) {
-        low = (std::min)(low, centers_[*f][i]);
-        high = (std::max)(high, centers_[*f][i]);
-      }
-      if (high - low > longest) {
-        longest = high - low;
-        axis = i;
-      }
-    }
+    for (std::size_t i = 1; i < 3; ++i)
+      if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
     return axis;
   }
 
   std::vector<std::size_t> piece_;
-  std::vector<Center> centers_;
-  std::vector<double> corners_;
   bool is_uniform_ = false;
 };
 

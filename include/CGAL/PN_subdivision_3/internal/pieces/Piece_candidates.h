@@ -10,9 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_CANDIDATES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Number_set.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -66,7 +68,7 @@ private:
 };
 
 // Some elements, and the place of each among them. The table is as large as the level, but nothing has to be
-// cleared before other elements are listed: a place counts where the list agrees.
+// cleared before other elements are listed: places are counted on from one list to the next.
 class Element_list
 {
 public:
@@ -74,27 +76,41 @@ public:
 
   explicit Element_list(std::size_t elements_of_level)
     : place_(elements_of_level, 0)
+    , set_(elements_of_level)
   {}
 
   const std::vector<Index>& elements() const { return elements_; }
-  bool contains(Index i) const { return place_[i] < elements_.size() && elements_[place_[i]] == i; }
-  Index place(Index i) const { return place_[i]; }
+  bool contains(Index i) const { return place_[i] >= begin_; }
+  Index place(Index i) const { return place_[i] - begin_; }
 
-  void clear() { elements_.clear(); }
+  // \pre it is empty or sorted
+  void clear()
+  {
+    if (place_.size() >= std::numeric_limits<Index>::max() - end_) { // of what can be counted
+      std::fill(place_.begin(), place_.end(), Index(0));
+      end_ = 1;
+    }
+    begin_ = end_;
+    elements_.clear();
+  }
   void add(Index i)
   {
     if (contains(i)) return;
-    place_[i] = static_cast<Index>(elements_.size());
+    place_[i] = end_++;
     elements_.push_back(i);
+    set_.add(i);
   }
   void sort()
   {
-    std::sort(elements_.begin(), elements_.end());
-    for (std::size_t k = 0; k < elements_.size(); ++k) place_[elements_[k]] = static_cast<Index>(k);
+    set_.move_to(elements_);
+    for (std::size_t k = 0; k < elements_.size(); ++k)
+      place_[elements_[k]] = begin_ + static_cast<Index>(k);
   }
 
 private:
   std::vector<Index> elements_, place_;
+  Number_set set_;
+  Index begin_ = 1, end_ = 1; // of the places of the list
 };
 
 // Those of a few faces: what is done with them does not depend on the size of the level.
