@@ -13,6 +13,7 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -23,52 +24,68 @@ namespace {
 using Halfedge = Surface::Halfedge_index;
 using Vertex = Surface::Vertex_index;
 
-// `f(corners)` with the half-edges of each face, in the order of to_mesh_data()
-template <class Function>
-void for_each_face(const Surface& surface, const Function& f)
+// The places of normals: those of the vertices, and behind them those of the wedges of vertices that have several.
+class Places_of_corners
 {
-  std::vector<Halfedge> corners;
-  for (const Surface::Face_index face : surface.faces()) {
-    corners.clear();
-    for (const Halfedge h : halfedges_around_face(surface.halfedge(face), surface))
-      corners.push_back(h);
-    f(corners);
-  }
-}
+public:
+  Places_of_corners(const Surface& surface, const Mesh_data& mesh, const Several_wedges& wedges)
+    : surface_(surface)
+    , mesh_(mesh)
+    , wedges_(wedges)
+  {}
 
-// Of vertices with several wedges `normals` get the normalized sum of those.
+  // of the corners of a face; valid until the next call
+  const std::vector<std::size_t>& of(std::size_t f)
+  {
+    const Mesh_data::Face face = mesh_.face(f);
+    places_.assign(face.begin(), face.end());
+    if (std::none_of(face.begin(), face.end(), [&](auto v) { return wedges_.at(Vertex(v)); }))
+      return places_;
+    auto place = places_.begin();
+    for (const Halfedge h :
+         halfedges_around_face(surface_.halfedge(Surface::Face_index(f)), surface_)) {
+      if (wedges_.at(Vertex(static_cast<Mesh_data::Index>(*place))))
+        *place = mesh_.points.size() + wedges_.of(h);
+      ++place;
+    }
+    return places_;
+  }
+
+private:
+  const Surface& surface_;
+  const Mesh_data& mesh_;
+  const Several_wedges& wedges_;
+  std::vector<std::size_t> places_;
+};
+
+// Vertices with several wedges have the normalized sum of those.
 void set_normals_of_wedges(Mesh_data& mesh, const Surface& surface, const Several_wedges& wedges,
                            double scale)
 {
   const std::size_t vertices = mesh.points.size();
+  Places_of_corners places(surface, mesh, wedges);
   Area_normals sums(vertices + wedges.size(), scale);
-  for_each_face(surface, [&](const std::vector<Halfedge>& corners) {
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Mesh_data::Index* const corner = mesh.face(f).begin();
+    const std::vector<std::size_t>& place = places.of(f);
     sums.add_face(
-      corners.size(),
-      [&](std::size_t i) { return to_triple(surface.point(surface.target(corners[i]))); },
-      [&](std::size_t i) -> std::size_t {
-        const Vertex v = surface.target(corners[i]);
-        return wedges.at(v) ? vertices + wedges.of(corners[i]) : std::size_t(v);
-      });
-  });
+      place.size(), [&](std::size_t i) { return mesh.points[corner[i]]; },
+      [&](std::size_t i) { return place[i]; });
+  }
   mesh.normals = sums.take();
-  const std::vector<Triple> of_wedges(mesh.normals.begin() + std::ptrdiff_t(vertices),
-                                      mesh.normals.end());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const std::vector<std::size_t>& place = places.of(f);
+    for (std::size_t i = 0; i < place.size(); ++i)
+      if (place[i] >= vertices)
+        mesh.several_normals.push_back(
+          {mesh.first_corner(f) + i, mesh.face(f).begin()[i], mesh.normals[place[i]]});
+  }
+  for (std::size_t w = 0; w < wedges.size(); ++w)
+    for (std::size_t k = 0; k < 3; ++k)
+      mesh.normals[wedges.vertex(w)][k] += mesh.normals[vertices + w][k];
   mesh.normals.resize(vertices);
-  for (std::size_t w = 0; w < of_wedges.size(); ++w)
-    for (std::size_t k = 0; k < 3; ++k) mesh.normals[wedges.vertex(w)][k] += of_wedges[w][k];
   for (const Vertex v : surface.vertices())
     if (wedges.at(v)) mesh.normals[v] = normalized(mesh.normals[v]);
-  std::size_t corner = 0;
-  for_each_face(surface, [&](const std::vector<Halfedge>& corners) {
-    for (const Halfedge h : corners) {
-      const Vertex v = surface.target(h);
-      if (wedges.at(v))
-        mesh.several_normals.push_back(
-          {corner, static_cast<Mesh_data::Index>(v), of_wedges[wedges.of(h)]});
-      ++corner;
-    }
-  });
 }
 
 void set_normals_of_vertices(Mesh_data& mesh, double scale)
