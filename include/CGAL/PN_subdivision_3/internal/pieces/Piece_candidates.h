@@ -86,7 +86,7 @@ public:
   // \pre it is empty or sorted
   void clear()
   {
-    if (place_.size() >= std::numeric_limits<Index>::max() - end_) { // of what can be counted
+    if (place_.size() >= (std::numeric_limits<Index>::max)() - end_) { // of what can be counted
       std::fill(place_.begin(), place_.end(), Index(0));
       end_ = 1;
     }
