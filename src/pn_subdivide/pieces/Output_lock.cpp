@@ -11,8 +11,10 @@
 #include "io/Error.h"
 
 #include <cerrno>
+#include <chrono>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #if __has_include(<unistd.h>)
@@ -125,6 +127,12 @@ Output_lock::Attempt Output_lock::take_over()
   if (descriptor_ >= 0 && !is_free) throw Error("another run is writing it");
   const ssize_t n = descriptor_ < 0 ? -1 : ::pread(descriptor_, text.data(), text.size(), 0);
   text.resize(n < 0 ? 0 : static_cast<std::size_t>(n));
+  if (n == 0 && looks_left_ > 0) { // its maker is about to lock it and to write into it
+    --looks_left_;
+    close();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return Attempt::again;
+  }
   if (text != content)
     throw Error(file_.string() + " is there, by which runs lock each other out, and is not of this "
                                  "program: rename or delete it");

@@ -37,6 +37,7 @@ private:
   std::filesystem::path file_;
   std::optional<Temporary_on_signal> removal_;
   int descriptor_ = -1;
+  int looks_left_ = 100; // at a file that is empty
 };
 
 } // namespace pn_subdivide
