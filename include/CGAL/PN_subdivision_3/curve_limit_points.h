@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_CURVE_LIMIT_POINTS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_limits.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>

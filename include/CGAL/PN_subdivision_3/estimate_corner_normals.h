@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CORNER_NORMALS_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_CURVES_CURVE_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_CURVES_CURVE_CONTROL_NORMALS_H
 
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/curves/planar_polygon_normals.h>
