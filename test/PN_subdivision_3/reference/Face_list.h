@@ -74,8 +74,7 @@ public:
     std::vector<int> result;
     int first = some_neighbor_[std::size_t(v)];
     if (first < 0) return result;
-    for (int turns = 0; face(first, v) >= 0;
-         ++turns) { // go clockwise to the border, if there is one
+    while (face(first, v) >= 0) { // go clockwise to the border, if there is one
       const int u = after(first, v);
       if (u == some_neighbor_[std::size_t(v)]) break;
       first = u;
