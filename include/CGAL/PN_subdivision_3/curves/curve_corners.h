@@ -94,8 +94,8 @@ auto split_at_corners(const Range& polygon, Curve_end end, const std::vector<std
   const auto point_map = Points::point_map(np);
   std::vector<Part> parts;
   for (const auto& [from, to] : internal::parts_between_corners(size, end, corners)) {
-    const auto for_each_item = [&, from = from, to = to](const auto& f) {
-      for (std::size_t i = from; i <= to; ++i)
+    const auto for_each_item = [&, begin = from, last = to](const auto& f) {
+      for (std::size_t i = begin; i <= last; ++i)
         f(*std::next(first, static_cast<std::ptrdiff_t>(i % size)));
     };
     if constexpr (Points::has_normals) {
