@@ -63,7 +63,7 @@ Surface_options options_of(const std::uint8_t* bytes)
   if (bytes[2] & 4) options.normals = bytes[2] & 8 ? "angle" : "estimate";
   if (bytes[2] & 16) options.creases.sharp = "angle:" + std::to_string(bytes[3] % 180);
   if (bytes[2] & 32) options.curvature = "gaussian";
-  options.quiet = true;
+  options.report.quiet = true;
   return options;
 }
 

@@ -62,6 +62,10 @@ Gmpfr mpfr_cosine(std::int64_t k, std::int64_t n, typename Gmpfr::Precision_type
   mpfr_cos(x.fr(), x.fr(), MPFR_RNDN);
   return x;
 }
+#else
+template <class Number, class Precision>
+Number mpfr_cosine(std::int64_t, std::int64_t,
+                   Precision); // of no number type, but it has to be a name
 #endif
 
 // the angle of a vector in the plane
