@@ -60,7 +60,7 @@ public:
 
   std::vector<Triple> points;
   std::vector<Triple> normals, corner_normals;
-  std::vector<Corner_normal> several_normals; // in the order of the corners
+  std::vector<Corner_normal> several_normals;     // in the order of the corners
   Normal_kind normal_kind = Normal_kind::control; // of these
   // to be written beside these, if they are not themselves control normals
   std::vector<Triple> control_normals, corner_control_normals;
