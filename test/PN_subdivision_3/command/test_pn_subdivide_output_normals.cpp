@@ -8,7 +8,7 @@
 
 // `pn_subdivide surface --output-normals`: which normals are written, and what files say of them.
 
-#include "Command_test.h"
+#include "Refined_files.h"
 
 #include "io/mesh_io.h"
 
@@ -140,7 +140,7 @@ std::size_t number_of(const std::string& text, const std::string& part)
   return n;
 }
 
-class Pn_subdivide_output_normals : public Command_test
+class Pn_subdivide_output_normals : public Refined_files
 {
 protected:
   void SetUp() override
@@ -156,28 +156,6 @@ protected:
   {
     if (takes_triangles(scheme)) return is_open ? "open_triangles.obj" : "triangles.obj";
     return is_open ? "open.obj" : "quads.obj";
-  }
-
-  Outcome surface(const std::string& input, const std::string& output,
-                  const std::string& options) const
-  {
-    return run("surface '" + folder.file(input) + "' '" + folder.file(output) + "' --quiet " +
-               options);
-  }
-
-  std::string written(const std::string& input, const std::string& output,
-                      const std::string& options) const
-  {
-    const Outcome outcome = surface(input, output, options);
-    EXPECT_EQ(outcome.code, 0) << options << outcome.err;
-    return Temporary_folder::content(folder.file(output));
-  }
-
-  Mesh_data refined(const std::string& input, const std::string& output,
-                    const std::string& options) const
-  {
-    written(input, output, options);
-    return read_mesh(folder.file(output));
   }
 
   // A file with both, read as if it had the first normals only.

@@ -8,7 +8,7 @@
 
 // What is sharp in the result: written to PLY, OBJ and selections, read again, and carried from call to call.
 
-#include "Command_test.h"
+#include "Refined_files.h"
 
 #include "io/mesh_io.h"
 
@@ -121,7 +121,7 @@ bool takes_triangles(const std::string& scheme)
   return scheme == "loop" || scheme == "modified-loop";
 }
 
-class Pn_subdivide_tags : public Command_test
+class Pn_subdivide_tags : public Refined_files
 {
 protected:
   void SetUp() override
@@ -133,28 +133,6 @@ protected:
     folder.write("all.selection.txt", selection(outline));
     folder.write("rims.selection.txt", selection(rims));
     folder.write("corner.selection.txt", selection({{0, 1}, {1, 2}}, "6 4"));
-  }
-
-  Outcome surface(const std::string& input, const std::string& output,
-                  const std::string& options) const
-  {
-    return run("surface '" + folder.file(input) + "' '" + folder.file(output) + "' --quiet " +
-               options);
-  }
-
-  std::string written(const std::string& input, const std::string& output,
-                      const std::string& options) const
-  {
-    const Outcome outcome = surface(input, output, options);
-    EXPECT_EQ(outcome.code, 0) << options << outcome.err;
-    return Temporary_folder::content(folder.file(output));
-  }
-
-  Mesh_data refined(const std::string& input, const std::string& output,
-                    const std::string& options) const
-  {
-    written(input, output, options);
-    return read_mesh(folder.file(output));
   }
 
   std::string sharp(const std::string& name) const
