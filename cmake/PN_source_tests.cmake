@@ -19,6 +19,9 @@ if(Python3_FOUND)
                      "--compiler=${pn_compiler} -I${pn_eigen_folder}")
   endif()
 
+  add_test(NAME package_does_not_grow
+           COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
+
   # skipped, with the reason, where VTK is not installed
   add_test(NAME render_draws
            COMMAND Python3::Interpreter -B

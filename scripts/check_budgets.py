@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
+"""Checks that the package does not grow unnoticed: scripts/budgets.tsv has, for every folder, the most files and lines
+that it may have, and for the whole the most headers that only include another one, and long headers that no wrong
+change in scripts/mutations.toml touches.
+
+    scripts/check_budgets.py              exit code 1 if something is larger
+    scripts/check_budgets.py --totals     prints what there is
+    scripts/check_budgets.py --lower      writes what there is where it is less: what has been won is kept
+    scripts/check_budgets.py --raise      writes what there is, more or less; the commit says why
+"""
+
+import argparse
+import re
+import sys
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUDGETS = ROOT / "scripts" / "budgets.tsv"
+HEADERS = ROOT / "include" / "CGAL"
+COMMAND = ROOT / "src" / "pn_subdivide"
+LONG = 100  # lines of a header that should be touched by a wrong change
+INTRODUCTION = """\
+# The most that a folder may have; checked by scripts/check_budgets.py, which also lowers and raises it.
+# A row is raised only by a commit that says why.
+"""
+COLUMNS = ["folder", "files", "lines"]
+FORWARDING = "(headers that only include another one)"
+UNTOUCHED = f"(headers of {LONG} lines and more without a wrong change)"
+
+
+def lines_of(path: Path) -> int:
+    return path.read_text().count("\n")
+
+
+def only_forwards(header: Path) -> bool:
+    """Whether nothing is there but comments, the guard and one include."""
+    text = re.sub(r"/\*.*?\*/|//[^\n]*", "", header.read_text(), flags=re.DOTALL)
+    rest = [line for line in text.splitlines() if line.strip()]
+    guard = ("#ifndef", "#define", "#endif", "#pragma once")
+    others = [line for line in rest if not line.startswith(guard)]
+    return len(others) == 1 and others[0].startswith("#include")
+
+
+def counted() -> dict[str, tuple[int, int]]:
+    """Files and lines of each folder, and the two counts of the whole; these have no lines."""
+    headers = sorted(HEADERS.rglob("*.h"))
+    sources = [path for path in COMMAND.rglob("*") if path.suffix in (".h", ".cpp")]
+    counts: dict[str, tuple[int, int]] = {}
+    for path in headers + sources:
+        folder = str(path.parent.relative_to(ROOT))
+        files, lines = counts.get(folder, (0, 0))
+        counts[folder] = files + 1, lines + lines_of(path)
+    touched = {m["file"] for m in tomllib.loads((ROOT / "scripts" / "mutations.toml").read_text())["mutation"]}
+    package = HEADERS / "PN_subdivision_3"
+    untouched = [h for h in package.rglob("*.h")
+                 if lines_of(h) >= LONG and str(h.relative_to(package)) not in touched]
+    counts[FORWARDING] = sum(map(only_forwards, headers)), 0
+    counts[UNTOUCHED] = len(untouched), 0
+    return counts
+
+
+def read_budgets() -> dict[str, tuple[int, int]]:
+    rows = [line.split("\t") for line in BUDGETS.read_text().splitlines() if not line.startswith("#")]
+    return {folder: (int(files), int(lines)) for folder, files, lines in rows[1:]}
+
+
+def write_budgets(budgets: dict[str, tuple[int, int]]) -> None:
+    rows = ["\t".join([folder, str(files), str(lines)]) for folder, (files, lines) in sorted(budgets.items())]
+    BUDGETS.write_text(INTRODUCTION + "\n".join(["\t".join(COLUMNS), *rows]) + "\n")
+
+
+def excesses(counts: dict[str, tuple[int, int]], budgets: dict[str, tuple[int, int]]) -> list[str]:
+    wrong = []
+    for folder, count in counts.items():
+        if folder not in budgets:
+            wrong.append(f"{folder}: has no row")
+            continue
+        for what, number, most in zip(COLUMNS[1:], count, budgets[folder], strict=True):
+            if number > most:
+                wrong.append(f"{folder}: {number} {what}, {most} allowed")
+    return wrong
+
+
+def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
+    result = []
+    for title, beginning in (("headers", "include/"), ("command", "src/")):
+        part = [count for folder, count in counts.items() if folder.startswith(beginning)]
+        result.append(f"{title}: {sum(c[0] for c in part)} files, {sum(c[1] for c in part)} lines")
+    return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED)]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    action = parser.add_mutually_exclusive_group()
+    action.add_argument("--totals", action="store_true")
+    action.add_argument("--lower", action="store_true")
+    action.add_argument("--raise", action="store_true", dest="raises")
+    options = parser.parse_args()
+
+    counts = counted()
+    if options.totals:
+        print("\n".join(totals(counts)))
+        return 0
+    if options.raises:
+        write_budgets(counts)
+        return 0
+    budgets = read_budgets()
+    wrong = excesses(counts, budgets)
+    if options.lower and not wrong:
+        write_budgets({folder: (min(count[0], budgets[folder][0]), min(count[1], budgets[folder][1]))
+                       for folder, count in counts.items()})
+    for line in wrong:
+        print(f"{BUDGETS.relative_to(ROOT)}: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
