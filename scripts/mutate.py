@@ -8,13 +8,13 @@
 # Author(s): PN_subdivision_3 developers
 """Puts small wrong changes into the headers, one at a time, and runs the tests that must notice.
 
-    scripts/mutate.py [--list] [--check] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
+    scripts/mutate.py [--list] [--check] [--bare] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
 
 NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes an hour or two: only the
 named tests are compiled for each, at -O0, by $CXX or clang++, up to the first that fails. Verdicts are added to
 scripts/mutation_results.tsv; changes that have one there are only tried with --again. --check tells whether every
-pattern is still found, --unchanged runs the tests of the selection on headers as they are (all have to pass),
---table writes the page of the manual from the verdicts.
+pattern is still found, --bare lists the headers of 100 lines and more that no change touches, --unchanged runs the
+tests of the selection on headers as they are (all have to pass), --table writes the page of the manual from the verdicts.
 Exit code 1 if a change survives that is not expected to, or cannot be made.
 """
 
@@ -47,6 +47,7 @@ OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", "-isystem
 # precompiled once: no change alters them
 THIRD_PARTY = ["gtest/gtest.h", "CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Polyhedron_3.h",
                "CGAL/Simple_cartesian.h", "CGAL/Surface_mesh.h", "CGAL/subdivision_method_3.h", "Eigen/Dense"]
+LONG = 100  # lines of a header that should have a change
 COLUMNS = ["name", "verdict", "test", "what failed", "seconds"]
 printing = threading.Lock()
 
@@ -63,6 +64,14 @@ def changed_text(mutation):
     pattern = re.compile(r"\s*".join(words))
     changed = pattern.sub(lambda _: mutation["replacement"], text)
     return None if changed == text else changed
+
+
+def bare_headers():
+    """Lines and names of long headers without a change, the longest first."""
+    touched = {m["file"] for m in mutations()}
+    folder = ROOT / "include" / HEADERS
+    lines = {str(f.relative_to(folder)): f.read_text().count("\n") for f in folder.rglob("*.h")}
+    return sorted(((n, name) for name, n in lines.items() if n >= LONG and name not in touched), reverse=True)
 
 
 # --- verdicts ---
@@ -259,6 +268,7 @@ def main():
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--bare", action="store_true")
     parser.add_argument("--unchanged", action="store_true")
     parser.add_argument("--table", metavar="FILE")
     parser.add_argument("--again", action="store_true")
@@ -267,6 +277,10 @@ def main():
 
     if options.table:
         return write_table(options.table)
+    if options.bare:
+        for n, name in bare_headers():
+            print(f"{n:4} {name}")
+        return 0
     selected = [m for m in mutations() if not options.names or any(name in m["name"] for name in options.names)]
     if options.list:
         for m in selected:
