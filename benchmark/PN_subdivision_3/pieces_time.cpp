@@ -15,8 +15,8 @@
 
 #include "Control_meshes.h"
 
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 #include <cstdint>
 #include <cstdlib>

@@ -12,16 +12,15 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Kept_crease_rounds.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <cstddef>
@@ -29,7 +28,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -88,8 +86,8 @@ class Surface_refiner
                 "PN_subdivision_3: Surface_refiner takes no scheme that transfers curvature");
 
   using FT = typename GeomTraits::FT;
-  static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
-  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
+  static constexpr bool is_pn = internal::is_pn_v<Scheme>;
+  using Average = internal::Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Control = internal::Control_values<Average>;
 
@@ -255,52 +253,23 @@ private:
   {
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
-    if (level.size().faces == 0) rounds = (std::min)(rounds, 1u); // all rounds are alike
+    rounds = internal::number_of_rounds(level, rounds);
     const Level_size size = internal::checked_refined_size<typename Scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
-    internal::Creases<FT> creases = read_creases(access, scheme, level, edge_map, vertex_map);
-    const bool has_creases = !creases.empty() && rounds != 0;
+    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    auto creases =
+      internal::Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map>(
+        scheme, access, level, edge_map, vertex_map)
+        .creases(level);
+    using Level_creases = decltype(creases);
+    if (rounds == 0) creases = Level_creases(level.number_of_vertices());
     control_ = std::make_unique<Control>(access, level, points, normals,
-                                         internal::normal_estimate(scheme), has_creases);
+                                         internal::normal_estimate(scheme), !creases.empty());
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
-    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
-    if constexpr (may_crease_v<Edge_map, Vertex_map>)
-      if (has_creases) {
-        rounds_ = std::make_unique<internal::Kept_crease_rounds<Scheme, Average>>(
-          scheme, std::move(level), std::move(creases), rounds, *control_, for_chunks);
-        return;
-      }
-    rounds_ = std::make_unique<internal::Kept_rounds<Scheme, Average>>(scheme, std::move(level),
-                                                                       rounds, for_chunks);
-  }
-
-  template <class Edge_map, class Vertex_map>
-  static constexpr bool may_be_sharp_v =
-    internal::is_constraint_map_v<Edge_map> || internal::is_constraint_map_v<Vertex_map> ||
-    internal::Border_of<Scheme>::is_given;
-  template <class Edge_map, class Vertex_map>
-  static constexpr bool may_crease_v =
-    may_be_sharp_v<Edge_map, Vertex_map>&& internal::Has_crease_rules<Scheme>::value;
-
-  template <class Access, class Edge_map, class Vertex_map>
-  static internal::Creases<FT> read_creases(const Access& access, const Scheme& scheme,
-                                            const Level_connectivity& level, Edge_map edge_map,
-                                            Vertex_map vertex_map)
-  {
-    if constexpr (may_crease_v<Edge_map, Vertex_map>) {
-      const internal::Edge_constraints<Access, Edge_map> edges(access, edge_map,
-                                                               level.number_of_edges());
-      const internal::Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
-                                                                      level.number_of_vertices());
-      return internal::Make_creases<FT>(level, internal::Border_of<Scheme>::get(scheme))(
-        [&](Index e) { return edges.sharpness(e); },
-        [&](Index v) { return vertices.sharpness(v); });
-    } else {
-      if constexpr (may_be_sharp_v<Edge_map, Vertex_map>)
-        internal::refuse_creases(scheme, access, edge_map, vertex_map);
-      return internal::Creases<FT>(level.number_of_vertices());
-    }
+    rounds_ = std::make_unique<internal::Kept_rounds<Scheme, Average, Level_creases>>(
+      scheme, std::move(level), std::move(creases), rounds, *control_,
+      internal::For_chunks::with(Concurrency_tag()));
   }
 
   void evaluate_all()

@@ -22,7 +22,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -119,30 +118,15 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
   if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
     const auto points = Parameters::const_point_map(mesh, np);
     const auto normals = Parameters::normal_map(np);
-    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
     internal::with_mesh_access(mesh, [&](const auto& access) {
-      using Access = std::decay_t<decltype(access)>;
-      const auto edge_map = Parameters::edge_constraint_map(np);
-      const auto vertex_map = Parameters::vertex_constraint_map(np);
-      const auto put_limits = [&](const auto& results, Level_connectivity::Index n) {
-        for (Level_connectivity::Index v = 0; v < n; ++v)
-          put(limits, access.vertex(v), internal::to_limit_point<Limit>(results[v]));
-      };
-      internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-      if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
-                                                   std::decay_t<decltype(edge_map)>,
-                                                   std::decay_t<decltype(vertex_map)>>)
-        report = internal::creased_vertex_limits<FT>(
-          access, scheme, points, normals, edge_map, vertex_map, options, for_chunks,
-          [&](auto& of_slots, auto&) {
-            internal::put_mean_normals<Scheme>(of_slots.creases, of_slots.results);
-            put_limits(of_slots.results, of_slots.level.number_of_vertices());
-          });
-      else
-        report = internal::vertex_limits<FT>(
-          access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
-            put_limits(results, static_cast<Level_connectivity::Index>(results.size()));
-          });
+      report = internal::vertex_limits<FT>(
+        access, scheme, points, normals, Parameters::edge_constraint_map(np),
+        Parameters::vertex_constraint_map(np), options,
+        internal::For_chunks::with(Concurrency_tag()), [&](const auto& of_mesh, const auto&) {
+          internal::put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+          for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+            put(limits, access.vertex(v), internal::to_limit_point<Limit>(of_mesh.results[v]));
+        });
     });
   }
   return report;
@@ -180,6 +164,7 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
       internal::Limit_demand demand =
         internal::limit_demand<FT>(options, internal::box_size(level));
       demand.curvatures = false;
+      demand.points = true;
       internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
                                                    internal::For_chunks::with(Concurrency_tag()));
       const auto results = evaluation(level);

@@ -11,8 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <algorithm>
@@ -21,7 +23,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -158,8 +159,8 @@ class Surface_pieces
                 "of faces a piece needs around it");
 
   using FT = typename GeomTraits::FT;
-  static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
-  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
+  static constexpr bool is_pn = internal::is_pn_v<Scheme>;
+  using Average = internal::Average_of_scheme<Scheme, FT>;
   using Refiner = internal::Piece_refiner<Scheme, Average>;
   using Value = typename Refiner::Value;
 
@@ -271,7 +272,7 @@ private:
   {
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
-    rounds_ = level.size().faces == 0 ? (std::min)(rounds, 1u) : rounds; // all rounds are alike
+    rounds_ = internal::number_of_rounds(level, rounds);
     constexpr std::uint64_t limit = std::uint64_t(1) << 60;
     internal::checked_refined_size<typename Scheme::Host>(level.size(), rounds_, limit);
     const unsigned base_round =

@@ -11,13 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Creased_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -25,46 +22,6 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-namespace internal {
-
-// The subdivision that a call asks for: without anything that could be sharp, the plain one.
-template <class Concurrency_tag, class Scheme, class FT>
-struct Any_subdivision
-{
-  using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
-
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry>
-  void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                  Vertex_map vertex_map, const Carry& carry) const
-  {
-    constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
-    constexpr bool may_be_sharp = is_constraint_map_v<Edge_map> ||
-                                  is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
-                                  has_crease_tangents_v<Scheme> || has_corner_normals;
-    if constexpr (!may_be_sharp)
-      Plain(scheme, rounds, round_done)(access, points, normals, carry);
-    else if constexpr (Has_crease_rules<Scheme>::value)
-      Creased_subdivision<Concurrency_tag, Scheme, FT>(scheme, rounds, round_done)(
-        access, points, normals, edge_map, vertex_map, carry);
-    else {
-      static_assert(!has_corner_normals || Is_linear<Scheme>::value,
-                    "PN_subdivision_3: the scheme has no rules for creases and takes a normal per "
-                    "vertex, not per half-edge");
-      refuse_creases(scheme, access, edge_map, vertex_map);
-      if constexpr (!has_corner_normals)
-        Plain(scheme, rounds, round_done)(access, points, normals, carry);
-      else if constexpr (Is_linear<Scheme>::value)
-        Plain(scheme, rounds, round_done)(access, points, No_normal_map(), carry);
-    }
-  }
-
-  const Scheme& scheme;
-  unsigned rounds;
-  typename Plain::Round_done round_done;
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Functions
@@ -237,8 +194,8 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& n
     if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
     const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
       unwrapped, attributes};
-    const internal::Any_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision{
-      scheme, iterations, round_done};
+    const internal::Mesh_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision(
+      scheme, iterations, round_done);
     internal::with_mesh_access(mesh, [&](auto& access) {
       subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
                   Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),

@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Creased_limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -18,7 +17,6 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 
 #include <stdexcept>
-#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -68,25 +66,12 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
     return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
   Limit_report report;
   if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
-    const auto points = Parameters::point_map(mesh, np);
-    const auto normals = Parameters::normal_map(np);
     internal::with_mesh_access(mesh, [&](auto& access) {
-      using Access = std::decay_t<decltype(access)>;
-      using FT = typename Parameters::FT;
-      const auto edge_map = Parameters::edge_constraint_map(np);
-      const auto vertex_map = Parameters::vertex_constraint_map(np);
-      internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-      if constexpr (internal::has_creased_limits_v<Scheme, Access, std::decay_t<decltype(normals)>,
-                                                   std::decay_t<decltype(edge_map)>,
-                                                   std::decay_t<decltype(vertex_map)>>) {
-        const internal::Creased_limit_subdivision<Concurrency_tag, Scheme, FT> subdivision(
-          scheme, rounds, options);
-        report = subdivision(access, points, normals, edge_map, vertex_map);
-      } else {
-        const internal::Limit_subdivision<Concurrency_tag, Scheme, FT> subdivision(scheme, rounds,
-                                                                                   options);
-        report = subdivision(access, points, normals);
-      }
+      const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
+        subdivision(scheme, rounds, options);
+      report =
+        subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                    Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
     });
   }
   return report;

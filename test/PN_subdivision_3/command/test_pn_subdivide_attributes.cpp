@@ -77,7 +77,7 @@ void expect_same(const Attributes& a, const Attributes& b)
   EXPECT_EQ(a.material_files, b.material_files);
 }
 
-const Numbers& values(const Columns& columns, const std::string& name)
+const Numbers& values(const Columns& columns, const char* name)
 {
   static const Numbers none;
   const Column* const column = find_column(columns, name);
@@ -864,7 +864,7 @@ TEST_F(Pn_subdivide_carries, BytesAreRounded)
   const std::string input = folder.write(
     "a.off", "COFF\n4 1 0\n0 0 0 0 0 0\n1 0 0 255 1 0\n1 1 0 0 0 0\n0 1 0 0 0 2\n4 0 1 2 3\n");
   const Mesh_data mesh = refined(input, "--linear --scheme catmull-clark --border curve");
-  const auto count = [&](const std::string& name, double x) {
+  const auto count = [&](const char* name, double x) {
     const Numbers& n = values(mesh.attributes.of_vertices, name);
     return std::count(n.begin(), n.end(), x);
   };

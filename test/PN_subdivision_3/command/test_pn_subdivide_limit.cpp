@@ -94,7 +94,7 @@ TEST_F(Pn_subdivide_limit, EachOptionDoesItsOwn)
   for (std::size_t v = 0; v < plain.size(); ++v) {
     EXPECT_EQ(distance(plain[v], normals[v], 0), 0);
     EXPECT_EQ(distance(limit[v], both[v], 0), 0);
-    EXPECT_EQ(distance(normals[v], both[v], 3), 0);
+    EXPECT_LE(distance(normals[v], both[v], 3), 1e-3); // what is asked for by default
     moved = std::max(moved, distance(plain[v], limit[v], 0));
     turned = std::max(turned, distance(limit[v], both[v], 3));
   }

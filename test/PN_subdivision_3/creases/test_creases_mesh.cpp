@@ -214,6 +214,39 @@ TEST(Creases_of_meshes, A_map_of_vertices_gives_the_mean_of_the_wedges)
   }
 }
 
+// bit for bit: the normals of both sides are estimated
+TEST(Creases_of_meshes, A_map_of_vertices_is_not_used_on_creases)
+{
+  const Control control = capped_cylinder(uneven(7)).control();
+  const auto refined = [&](const Vector_3& on_creases) {
+    Tagged<Surface_mesh> t(control);
+    auto normals = t.mesh.add_property_map<Surface_mesh::Vertex_index, Vector_3>("v:n").first;
+    for (auto h : t.mesh.halfedges()) normals[t.mesh.target(h)] = get(t.normals, h);
+    for (auto e : t.mesh.edges())
+      if (get(t.sharp, e) > 0)
+        for (const unsigned i : {0u, 1u}) normals[t.mesh.vertex(e, i)] = on_creases;
+    PN::subdivide(t.mesh, PN::CatmullClark_scheme(),
+                  np::edge_is_constrained_map(t.sharp).vertex_normal_map(normals));
+    return state(t).points;
+  };
+  EXPECT_EQ(refined(Vector_3(0, 0, 1)), refined(Vector_3(1, 0, 0)));
+}
+
+// the corners of a cube have the normals of its sides, and no creases
+TEST(Creases_of_meshes, Normals_of_one_wedge_count_as_their_sum)
+{
+  const Control control = crease_shapes::cube().control();
+  Tagged<Surface_mesh> sides(control), sums(control);
+  for (auto h : sums.mesh.halfedges()) {
+    const Point_3& p = sums.mesh.point(sums.mesh.target(h));
+    put(sums.normals, h, Vector_3(2 * p.x() - 1, 2 * p.y() - 1, 2 * p.z() - 1));
+  }
+  for (Tagged<Surface_mesh>* t : {&sides, &sums})
+    PN::subdivide(t->mesh, PN::CatmullClark_scheme(), np::vertex_normal_map(t->normals));
+  for (auto v : sides.mesh.vertices())
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(sides.mesh.point(v)[k], sums.mesh.point(v)[k], 1e-15);
+}
+
 // bit for bit
 TEST(Creases_of_meshes, Cubes_stay_cubes)
 {

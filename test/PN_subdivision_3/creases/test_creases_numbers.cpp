@@ -111,7 +111,7 @@ template <class Scheme>
 void expect_exact_round(const Exact_part& part, const Control& control,
                         std::vector<std::size_t> group, const Scheme& scheme)
 {
-  using Refiner = internal::Crease_refiner<Scheme, PN_average<Exact, 3>>;
+  using Refiner = internal::Level_refiner<Scheme, PN_average<Exact, 3>, internal::Creases<Exact>>;
   Level_connectivity level = crease_levels::level_of(control);
   auto creases = internal::Make_creases<Exact>(level, Border::surface)(
     [&](Index e) {
@@ -286,33 +286,63 @@ TEST(Creases_in_numbers, Intervals_contain_the_cylinder)
   EXPECT_EQ(rims, 40u);
 }
 
-// A triangle whose border is a crease. The rows of the mask at its vertices meet a normal that is opposite
-// to theirs up to an angle at which its height begins to fade: wide intervals do not decide that. Returns
-// the number of such angles.
 using Wide = CGAL::Interval_nt<>;
 using Wide_kernel = CGAL::Simple_cartesian<Wide>;
 using Wide_mesh = CGAL::Surface_mesh<Wide_kernel::Point_3>;
 
-int undecided_angles(Border border)
+auto wide_normals(Wide_mesh& mesh)
 {
-  int undecided = 0;
+  return mesh.add_property_map<Wide_mesh::Halfedge_index, Wide_kernel::Vector_3>("h:n").first;
+}
+
+// A triangle whose border is a crease. The rows of the mask at its vertices meet a normal that is opposite
+// to theirs up to an angle at which its height begins to fade: wide intervals do not decide that.
+void add_triangle(Wide_mesh& mesh, double angle)
+{
+  const auto normals = wide_normals(mesh);
+  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
+             c = mesh.add_vertex({0, 1, 0});
+  const auto f = mesh.add_face(a, b, c);
+  const auto wide = [](double x) { return Wide(x - 1e-4, x + 1e-4); };
+  for (auto h : halfedges_around_face(mesh.halfedge(f), mesh)) {
+    const double turn = mesh.target(h) == a ? angle : 0;
+    normals[h] = Wide_kernel::Vector_3(wide(0), wide(std::sin(turn)), wide(std::cos(turn)));
+  }
+}
+
+void add_octahedron(Wide_mesh& mesh)
+{
+  const auto normals = wide_normals(mesh);
+  const auto pole = [&](double x, double y, double z) { return mesh.add_vertex({x, y, z}); };
+  const auto north = pole(0, 0, 1), south = pole(0, 0, -1);
+  const decltype(north) equator[] = {pole(1, 0, 0), pole(0, 1, 0), pole(-1, 0, 0), pole(0, -1, 0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh.add_face(equator[i], equator[(i + 1) % 4], north);
+    mesh.add_face(equator[(i + 1) % 4], equator[i], south);
+  }
+  for (auto h : halfedges_around_target(north, mesh)) normals[h] = {0, 0, 1};
+  for (auto h : halfedges_around_target(south, mesh)) normals[h] = {0, 0, -1};
+  for (const auto v : equator)
+    for (auto h : halfedges_around_target(v, mesh)) normals[h] = mesh.point(v) - CGAL::ORIGIN;
+}
+
+void refine(Wide_mesh& mesh, Border border)
+{
+  subdivide(mesh, with_border(Loop_scheme(), border),
+            CGAL::parameters::vertex_normal_map(wide_normals(mesh)));
+}
+
+// the angles that are not decided
+std::vector<double> undecided_angles(Border border)
+{
+  std::vector<double> undecided;
   for (double angle = 3.05; angle < 3.12; angle += 0.001) {
     Wide_mesh mesh;
-    const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
-               c = mesh.add_vertex({0, 1, 0});
-    mesh.add_face(a, b, c);
-    auto normals =
-      mesh.add_property_map<Wide_mesh::Halfedge_index, Wide_kernel::Vector_3>("h:n").first;
-    const auto wide = [](double x) { return Wide(x - 1e-4, x + 1e-4); };
-    for (auto h : mesh.halfedges()) {
-      const double turn = mesh.target(h) == a ? angle : 0;
-      normals[h] = Wide_kernel::Vector_3(wide(0), wide(std::sin(turn)), wide(std::cos(turn)));
-    }
+    add_triangle(mesh, angle);
     try {
-      subdivide(mesh, with_border(Loop_scheme(), border),
-                CGAL::parameters::vertex_normal_map(normals));
+      refine(mesh, border);
     } catch (const std::domain_error&) {
-      ++undecided;
+      undecided.push_back(angle);
     }
   }
   return undecided;
@@ -320,8 +350,31 @@ int undecided_angles(Border border)
 
 TEST(Creases_in_numbers, Intervals_need_to_decide_what_is_used_only)
 {
-  EXPECT_GE(undecided_angles(Border::surface), 1); // there they are used
-  EXPECT_EQ(undecided_angles(Border::fixed), 0);
+  EXPECT_FALSE(undecided_angles(Border::surface).empty()); // there they are used
+  EXPECT_TRUE(undecided_angles(Border::fixed).empty());
+}
+
+TEST(Creases_in_numbers, What_is_not_decided_leaves_the_rest_of_its_block)
+{
+  Wide_mesh alone;
+  add_octahedron(alone);
+  refine(alone, Border::fixed);
+  const std::vector<double> angles = undecided_angles(Border::surface);
+  ASSERT_FALSE(angles.empty());
+  for (const double angle : angles) {
+    Wide_mesh both; // 24 new vertices
+    add_triangle(both, angle);
+    add_octahedron(both);
+    refine(both, Border::fixed);
+    for (const auto v : alone.vertices()) {
+      const unsigned i = v;
+      const Wide_mesh::Vertex_index w(i < 6 ? i + 3 : i + 6); // 3 vertices and 3 edges before
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(both.point(w)[k].inf(), alone.point(v)[k].inf()) << angle << ' ' << v;
+        EXPECT_EQ(both.point(w)[k].sup(), alone.point(v)[k].sup()) << angle << ' ' << v;
+      }
+    }
+  }
 }
 
 } // namespace

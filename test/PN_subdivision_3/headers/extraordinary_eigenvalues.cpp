@@ -8,7 +8,7 @@
 
 #include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
 
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 

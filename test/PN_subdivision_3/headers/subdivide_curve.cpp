@@ -9,7 +9,7 @@
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 
 #include "polygon.h"
-#include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 
 using namespace CGAL::PN_subdivision_3;
 

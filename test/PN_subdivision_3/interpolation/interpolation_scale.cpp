@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 // Control nets of meshes and polygons of any scale are those at scale 1, bit for bit, and so are the reports.
 
-#include <CGAL/PN_subdivision_3/curve_masks.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/interpolate_curve.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>

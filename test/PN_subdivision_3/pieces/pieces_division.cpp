@@ -9,11 +9,11 @@
 // How faces are divided into pieces, against a slow way to the same, and the order of the elements of a piece; a part
 // of the program of test_pieces.cpp.
 
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Number_set.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

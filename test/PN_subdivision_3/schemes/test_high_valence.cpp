@@ -10,10 +10,10 @@
 // sums of cosines, and the rows, which are not found by walking, against a walk.
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/ct_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Tuned_Loop_frequencies.h>
-#include <CGAL/PN_subdivision_3/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

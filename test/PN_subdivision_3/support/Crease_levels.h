@@ -11,10 +11,11 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_CREASE_LEVELS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_CREASE_LEVELS_H
 
-#include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <algorithm>
@@ -126,8 +127,8 @@ class Crease_run
 {
 public:
   static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
-  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
-  using Refiner = internal::Crease_refiner<Scheme, Average>;
+  using Average = internal::Average_of_scheme<Scheme, FT>;
+  using Refiner = internal::Level_refiner<Scheme, Average, internal::Creases<FT>>;
   using Vector = Coordinates<FT, 3>;
 
   Crease_run(const Control& control, const Scheme& scheme)

@@ -13,10 +13,13 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,36 +40,37 @@ public:
                   const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
                   const For_chunks& for_chunks)
     : carry_(carry)
+    , for_chunks_(for_chunks)
     , rounds_(carry.template read<FT>(access, level), Carry::visited, level, extra_slots, sharpness,
               access, for_chunks)
   {}
 
-  template <class Scheme, class One_round>
-  void begin_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+  // a round with creases cuts its level open
+  template <class Refiner>
+  void before_cut(const Refiner& refiner)
+  {
+    if constexpr (are_creases_v<Creases_of<Refiner>>) whole_.emplace(refiner.level());
+  }
+  template <class Scheme, class Refiner, class One_round>
+  void begin_round(const Scheme& scheme, const Refiner& refiner, const One_round& round,
                    bool is_last)
   {
-    rounds_.begin_round(scheme, round, level, is_last);
-  }
-  // a round with creases cuts its level open
-  void before_cut(const Level_connectivity& level) { whole_.emplace(level); }
-  template <class Scheme, class Crease_round>
-  void begin_creased_round(const Scheme& scheme, const Crease_round& round,
-                           const Creases<FT>& creases, bool is_last)
-  {
-    rounds_.begin_creased_round(scheme, round, *whole_, creases, is_last);
+    if constexpr (are_creases_v<Creases_of<Refiner>>)
+      rounds_.begin_creased_round(scheme, round, *whole_, refiner.creases(), is_last);
+    else
+      rounds_.begin_round(scheme, round.round(), refiner.level(), is_last);
   }
   const typename Rounds::Rows_sink* rows() const { return rounds_.rows(); }
   const typename Rounds::Child_sink* child() const { return rounds_.child(); }
   void end_round() { rounds_.end_round(); }
 
   // ends the last round, of which the refiner has the level, and puts what it gives
-  template <class Refiner, class One_round>
-  void put(const Refiner& refiner, const One_round& last)
+  template <class Refiner, class Round>
+  void put(const Refiner& refiner, const Round& last)
   {
     std::optional<Level_connectivity> refined;
     if (rounds_.needs_refined_level()) {
-      refined.emplace(last.refined_size());
-      refiner.connect(last, *refined);
+      refined = child_level(last, for_chunks_);
       if (child() != nullptr) (*child())(*refined);
     }
     rounds_.end_round();
@@ -82,7 +86,11 @@ public:
   }
 
 private:
+  template <class Refiner>
+  using Creases_of = std::decay_t<decltype(std::declval<const Refiner&>().creases())>;
+
   const Carry& carry_;
+  const For_chunks for_chunks_;
   Rounds rounds_;
   std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
 };
@@ -95,12 +103,11 @@ public:
   template <class... Arguments>
   explicit Carried_through(const Carry&, const Arguments&...)
   {}
+  template <class Refiner>
+  void before_cut(const Refiner&) const
+  {}
   template <class... Arguments>
   void begin_round(const Arguments&...) const
-  {}
-  void before_cut(const Level_connectivity&) const {}
-  template <class... Arguments>
-  void begin_creased_round(const Arguments&...) const
   {}
   static constexpr std::nullptr_t rows() { return nullptr; }
   static constexpr std::nullptr_t child() { return nullptr; }

@@ -270,7 +270,7 @@ private:
     for (std::size_t j = 0; j + 1 < length; j += 2) {
       const Stored_value& v0 = old[e[j].vertex];
       const Stored_value& v1 = old[e[j + 1].vertex];
-      Two numerator, denominator;
+      Two numerator = Two::both(0), denominator = numerator; // else g++ 14 warns
       for (int c = 0; c < dimension; ++c) {
         // (p_j - q, n_j + n) of two entries
         const Two a = v0.pairs[c] + offset[c], b = v1.pairs[c] + offset[c];

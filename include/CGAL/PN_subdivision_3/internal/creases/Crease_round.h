@@ -34,7 +34,9 @@ namespace internal {
 // The mask is that of the level cut open, so that rows far from creases and beside them are those of
 // an ordinary round, over slots. What they give for new vertices on creases is replaced by the values
 // of the crease pass, which has those of all their slots.
-template <class Scheme, class Average>
+//
+// Where nothing can be sharp it is an ordinary round, see Round.h.
+template <class Scheme, class Average, class Level_creases>
 class Crease_round
 {
 public:

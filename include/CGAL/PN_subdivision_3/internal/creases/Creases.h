@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -143,6 +144,23 @@ struct Creases
     stars.push_back(star);
   }
 };
+
+// The creases of a level of which is known, when the call is compiled, that nothing can be sharp.
+struct No_creases
+{
+  using Index = Level_connectivity::Index;
+
+  explicit No_creases(Index number_of_vertices = 0)
+    : number_of_slots(number_of_vertices)
+  {}
+
+  static constexpr bool empty() { return true; }
+
+  Index number_of_slots;
+};
+
+template <class Level_creases>
+constexpr bool are_creases_v = !std::is_same_v<Level_creases, No_creases>;
 
 // The creases of the refined level, without their tangents, and where those of the old level have
 // gone.

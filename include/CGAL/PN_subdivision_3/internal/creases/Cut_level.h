@@ -32,6 +32,20 @@ void count_valences(Level_connectivity& level, const Creases<FT>& creases)
   level.set_counted_valences(std::move(counted));
 }
 
+// the size of a level cut open
+template <class FT>
+Level_size size_when_cut(Level_size size, const Creases<FT>& creases)
+{
+  size.vertices = creases.number_of_slots;
+  for (const Crease_edge<FT>& e : creases.edges)
+    if (!e.is_border()) ++size.edges;
+  return size;
+}
+inline Level_size size_when_cut(const Level_size& size, No_creases)
+{
+  return size;
+}
+
 // Cuts a level open along its creases: its vertices are then the slots, so that a mask reads in every
 // face the values of that face's wedges, and meets a border where a crease is.
 //
@@ -49,7 +63,7 @@ public:
     , creases_(creases)
     , old_size_(level.size())
   {
-    level_.resize(size(level, creases));
+    level_.resize(size_when_cut(level.size(), creases));
     split_edges();
     std::vector<Level_connectivity::Counted_valence> counted;
     for (const Crease_star& star : creases.stars) {
@@ -77,19 +91,6 @@ public:
 
   // of the inner crease edges the second copies, with the face of the half-edge of side 1
   const std::vector<Index>& second_copies() const { return copy_; }
-
-  // that of the level cut open
-  static Level_size size(const Level_connectivity& level, const Creases<FT>& creases)
-  {
-    return size(level.size(), creases);
-  }
-  static Level_size size(Level_size size, const Creases<FT>& creases)
-  {
-    size.vertices = creases.number_of_slots;
-    for (const Crease_edge<FT>& e : creases.edges)
-      if (!e.is_border()) ++size.edges;
-    return size;
-  }
 
 private:
   using Set = void (Level_connectivity::*)(Index, Index);
@@ -210,7 +211,7 @@ class Cut_level
 {
 public:
   Cut_level(const Level_connectivity& level, const Creases<FT>& creases)
-    : cut_(level, Level_cut<FT>::size(level, creases))
+    : cut_(level, size_when_cut(level.size(), creases))
   {
     cut_.set_size(level.size());
     second_copies_ = Level_cut<FT>(cut_, creases).second_copies();

@@ -41,6 +41,12 @@ std::vector<Level_connectivity::Index> vertices_of_extra_slots(const Creases<FT>
   return result;
 }
 
+inline std::vector<Level_connectivity::Index> vertices_of_extra_slots(No_creases,
+                                                                      Level_connectivity::Index)
+{
+  return {};
+}
+
 // The control data of a level with creases, once before the first round: the wedges' normals where
 // none are given, and the tangents.
 template <class FT>

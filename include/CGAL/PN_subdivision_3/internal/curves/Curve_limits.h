@@ -13,7 +13,9 @@
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_windows.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Window_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
 #include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
@@ -61,8 +63,7 @@ class Curve_limits
 public:
   static constexpr int dimension = dimension_;
   static constexpr bool is_pn = !Is_linear_mask<Mask>::value;
-  using Average =
-    std::conditional_t<is_pn, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
+  using Average = Average_of<is_pn, FT, dimension>;
   using Value = typename Average::Value;
   using Result = Curve_limit_result<Average, dimension>;
   using Index = std::int64_t;
@@ -196,19 +197,16 @@ private:
     // as on surfaces: that of the geometric series which the differences become
     const double ratio =
       (std::min)(0.9, (std::max)(1. / 16, points.largest_other * points.largest_other));
-    const double factor = (std::max)(1., 1.5 * ratio / (1 - ratio));
+    const double factor = limit_error_factor(ratio);
     Value last = Value();
     double last_step = 0;
     Tangents tangents;
     for (unsigned depth = 0;; ++depth, ++result.depth) {
       if (depth != 0) refine(size);
       result.value = average(points.limit_row, normals.limit_row);
-      if (depth != 0 && !is_exact) {
-        // a difference may be small by chance, two in a row hardly are
-        const double step = distance(point_of(result.value), point_of(last));
-        result.error = factor * (std::max)(step, ratio * last_step);
-        last_step = step;
-      }
+      if (depth != 0 && !is_exact)
+        result.error =
+          limit_error(factor, ratio, distance(point_of(result.value), point_of(last)), last_step);
       bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
       if (demand_.normals && !points.first_derivative.empty())
         is_last = note_tangent(points, depth, tangents, result) && is_last;

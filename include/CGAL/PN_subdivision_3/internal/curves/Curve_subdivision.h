@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/Uncertain.h>
 
 #include <boost/container/vector.hpp>
@@ -61,8 +62,7 @@ class Curve_subdivision
 {
   using Round_mask = Mask_in_round<Mask>;
   static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
-  using Average =
-    std::conditional_t<is_pn, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
+  using Average = Average_of<is_pn, FT, dimension>;
   using Value = typename Average::Value;
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;

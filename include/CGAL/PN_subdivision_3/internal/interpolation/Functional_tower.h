@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/PN_row_blocks.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
 #include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 #include <Eigen/Core>
@@ -96,9 +97,8 @@ public:
       const Value last = limit_;
       refine(++depth_);
       limit_ = limit_at(depth_);
-      const double step = distance(limit_.point, last.point);
-      error_ = rule.error_factor * (std::max)(step, rule.error_ratio * last_step);
-      last_step = step;
+      error_ = limit_error(rule.error_factor, rule.error_ratio, distance(limit_.point, last.point),
+                           last_step);
       if (error_ <= precision.tolerance && depth_ >= precision.min_depth) break;
     }
     if (!precision.with_blocks) return;

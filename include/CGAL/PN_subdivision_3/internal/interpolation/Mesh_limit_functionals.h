@@ -17,6 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
@@ -286,9 +287,7 @@ private:
     using Stored_value = typename One_round::Stored_value;
     std::vector<Stored_value> old;
     for (const Index v : cut.origin()) old.emplace_back(stage.values[v]);
-    Level_connectivity fine(round.refined_size());
-    fine.set_uniform_degree(Scheme::Host::refined_degree);
-    round.host().connect(fine, for_chunks_);
+    Level_connectivity fine = child_level(round, for_chunks_);
     std::vector<Value> values(fine.number_of_vertices());
     const auto transfers = round.transfers(old.data(), for_chunks_);
     for_chunks_(fine.number_of_vertices(), [&](Index begin, Index end) {

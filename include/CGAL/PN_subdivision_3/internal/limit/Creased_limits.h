@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Crease_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
@@ -22,6 +21,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
@@ -90,7 +90,7 @@ public:
 private:
   static constexpr bool is_pn = is_pn_v<Scheme>;
   using Average = Average_of_scheme<Scheme, FT>;
-  using Refiner = Crease_refiner<Scheme, Average>;
+  using Refiner = Level_refiner<Scheme, Average, Creases<FT>>;
   using Vector = Coordinates<FT, 3>;
   using Crease_limit = Crease_vertex_limit<FT, is_pn>;
   using Dart = Dart_class<Scheme, FT>;

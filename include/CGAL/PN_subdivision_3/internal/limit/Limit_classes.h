@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -37,6 +39,9 @@ namespace internal {
 template <class Scheme, class FT>
 class Limit_classes
 {
+  using Key =
+    std::tuple<bool, bool, Level_connectivity::Index>; // on the border, next round is odd, valence
+
 public:
   using Index = Level_connectivity::Index;
   using Class = Ring_class<Scheme, FT>;
@@ -53,16 +58,38 @@ public:
     , any_round_((std::max)(101u, First_tuned_round<Scheme>::of(scheme) | 1u))
   {}
 
-  // the kind of a vertex with edges, in the round that is next
+  // the kind of a vertex with edges, in the round that is next; threads may ask at the same time
   const Kind& at(const Level_connectivity& level, Index v, unsigned next_round)
   {
-    const bool at_border = level.is_border_vertex(v);
-    const bool is_odd = !is_sqrt3 || !at_border || next_round % 2 != 0;
-    Kind& kind = kinds_[{at_border, is_odd, level.valence(v)}];
-    if (!kind.ring_class)
-      kind = is_sqrt3 && at_border ? make_sqrt3_border(level.valence(v), is_odd) : make(level, v);
-    return kind;
+    return at(level, v, key(level, v, level.valence(v), next_round));
   }
+
+  // The same for one thread, which mostly asks for the kind that it asked for before.
+  class Recent
+  {
+  public:
+    Recent(Limit_classes& classes, const Level_connectivity& level, unsigned next_round)
+      : classes_(classes)
+      , level_(level)
+      , next_round_(next_round)
+    {}
+    const Kind& operator()(Index v, Index valence)
+    {
+      const Key key = Limit_classes::key(level_, v, valence, next_round_);
+      if (kind_ == nullptr || key != key_) {
+        kind_ = &classes_.at(level_, v, key);
+        key_ = key;
+      }
+      return *kind_;
+    }
+
+  private:
+    Limit_classes& classes_;
+    const Level_connectivity& level_;
+    const unsigned next_round_;
+    Key key_{};
+    const Kind* kind_ = nullptr;
+  };
 
   // the ring of a vertex of the kind
   static void append_ring(const Level_connectivity& level, Index v, const Kind& kind,
@@ -75,17 +102,28 @@ private:
   static constexpr bool is_sqrt3 = std::is_same_v<Host, Sqrt3_host>;
   static constexpr unsigned most_rings = 3;
 
+  static Key key(const Level_connectivity& level, Index v, Index valence, unsigned next_round)
+  {
+    const bool at_border = level.is_border_vertex(v);
+    return {at_border, !is_sqrt3 || !at_border || next_round % 2 != 0, valence};
+  }
+  const Kind& at(const Level_connectivity& level, Index v, const Key& key)
+  {
+    const auto [at_border, is_odd, valence] = key;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Kind& kind = kinds_[key];
+    if (!kind.ring_class)
+      kind = is_sqrt3 && at_border ? make_sqrt3_border(valence, is_odd) : make(level, v);
+    return kind;
+  }
+
   Level_connectivity refined(const Level_connectivity& level) const
   {
     return refined(level, any_round_);
   }
   static Level_connectivity refined(const Level_connectivity& level, unsigned round)
   {
-    const Host host(level, round);
-    Level_connectivity child(Host::refined_size(level.size(), round));
-    child.set_uniform_degree(Host::refined_degree);
-    host.connect(child, For_chunks());
-    return child;
+    return child_level<Host>(level, round, For_chunks());
   }
 
   // Refined twice, any vertex is alone among regular ones.
@@ -183,7 +221,8 @@ private:
   const Scheme& scheme_;
   // an odd one, in which sqrt(3) keeps the border, not the first, and one with the rules of all later ones
   unsigned any_round_;
-  std::map<std::tuple<bool, bool, Index>, Kind> kinds_; // on the border, next round is odd, valence
+  std::map<Key, Kind> kinds_;
+  std::mutex mutex_;
 };
 
 } // namespace internal

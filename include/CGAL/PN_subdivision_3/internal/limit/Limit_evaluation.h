@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Gathered_rings.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
@@ -20,10 +21,12 @@
 #include <CGAL/PN_subdivision_3/internal/pieces/Rim_closure.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -71,7 +74,9 @@ public:
     std::iota(vertices.begin(), vertices.end(), Index(0));
     std::vector<Result> results(vertices.size());
     evaluate(level, vertices, next_round, 0, results.data());
-    if (demand_.surface_normals) orient_normals(level.level, results, for_chunks_);
+    // where points are not asked for, rings have oriented them
+    if (demand_.surface_normals && demand_.points)
+      orient_normals(level.level, results, for_chunks_);
     return results;
   }
 
@@ -83,38 +88,48 @@ public:
                                       unsigned next_round, unsigned depth,
                                       const Result_of& result_of)
   {
-    const auto n = static_cast<Index>(vertices.size());
     const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
     const Settled_neighborhood<Scheme> is_settled(level.level, next_round >= first_final_round);
     const bool keeps_points =
       Neighborhood::keeps_points && !demand_.surface_normals && !demand_.curvatures;
     const bool is_final_then = next_round + 1 >= first_final_round;
-    std::vector<char> state(n);
-    for_chunks_(n, [&](Index begin, Index end) {
+    std::vector<Vertex_state> states(vertices.size());
+    // all about a vertex in one go: what is read of the level is at hand then
+    with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
+      typename Classes::Recent kind_of(classes_, level.level, next_round);
+      Rings rings(level.values);
+      std::array<Index, most_at_once> valences;
       for (Index i = begin; i < end; ++i) {
+        const std::size_t in_part = (i - begin) % most_at_once;
+        if (in_part == 0)
+          find_valences(level.level, &vertices[i], (std::min<std::size_t>)(end - i, most_at_once),
+                        valences.data());
         const Index v = vertices[i];
-        state[i] = level.level.is_isolated(v) || keeps_points    ? 'i'
-                   : is_settled(v)                               ? 's'
-                   : is_final_then && is_settled.in_next_ring(v) ? 'n'
-                                                                 : 'u';
+        Result& result = result_of(i);
+        result.depth = depth;
+        if (valences[in_part] == 0 || keeps_points)
+          result.value = level.values[v];
+        else if (is_settled(v)) {
+          const auto* kind = &kind_of(v, valences[in_part]);
+          rings.add({v, &result, kind}, [&](std::vector<Index>& ring) {
+            Classes::append_ring(level.level, v, *kind, ring);
+          });
+          if (rings.is_full()) put_rings(level.level, rings, towers);
+        } else
+          states[i] = is_final_then && is_settled.in_next_ring(v) ? Vertex_state::settled_then
+                                                                  : Vertex_state::unsettled;
       }
+      put_rings(level.level, rings, towers);
     });
-    Vertices settled, in_next_ring;
+    Vertices in_next_ring;
     std::vector<Index> unsettled;
-    for (Index i = 0; i < n; ++i) {
-      const Index v = vertices[i];
-      Result& result = result_of(i);
-      result.depth = depth;
-      if (state[i] == 'i')
-        result.value = level.values[v];
-      else if (state[i] == 's')
-        settled.push_back({v, &result, &classes_.at(level.level, v, next_round)});
-      else if (state[i] == 'n')
-        in_next_ring.push_back({v, &result, &classes_.at(level.level, v, next_round + 1)});
-      else
+    typename Classes::Recent kind_of(classes_, level.level, next_round + 1);
+    for (Index i = 0; i < vertices.size(); ++i)
+      if (states[i] == Vertex_state::settled_then)
+        in_next_ring.push_back(
+          {vertices[i], &result_of(i), &kind_of(vertices[i], level.level.valence(vertices[i]))});
+      else if (states[i] == Vertex_state::unsettled)
         unsettled.push_back(i);
-    }
-    evaluate_rings(level, settled);
     if (!in_next_ring.empty()) evaluate_in_next_ring(level, in_next_ring, next_round);
     return unsettled;
   }
@@ -140,8 +155,16 @@ private:
   using One_round = Round<Scheme, Average>;
   using Neighborhood = Limit_neighborhood<Scheme>;
 
+  using Classes = Limit_classes<Scheme, FT>;
   using Towers = Limit_towers<Scheme, FT>;
+  using Rings = Gathered_rings<Value, typename Towers::Vertex>;
   using Vertices = std::vector<typename Towers::Vertex>;
+
+  enum class Vertex_state : char {
+    evaluated,
+    settled_then,
+    unsettled
+  }; // then: after the next round
 
   // after so many rounds only a scheme of other rules than the built-in ones is not settled
   static constexpr unsigned most_rounds = 6;
@@ -178,16 +201,10 @@ private:
     });
   }
 
-  void evaluate_rings(const Level& level, const Vertices& vertices) const
+  void put_rings(const Level_connectivity& level, Rings& rings, Towers& towers) const
   {
-    with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
-      std::vector<Index> ring;
-      for (Index i = begin; i < end; ++i) {
-        ring.clear();
-        Limit_classes<Scheme, FT>::append_ring(level.level, vertices[i].v, *vertices[i].kind, ring);
-        towers.add(vertices[i], is_regular_spline(level.level, vertices[i].v),
-                   [&](std::size_t p) -> const Value& { return level.values[ring[p]]; });
-      }
+    rings.take([&](const typename Towers::Vertex& vertex, const auto& value) {
+      towers.add(vertex, is_regular_spline(level, vertex.v), value);
     });
   }
 
@@ -268,9 +285,7 @@ private:
   {
     const One_round round(scheme_, level, number);
     Level result;
-    result.level = Level_connectivity(round.refined_size());
-    result.level.set_uniform_degree(Scheme::Host::refined_degree);
-    round.host().connect(result.level, for_chunks_);
+    result.level = child_level(round, for_chunks_);
     result.values.resize(round.refined_size().vertices);
     const auto transfers = round.transfers(values.data(), for_chunks_);
     const Caller_precision<FT> precision;
@@ -287,7 +302,7 @@ private:
   const Scheme& scheme_;
   const Limit_demand& demand_;
   For_chunks for_chunks_;
-  Limit_classes<Scheme, FT> classes_;
+  Classes classes_;
 };
 
 } // namespace internal

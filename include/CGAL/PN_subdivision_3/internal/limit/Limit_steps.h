@@ -12,9 +12,9 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
 #include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -47,9 +47,7 @@ public:
       const double step =
         std::hypot(close_double(FT(limit[0] - last_[0])), close_double(FT(limit[1] - last_[1])),
                    close_double(FT(limit[2] - last_[2])));
-      const double factor = (std::max)(1., 1.5 * ratio_ / (1 - ratio_));
-      error_ = factor * (std::max)(step, ratio_ * last_step_);
-      last_step_ = step;
+      error_ = limit_error(limit_error_factor(ratio_), ratio_, step, last_step_);
       if (error_ <= demand_.tolerance || depth_ >= demand_.max_depth) return true;
     }
     last_ = limit;

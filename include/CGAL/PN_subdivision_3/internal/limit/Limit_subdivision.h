@@ -9,19 +9,27 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_SUBDIVISION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_SUBDIVISION_H
 
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,79 +46,123 @@ public:
   Limit_subdivision(const Scheme& scheme, unsigned rounds, const Limit_options& options)
     : scheme_(scheme)
     , options_(options)
-    , plain_(scheme, rounds, no_round_done)
+    , rounds_(rounds)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
 
-  template <class Access, class Point_map, class Normal_map>
-  Limit_report operator()(Access& access, Point_map points, Normal_map normals) const
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                          Vertex_map vertex_map) const
   {
-    auto control = read_limit_level<Scheme, FT>(access, scheme_, points, normals);
-    const unsigned rounds = plain_.number_of_rounds(control.level);
-    checked_refined_size<Host>(control.level.size(), rounds, Access::index_limit());
-    Refiner refiner(scheme_, std::move(control.level),
-                    {control.values.begin(), control.values.end()}, for_chunks_);
-    for (unsigned k = 1; k < rounds; ++k) refiner.refine();
-    const One_round last = refiner.next_round();
-    const Level refined = refined_level(refiner, last);
-    refiner.release_values();
-    const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
-    Limit_evaluation<Scheme, FT> evaluation(scheme_, demand, for_chunks_);
-    const auto limits = evaluation(refined, rounds + 1);
-    check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });
-    // with a linear scheme normals are written as surface normals only
-    if (is_pn_v<Scheme> || options_.surface_normals)
-      put(refiner, last, access, points, normals, limits);
-    else
-      put(refiner, last, access, points, No_normal_map(), limits);
-    return limit_report(limits, demand);
+    Limit_report report;
+    if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+      require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
+      report = subdivide(access, points, normals, edge_map, vertex_map);
+    }
+    return report;
   }
 
 private:
   using Index = Level_connectivity::Index;
   using Host = typename Scheme::Host;
   using Average = Average_of_scheme<Scheme, FT>;
-  using Refiner = Level_refiner<Scheme, Average>;
-  using One_round = typename Refiner::One_round;
-  using Level = Valued_level<typename Average::Value>;
-  using Plain = Mesh_subdivision<Concurrency_tag, Scheme, FT>;
+  using Value = typename Average::Value;
+  using Level = Valued_level<Value>;
+  using Limit_value = Point_normal<FT, 3>;
 
-  Level refined_level(const Refiner& refiner, const One_round& last) const
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                         Vertex_map vertex_map) const
   {
+    Level_connectivity level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme_, level, access);
+    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme_, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
+    const unsigned rounds = number_of_rounds(level, rounds_);
+    require_sharp_for_ever<FT>(access, creases, rounds);
+    of_mesh.read_tangents(creases);
+    const Level_size size = checked_refined_size<Host>(level.size(), rounds, Access::index_limit());
+    std::vector<Value> values = of_mesh.values(level, points, normals, creases);
+    using Writers = Normal_writers<Access, Normal_map>;
+    typename Writers::Corner_writer corners(access, level, normals);
+    Level_refiner<Scheme, Average, decltype(creases)> refiner(
+      scheme_, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    std::vector<Value>().swap(values);
+
+    for (unsigned k = 1; k < rounds; ++k) refiner.refine();
+    auto last = refiner.next_round();
+    Level refined = refined_level(refiner, last);
+    refiner.release_values();
+    auto limit_creases = last.refined_creases();
+    const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
+    auto limits =
+      limits_at_slots<FT>(scheme_, demand, for_chunks_, refined, limit_creases, rounds + 1);
+    if (asks_for_points(options_))
+      std::vector<Value>().swap(refined.values); // else they are written
+    check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });
+
+    // with a linear scheme normals are written as surface normals only
+    const bool puts_normals = is_pn_v<Scheme> || options_.surface_normals;
+    constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
+    if constexpr (!takes_corners) put_mean_normals<Scheme>(limit_creases, limits);
+    const auto put = [&](auto vertex_normals) {
+      Mesh_writer<Limit_value, Access, Point_map, decltype(vertex_normals)> writer(
+        access, points, vertex_normals, false);
+      access.grow(size);
+      put_limits(limits, refined.values, static_cast<Index>(size.vertices), writer);
+      if constexpr (takes_corners)
+        if (puts_normals)
+          corners.put_all(refined.level, limit_creases,
+                          slot_values<Scheme, FT>(limits, options_.surface_normals));
+      of_mesh.put_sharpness(limit_creases, size, rounds);
+      of_mesh.put_tangents(limit_creases, size);
+      put_connectivity(last.round(), access, for_chunks_, [&] {
+        writer.keep();
+        corners.keep();
+        of_mesh.keep();
+      });
+    };
+    if (puts_normals)
+      put(Writers::vertex_map(normals));
+    else
+      put(No_normal_map());
+    limits.resize(size.vertices);
+    return limit_report(limits, demand);
+  }
+
+  // with the values of its slots; the level before it is whole again afterwards
+  template <class Refiner, class Last>
+  Level refined_level(const Refiner& refiner, Last& last) const
+  {
+    const auto values = refiner.refined_values(last);
     Level refined;
-    refined.level = Level_connectivity(last.refined_size());
-    refined.level.set_uniform_degree(Host::refined_degree);
-    refiner.connect(last, refined.level);
-    const auto values = refiner.refined_values(last, last.refined_size().vertices);
     refined.values.assign(values.begin(), values.end());
+    refined.level = refiner.child(last, last.refined_creases());
     return refined;
   }
 
-  template <class Access, class Point_map, class Normal_map, class Limits>
-  void put(const Refiner& refiner, const One_round& last, Access& access, Point_map points,
-           Normal_map normals, const Limits& limits) const
+  template <class Limits, class Writer>
+  void put_limits(const Limits& limits, const std::vector<Value>& refined, Index number,
+                  Writer& writer) const
   {
-    using Value = Point_normal<FT, 3>;
-    Mesh_writer<Value, Access, Point_map, Normal_map> writer(access, points, normals, false);
-    access.grow(last.refined_size());
+    const bool moves = asks_for_points(options_);
     const auto put_range = [&](Index begin, Index end) {
       for (Index v = begin; v < end; ++v) {
-        const Value value{point_of(limits[v].value),
-                          limit_normal<Scheme>(limits[v], options_.surface_normals)};
+        const Limit_value value{point_of(moves ? limits[v].value : refined[v]),
+                                limit_normal<Scheme>(limits[v], options_.surface_normals)};
         writer.put_values(v, &value, 1);
       }
     };
-    const auto n = static_cast<Index>(limits.size());
-    const Index old_vertices = (std::min)(n, writer.number_of_old_vertices());
-    put_range(old_vertices, n);
+    const Index old_vertices = (std::min)(number, writer.number_of_old_vertices());
+    put_range(old_vertices, number);
     writer.begin_old_vertices();
     put_range(0, old_vertices);
-    plain_.put_connectivity(refiner, last, access, [&] { writer.keep(); });
   }
 
   const Scheme& scheme_;
   const Limit_options& options_;
-  const Plain plain_;
+  unsigned rounds_;
   For_chunks for_chunks_;
 };
 

@@ -13,6 +13,8 @@
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_planes.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
 #include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/number_type_basic.h>
@@ -36,6 +38,7 @@ struct Limit_demand
   double tolerance = 0; // absolute
   double normal_tolerance = 0;
   unsigned max_depth = 0;
+  bool points = true; // if they are not asked for, one average of the limit mask may do
   bool surface_normals = false, curvatures = false;
 };
 
@@ -74,6 +77,7 @@ public:
     , next_(rings_.size())
     , limits_(copies_)
     , states_(copies_)
+    , planes_(ring_class)
   {
     if (is_pn_v<Scheme> && !class_.is_interpolating()) refuse_intervals<FT>();
     if constexpr (has_transfers)
@@ -112,6 +116,9 @@ public:
         std::copy(next_.begin(), next_.end(), rings_.begin());
       }
       class_.limit(rings_.data(), limits_.data());
+      if (demand_.surface_normals && class_.has_tangents())
+        planes_.find(rings_.data(), limits_.data(), count_,
+                     [&](std::size_t c) { return states_[c].is_done; });
       for (std::size_t c = 0; c < count_; ++c)
         if (!states_[c].is_done && advance(c, depth)) --left;
     }
@@ -183,16 +190,16 @@ private:
     Result& result = *state.result;
     const Coordinates<FT, 3>& point = point_of(limits_[c]);
     const bool is_exact = class_.is_interpolating() || !is_pn_v<Scheme>;
-    if (depth != 0 && !is_exact) {
-      // a difference may be small by chance, two in a row hardly are
-      const double step = distance(point, state.last_limit);
-      result.error =
-        class_.error_factor() * (std::max)(step, class_.error_ratio() * state.last_step);
-      state.last_step = step;
-    }
+    if (depth != 0 && !is_exact)
+      result.error = limit_error(class_.error_factor(), class_.error_ratio(),
+                                 distance(point, state.last_limit), state.last_step);
     bool is_last = (is_exact || depth != 0) && result.error <= demand_.tolerance;
-    if (demand_.surface_normals && class_.has_tangents())
-      is_last = note_normal(c, depth) && is_last;
+    if (demand_.surface_normals && class_.has_tangents()) {
+      const bool is_normal_found = note_normal(c, depth);
+      // stand-ins for normals are as exact as points
+      const bool has_to_be_close = demand_.points || !planes_[c].exists;
+      is_last = is_normal_found && (is_last || !has_to_be_close);
+    }
     if (demand_.curvatures && settles() && !is_spline_ && depth < curvature_depth) is_last = false;
     is_last = is_last || depth * class_.rounds() >= demand_.max_depth;
     if (demand_.curvatures &&
@@ -202,6 +209,8 @@ private:
       state.last_limit = point;
       return false;
     }
+    if (!demand_.points && result.has_surface_normal)
+      result.error = std::numeric_limits<double>::infinity();
     result.value = relative(limits_[c], state.center, FT(1));
     result.depth += depth * class_.rounds();
     state.is_done = true;
@@ -210,46 +219,8 @@ private:
 
   static double distance(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
   {
-    return std::hypot(close_double(FT(a[0] - b[0])), close_double(FT(a[1] - b[1])),
-                      close_double(FT(a[2] - b[2])));
-  }
-
-  static Point_normal<double, 3> to_double_value(const Value& v)
-  {
-    if constexpr (is_pn_v<Scheme>)
-      return {to_double_3(v.point), to_double_3(v.normal)};
-    else
-      return {to_double_3(v), {}};
-  }
-
-  // `ring_` becomes ring c about its limit, divided by a power of two if squares of its size would be out of
-  // range. The limit is taken away before coordinates are rounded to double.
-  Ring_geometry geometry(std::size_t c)
-  {
-    constexpr int harmless = 200;
-    double size = 0, largest = 0;
-    const Coordinates<FT, 3>& center = point_of(limits_[c]);
-    ring_.resize(class_.size());
-    for (std::size_t p = 0; p < class_.size(); ++p) {
-      Value v(rings_[p * copies_ + c]);
-      for (const FT& x : point_of(v)) largest = (std::max)(largest, std::abs(close_double(x)));
-      add_multiple<FT, 3>(point_of(v), FT(-1), center);
-      ring_[p] = to_double_value(v);
-      for (const double x : ring_[p].point) size = (std::max)(size, std::abs(x));
-    }
-    exponent_ = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-    if (std::abs(exponent_) <= harmless) exponent_ = 0;
-    if (exponent_ != 0)
-      for (Point_normal<double, 3>& v : ring_) v.point = divided(v.point);
-    rounding_ = std::ldexp(largest, -exponent_) * close_double(machine_epsilon<FT>());
-    Point_normal<double, 3> limit = to_double_value(limits_[c]);
-    limit.point = {};
-    return Ring_geometry(ring_, limit, class_.tangents());
-  }
-  Vector divided(Vector v) const
-  {
-    for (double& x : v) x = std::ldexp(x, -exponent_);
-    return v;
+    return quick_length({close_double(FT(a[0] - b[0])), close_double(FT(a[1] - b[1])),
+                         close_double(FT(a[2] - b[2]))});
   }
 
   // the surface normal; whether it meets the tolerance, or no further round will make it better
@@ -257,37 +228,32 @@ private:
   {
     State& state = states_[c];
     Result& result = *state.result;
-    const Ring_geometry g = geometry(c);
-    const bool had_normal = state.had_normal;
-    state.had_normal = g.is_regular();
-    if (!g.is_regular()) return true; // nor will it be, but for rounding
-    const Vector n = g.normal();
+    const auto& plane = planes_[c];
+    const bool had_normal = std::exchange(state.had_normal, plane.exists);
+    if (!plane.exists) return true; // nor will it, but for rounding
+    const Vector n = plane.normal;
     const Vector last = std::exchange(state.last_normal, n);
-    // small rings have the rounding of large coordinates
-    const double rounding = is_pn_v<Scheme> ? rounding_of_normal(g.size()) : 0.;
-    double error = rounding;
+    const bool is_found_at_once = depth == 0 && !demand_.points && !demand_.curvatures &&
+                                  plane.error <= demand_.normal_tolerance;
+    double error = is_found_at_once ? (std::max)(plane.error, plane.rounding) : plane.rounding;
     if (is_pn_v<Scheme> && depth != 0 && had_normal) {
       // a turn may be small by chance, two in a row hardly are
       const double ratio = class_.normal_ratio();
-      const double turn = std::hypot(n[0] - last[0], n[1] - last[1], n[2] - last[2]);
+      const double turn = quick_length({n[0] - last[0], n[1] - last[1], n[2] - last[2]});
       error =
         (std::max)(error, 1.5 * ratio / (1 - ratio) * (std::max)(turn, ratio * state.last_turn));
       state.last_turn = turn;
       // further rounds have more rounding still
-      if (depth > 1 && (rounding >= result.normal_error ||
+      if (depth > 1 && (plane.rounding >= result.normal_error ||
                         (result.normal_error < 1e-6 && error > result.normal_error)))
         return true;
     }
     result.has_surface_normal = true;
-    result.surface_normal = n;
+    const bool is_turned = !demand_.points && plane.is_against_faces;
+    result.surface_normal = is_turned ? opposite_vector<double, 3>(n) : n;
     result.normal_error = error;
-    return !is_pn_v<Scheme> || (depth != 0 && had_normal && error <= demand_.normal_tolerance);
-  }
-
-  // what the rounding of the coordinates may turn a normal by in a ring of some size
-  double rounding_of_normal(double size) const
-  {
-    return 4 * (rounding_ / size + std::numeric_limits<double>::epsilon());
+    return !is_pn_v<Scheme> || is_found_at_once ||
+           (depth != 0 && had_normal && error <= demand_.normal_tolerance);
   }
 
   // whether the ring matrix has no part of second order that would last
@@ -302,15 +268,15 @@ private:
   void note_curvature(std::size_t c)
   {
     if (!is_spline_ && !settles()) return;
-    const Ring_geometry g = geometry(c);
+    const Ring_geometry g = planes_.geometry(rings_.data(), limits_.data(), c);
     if (!g.is_regular()) return;
     Coordinates<FT, 3> center = point_of(limits_[c]);
     add_multiple<FT, 3>(center, FT(1), origin(c));
-    const auto part = remaining_part(divided(to_double_3(center)));
+    const auto part = remaining_part(planes_.divided(to_double_3(center)));
     Curvatures<double> k =
       is_spline_ ? spline_curvatures() : g.extraordinary_curvatures(part ? &*part : nullptr);
-    k.gaussian = std::ldexp(k.gaussian, -2 * exponent_);
-    k.mean = std::ldexp(k.mean, -exponent_);
+    k.gaussian = std::ldexp(k.gaussian, -2 * planes_.exponent());
+    k.mean = std::ldexp(k.mean, -planes_.exponent());
     if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
     Result& result = *states_[c].result;
     result.gaussian = k.gaussian;
@@ -318,24 +284,25 @@ private:
     result.has_curvature = true;
   }
 
-  // what will still be transferred in `ring_`
+  // what will still be transferred in the ring of `planes_`
   std::optional<Quadratic_part<double>> remaining_part(const Vector& origin_of_ring) const
   {
     if (!transfer_ || is_spline_) return std::nullopt;
-    std::vector<Point_normal<double, 3>> ring(ring_.size());
-    for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = ring_[place(j)];
+    std::vector<Point_normal<double, 3>> ring(planes_.ring().size());
+    for (std::size_t j = 0; j < ring.size(); ++j) ring[j] = planes_.ring()[place(j)];
     const auto degree = static_cast<Level_connectivity::Index>(Scheme::Host::refined_degree);
     return Normal_transfer<double>(degree, class_.transfer_valence())(ring, origin_of_ring);
   }
 
-  // of `ring_`, whose neighbors are in front of its diagonal vertices
+  // of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
   Curvatures<double> spline_curvatures() const
   {
     using Index = Level_connectivity::Index;
     static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
     static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
     const bool is_quads = Scheme::Host::refined_degree == 4;
-    return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles, ring_.data());
+    return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles,
+                                                 planes_.ring().data());
   }
 
   const Class& class_;
@@ -345,9 +312,7 @@ private:
   std::vector<Stored_value> rings_;
   std::vector<Value> next_, limits_;
   std::vector<State> states_;
-  std::vector<Point_normal<double, 3>> ring_;
-  int exponent_ = 0;    // of the power of two by which `ring_` is divided
-  double rounding_ = 0; // of the coordinates that `ring_` was taken from, divided like these
+  Ring_planes<Scheme, FT> planes_;
   std::optional<Normal_transfer<FT>> transfer_;
   std::size_t count_ = 0;
 };

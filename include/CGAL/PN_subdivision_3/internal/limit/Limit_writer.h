@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 
@@ -67,8 +68,9 @@ public:
   {}
 
   template <class Results>
-  void write(const Results& results, bool surface_normals)
+  void write(const Results& results, const Limit_options& options)
   {
+    const bool surface_normals = options.surface_normals, moves = asks_for_points(options);
     const bool writes_normals = has_normal_map && (is_pn_v<Scheme> || surface_normals);
     for (std::size_t v = 0; v < results.size(); ++v) {
       old_points_.push_back(get(points_, vertex(v)));
@@ -78,7 +80,7 @@ public:
     try {
       for (std::size_t v = 0; v < results.size(); ++v) {
         const auto& p = point_of(results[v].value);
-        put(points_, vertex(v), Point(p[0], p[1], p[2]));
+        if (moves) put(points_, vertex(v), Point(p[0], p[1], p[2]));
         if (writes_normals) put_normal(v, results[v], surface_normals);
       }
     } catch (...) {

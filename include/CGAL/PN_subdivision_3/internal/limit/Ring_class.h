@@ -14,6 +14,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
@@ -23,7 +25,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -84,13 +85,6 @@ Ring_matrix<FT> product(const Ring_matrix<FT>& last, const Ring_matrix<FT>& firs
   }
   return result;
 }
-
-template <class Scheme>
-constexpr bool is_pn_v = !Is_linear<Scheme>::value;
-
-template <class Scheme, class FT>
-using Average_of_scheme =
-  std::conditional_t<is_pn_v<Scheme>, PN_average<FT, 3>, Linear_average<FT, 3>>;
 
 // Rows over rings that lie side by side, the values of place p of ring c at p * copies + c, ready for
 // the average of a block.
@@ -158,6 +152,7 @@ public:
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
       transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
     is_at_border_ = layout.at_border;
+    if (layout.first == 1) number_of_neighbors_ = layout.number;
     lambda_ = masks->lambda;
     normal_ratio_ = masks->normal_ratio;
     largest_other_ = masks->largest_other;
@@ -194,6 +189,8 @@ public:
   double normal_ratio() const { return normal_ratio_; }
   double largest_other() const { return largest_other_; }
   bool is_at_border() const { return is_at_border_; }
+  // of a vertex, which is at place 0; 0 about faces
+  std::size_t number_of_neighbors() const { return number_of_neighbors_; }
 
   // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
   Level_connectivity::Index transfer_valence() const { return transfer_valence_; }
@@ -206,9 +203,7 @@ public:
     const double ratio = (std::max)(lambda2 * lambda2, largest_other_ * largest_other_);
     return (std::min)(0.9, transfer_valence_ == 0 ? ratio : (std::max)(ratio, lambda2 / 2));
   }
-  // An estimate of |limit - L_{k+1}| / |L_{k+1} - L_k|: 3/2 of the sum of that series, and 1 at least,
-  // while it is not one yet; up to 0.8 was measured then.
-  double error_factor() const { return (std::max)(1., 1.5 * error_ratio() / (1 - error_ratio())); }
+  double error_factor() const { return limit_error_factor(error_ratio()); }
 
   // the rings after a step; those before it may be overwritten
   void refine(Stored_value* rings, Value* next) const
@@ -283,7 +278,7 @@ private:
     }
   }
 
-  std::size_t size_, largest_size_ = 0, copies_ = 1;
+  std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   Rules points_, normals_;
   std::array<std::vector<double>, 2> tangents_;

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +42,7 @@ public:
     : ring_(ring)
     , tangents_(tangents)
     , frame_(limit.point, has_normal(limit) ? limit.normal : cross_product(ring, tangents))
+    , has_control_normal_(has_normal(limit))
   {
     if (!(dot<double, 3>(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
     const auto height = [&](const Value& v) {
@@ -63,7 +65,24 @@ public:
   {
     const auto [a, b] = size_;
     return std::abs(a[0] * b[1] - a[1] * b[0]) /
-           std::hypot(std::hypot(a[0], a[1]), std::hypot(b[0], b[1]));
+           std::sqrt(a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1]);
+  }
+
+  // what the ring alone tells of the error of the normal, as Ring_lanes::error
+  // \pre is_regular()
+  double error() const
+  {
+    if (!has_control_normal_) return std::numeric_limits<double>::infinity();
+    double turn = 0;
+    for (const Value& v : ring_)
+      turn = (std::max)(
+        turn, 4 - 2 * pn_height<double, 3>(v, frame_.origin(), frame_.normal()).denominator);
+    const auto of_arc = [&](const Value& v) {
+      const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
+      return h.numerator / (std::max)(h.denominator, 1. / 1024) - frame_.z(v.point);
+    };
+    const auto [a, b] = solve(size_, masked(of_arc));
+    return (std::max)(turn / 2, 4 * std::sqrt(a * a + b * b));
   }
 
   // \pre is_regular()
@@ -151,7 +170,7 @@ private:
   Local_frame<double> frame_;
   std::array<Pair<double>, 2> size_{}; // T u
   Pair<double> slope_{};
-  bool is_regular_ = false;
+  bool has_control_normal_, is_regular_ = false;
 };
 
 } // namespace internal

@@ -28,12 +28,13 @@ class Vertex_ring
 public:
   using Index = Level_connectivity::Index;
 
-  // Vertices of the first ring that coincide, as they may on the coarsest meshes, occur as often as
-  // they are met.
+  // Appends the rings behind what is there. Vertices of the first ring that coincide, as they may on the coarsest
+  // meshes, occur as often as they are met.
   static void append(const Level_connectivity& level, Index v, unsigned rings,
                      std::vector<Index>& ring)
   {
     const Index h = level.halfedge_of_vertex(v);
+    const auto begin = static_cast<std::ptrdiff_t>(ring.size());
     ring.push_back(v);
     level.for_each_neighbor(h, [&](Index w) { ring.push_back(w); });
     Index g = h;
@@ -43,7 +44,7 @@ public:
           ring.push_back(level.target(c));
       g = level.next_around_target(g);
     } while (g != h);
-    if (rings > 1) append_outer_rings(level, h, rings, ring);
+    if (rings > 1) append_outer_rings(level, h, rings, {ring.begin() + begin, ring.end()}, ring);
   }
 
   // The first ring that the vertex will have in the next round of a host that splits edges, in the
@@ -68,9 +69,8 @@ public:
 
 private:
   static void append_outer_rings(const Level_connectivity& level, Index h, unsigned rings,
-                                 std::vector<Index>& ring)
+                                 std::unordered_set<Index>&& known, std::vector<Index>& ring)
   {
-    std::unordered_set<Index> known(ring.begin(), ring.end());
     std::vector<Index> in; // a half-edge into each vertex of the last ring, found from the center
     Index g = h;
     do {

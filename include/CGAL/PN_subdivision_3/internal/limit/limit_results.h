@@ -27,6 +27,11 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+inline bool asks_for_points(const Limit_options& options)
+{
+  return options.points || !options.surface_normals;
+}
+
 template <class FT>
 Limit_demand limit_demand(const Limit_options& options, double box)
 {
@@ -39,6 +44,7 @@ Limit_demand limit_demand(const Limit_options& options, double box)
   // exact numbers grow too long; the estimate needs one round
   demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
   demand.surface_normals = options.surface_normals;
+  demand.points = asks_for_points(options);
   demand.curvatures = options.curvatures;
   return demand;
 }
@@ -74,10 +80,11 @@ Limit_report limit_report(const std::vector<Result>& results, const Limit_demand
   Limit_report report;
   report.tolerance = demand.tolerance;
   for (const Result& r : results) {
-    report.error = (std::max)(report.error, r.error);
+    const bool counts = demand.points || !r.has_surface_normal;
+    if (counts) report.error = (std::max)(report.error, r.error);
     report.normal_error = (std::max)(report.normal_error, r.normal_error);
     report.depth = (std::max)(report.depth, r.depth);
-    if (!(r.error <= demand.tolerance) || !(r.normal_error <= demand.normal_tolerance))
+    if ((counts && !(r.error <= demand.tolerance)) || !(r.normal_error <= demand.normal_tolerance))
       ++report.number_of_misses;
     if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
   }

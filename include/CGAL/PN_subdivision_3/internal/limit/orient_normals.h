@@ -24,31 +24,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The height of the area vectors of triangles over a plane, but for a positive factor.
-class Area_height
-{
-public:
-  using Vector = Coordinates<double, 3>;
-
-  // size: the largest coordinate of what is added
-  Area_height(const Vector& normal, double size)
-    : normal_(normal)
-    , exponent_(size > 0 && std::isfinite(size) ? std::ilogb(size) : 0)
-  {}
-  void add(Vector a, Vector b)
-  {
-    for (double& x : a) x = std::ldexp(x, -exponent_);
-    for (double& x : b) x = std::ldexp(x, -exponent_);
-    height_ += dot<double, 3>(cross<double>(a, b), normal_);
-  }
-  double operator()() const { return height_; }
-
-private:
-  const Vector& normal_;
-  int exponent_;
-  double height_ = 0;
-};
-
 inline double largest_coordinate(const Coordinates<double, 3>& v)
 {
   return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
@@ -60,6 +35,30 @@ inline Coordinates<double, 3> offset(const Coordinates<double, 3>& p,
   return {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
 }
 
+// Whether the sum of the area vectors of triangles is on the other side than a normal. for_each(f) calls f(a, b)
+// with two sides of each.
+template <class For_each_triangle>
+bool is_against_area(const Coordinates<double, 3>& normal, const For_each_triangle& for_each)
+{
+  using Vector = Coordinates<double, 3>;
+  constexpr double greatest = 0x1p300; // whose products are in range, as those of its reciprocal
+  double height = 0, size = 0;
+  for_each([&](const Vector& a, const Vector& b) {
+    size = (std::max)({size, largest_coordinate(a), largest_coordinate(b)});
+    height += dot<double, 3>(cross<double>(a, b), normal);
+  });
+  if (size > greatest || size < 1 / greatest) {
+    const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+    height = 0;
+    for_each([&](Vector a, Vector b) {
+      for (double& x : a) x = std::ldexp(x, -exponent);
+      for (double& x : b) x = std::ldexp(x, -exponent);
+      height += dot<double, 3>(cross<double>(a, b), normal);
+    });
+  }
+  return height < 0;
+}
+
 // Whether a normal at a vertex is on the other side than those of the faces around, which have the corners point(v).
 template <class Point_of>
 bool is_against_faces(const Level_connectivity& level, Level_connectivity::Index v,
@@ -69,16 +68,13 @@ bool is_against_faces(const Level_connectivity& level, Level_connectivity::Index
   const Coordinates<double, 3> center = point(v);
   const auto away = [&](Index w) { return offset(point(w), center); };
   const Index first = level.halfedge_of_vertex(v);
-  double size = 0;
-  level.for_each_neighbor(first,
-                          [&](Index w) { size = (std::max)(size, largest_coordinate(away(w))); });
-  Area_height height(normal, size);
-  Index h = first;
-  do {
-    if (!level.is_border(h)) height.add(away(level.target(level.next(h))), away(level.source(h)));
-    h = level.next_around_target(h);
-  } while (h != first);
-  return height() < 0;
+  return is_against_area(normal, [&](const auto& add) {
+    Index h = first;
+    do {
+      if (!level.is_border(h)) add(away(level.target(level.next(h))), away(level.source(h)));
+      h = level.next_around_target(h);
+    } while (h != first);
+  });
 }
 
 // The same of a normal at a face.
@@ -89,13 +85,10 @@ bool is_against_face(const Level_connectivity& level, Level_connectivity::Index 
   using Index = Level_connectivity::Index;
   const Coordinates<double, 3> corner = point(level.target(first));
   const auto away = [&](Index h) { return offset(point(level.target(h)), corner); };
-  double size = 0;
-  for (Index h = level.next(first); h != first; h = level.next(h))
-    size = (std::max)(size, largest_coordinate(away(h)));
-  Area_height height(normal, size);
-  for (Index h = level.next(first); level.next(h) != first; h = level.next(h))
-    height.add(away(h), away(level.next(h)));
-  return height() < 0;
+  return is_against_area(normal, [&](const auto& add) {
+    for (Index h = level.next(first); level.next(h) != first; h = level.next(h))
+      add(away(h), away(level.next(h)));
+  });
 }
 
 // The frame of a surface normal is that of the control normal, which may be on the wrong side.

@@ -12,116 +12,89 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_subdivision_3/internal/limit/creased_vertex_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Creased_control.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 
 #include <cstddef>
-#include <type_traits>
-#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// Calls sink(results) with the limits of a mesh at its vertices.
-template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Sink>
-Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
-                           Normal_map normals, const Limit_options& options,
-                           const For_chunks& for_chunks, const Sink& sink)
+// The limits of a mesh, at its slots if it has creases.
+template <class Result, class Level_creases>
+struct Vertex_limits
 {
-  const auto level = read_limit_level<Scheme, FT>(access, scheme, points, normals);
-  const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-  Limit_evaluation<Scheme, FT> evaluation(scheme, demand, for_chunks);
-  const auto results = evaluation(level, options.rounds_done + 1);
-  const auto name = [&](std::size_t v) {
-    return access.vertex_name(static_cast<Level_connectivity::Index>(v));
-  };
-  check_limits<FT>(results, name);
-  sink(results);
-  return limit_report(results, demand);
-}
+  const Level_connectivity& level;
+  const Level_creases& creases; // with the tangents of the limit
+  std::vector<Result>& results;
+};
 
-// whether creases are looked for
-template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
-constexpr bool has_creased_limits_v = Has_crease_rules<Scheme>::value&&
-  may_be_creased_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>;
-
-// Refuses what is sharp if the scheme has no rules for it.
-template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
-void require_crease_rules([[maybe_unused]] const Scheme& scheme,
-                          [[maybe_unused]] const Access& access, const Normal_map&,
-                          [[maybe_unused]] Edge_map edge_map,
-                          [[maybe_unused]] Vertex_map vertex_map)
-{
-  static_assert(Has_crease_rules<Scheme>::value || !is_of_halfedges_v<Access, Normal_map>,
-                "PN_subdivision_3: the scheme has no rules for creases and takes a normal per "
-                "vertex, not per half-edge");
-  if constexpr (!Has_crease_rules<Scheme>::value &&
-                may_be_creased_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>)
-    refuse_creases(scheme, access, edge_map, vertex_map);
-}
-
-// The same of a mesh that may have creases. Calls sink(limits, tangents): the limits of the slots, and the
-// tangents of the map.
+// Calls sink(limits, creases of the mesh) with the limits of a mesh as its maps tell of it.
 template <class FT, class Access, class Scheme, class Point_map, class Normal_map, class Edge_map,
           class Vertex_map, class Sink>
-Limit_report creased_vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
-                                   Normal_map normals, Edge_map edge_map, Vertex_map vertex_map,
-                                   const Limit_options& options, const For_chunks& for_chunks,
-                                   const Sink& sink)
+Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map points,
+                           Normal_map normals, Edge_map edge_map, Vertex_map vertex_map,
+                           const Limit_options& options, const For_chunks& for_chunks,
+                           const Sink& sink)
 {
-  using Control = Creased_control<Scheme, FT>;
-  Level_connectivity level = checked_level(access);
-  check_scheme(scheme, level, access);
-  const Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
-  const Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
-                                                        level.number_of_vertices());
-  typename Control::template Tangents<Access> tangents(access, level, Control::tangent_map(scheme));
-  Creased_vertex_limits<Scheme, FT> limits(
-    access, std::move(level), tangents, scheme, points, normals, edges, vertices,
-    options.rounds_done, [&](double box) { return limit_demand<FT>(options, box); }, for_chunks);
-  check_limits<FT>(limits.results, [&](std::size_t v) {
-    return access.vertex_name(static_cast<Level_connectivity::Index>(v));
-  });
-  const Level_connectivity::Index n = limits.level.number_of_vertices();
-  sink(limits, tangents);
-  limits.results.resize(n);
-  return limit_report(limits.results, limits.demand);
+  if constexpr (!check_corner_normals<Scheme, Access, Normal_map>())
+    return {};
+  else {
+    require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    Valued_level<typename Average_of_scheme<Scheme, FT>::Value> level;
+    level.level = checked_level(access);
+    check_scheme(scheme, level.level, access);
+    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme, access, level.level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level.level);
+    require_sharp_for_ever<FT>(access, creases, 0);
+    of_mesh.read_tangents(creases);
+    level.values = of_mesh.values(level.level, points, normals, creases);
+    const Limit_demand demand = limit_demand<FT>(options, box_size(level));
+    auto results =
+      limits_at_slots<FT>(scheme, demand, for_chunks, level, creases, options.rounds_done + 1);
+    decltype(level.values)().swap(level.values);
+    check_limits<FT>(results, [&](std::size_t v) {
+      return access.vertex_name(static_cast<Level_connectivity::Index>(v));
+    });
+    using Result = typename decltype(results)::value_type;
+    sink(Vertex_limits<Result, decltype(creases)>{level.level, creases, results}, of_mesh);
+    results.resize(level.level.number_of_vertices());
+    return limit_report(results, demand);
+  }
 }
 
-// Puts limits into the maps of a mesh with creases, and the old values back if that fails.
-template <class Scheme, class FT, class Access, class Tangents, class Point_map, class Normal_map>
-void put_creased_limits(const Access& access, Creased_vertex_limits<Scheme, FT>& limits,
-                        Tangents& tangents, Point_map points, Normal_map normals,
-                        bool surface_normals)
+// Puts limits into the maps of a mesh, and the old values back if that fails.
+template <class Scheme, class FT, class Access, class Limits, class Of_mesh, class Point_map,
+          class Normal_map>
+void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Point_map points,
+                Normal_map normals, const Limit_options& options)
 {
-  constexpr bool has_corner_normals = is_of_halfedges_v<Access, Normal_map>;
-  using Control = Creased_control<Scheme, FT>;
-  typename Control::template Corner_writer<Access, Normal_map> corners(access, limits.level,
-                                                                       normals);
-  if constexpr (has_corner_normals) {
-    if (is_pn_v<Scheme> || surface_normals)
+  using Writers = Normal_writers<Access, Normal_map>;
+  typename Writers::Corner_writer corners(access, limits.level, normals);
+  if constexpr (Writers::Corner_writer::takes_corners) {
+    if (is_pn_v<Scheme> || options.surface_normals)
       corners.put_all(limits.level, limits.creases,
-                      slot_values<Scheme, FT>(limits.results, surface_normals));
+                      slot_values<Scheme, FT>(limits.results, options.surface_normals));
   } else
     put_mean_normals<Scheme>(limits.creases, limits.results);
-  tangents.put_refined(limits.creases, limits.level.number_of_edges());
+  of_mesh.put_tangents(limits.creases, limits.level.size());
   limits.results.resize(limits.level.number_of_vertices());
-  using Vertex_normal_map = typename Control::template Vertex_normal_map<Access, Normal_map>;
-  Limit_writer<Access, Scheme, Point_map, Vertex_normal_map>(
-    access, points, Control::template make_vertex_normal_map<Access>(normals))
-    .write(limits.results, surface_normals);
+  Limit_writer<Access, Scheme, Point_map, typename Writers::Vertex_map>(
+    access, points, Writers::vertex_map(normals))
+    .write(limits.results, options);
   corners.keep();
-  tangents.keep();
+  of_mesh.keep();
 }
 
 template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class NamedParameters>
@@ -135,28 +108,13 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const Limit_options
     using FT = typename Parameters::FT;
     const auto points = Parameters::point_map(mesh, np);
     const auto normals = Parameters::normal_map(np);
-    using Normal_map = std::decay_t<decltype(normals)>;
-    const auto for_chunks = For_chunks::with(Concurrency_tag());
     with_mesh_access(mesh, [&](const auto& access) {
-      using Access = std::decay_t<decltype(access)>;
-      const auto edge_map = Parameters::edge_constraint_map(np);
-      const auto vertex_map = Parameters::vertex_constraint_map(np);
-      require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-      if constexpr (has_creased_limits_v<Scheme, Access, Normal_map,
-                                         std::decay_t<decltype(edge_map)>,
-                                         std::decay_t<decltype(vertex_map)>>)
-        report = creased_vertex_limits<FT>(access, scheme, points, normals, edge_map, vertex_map,
-                                           options, for_chunks, [&](auto& limits, auto& tangents) {
-                                             put_creased_limits(access, limits, tangents, points,
-                                                                normals, options.surface_normals);
-                                           });
-      else
-        report = vertex_limits<FT>(
-          access, scheme, points, normals, options, for_chunks, [&](const auto& results) {
-            Limit_writer<Access, Scheme, std::decay_t<decltype(points)>, Normal_map>(access, points,
-                                                                                     normals)
-              .write(results, options.surface_normals);
-          });
+      report = vertex_limits<FT>(
+        access, scheme, points, normals, Parameters::edge_constraint_map(np),
+        Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
+        [&](const auto& limits, auto& of_mesh) {
+          put_limits<Scheme, FT>(access, limits, of_mesh, points, normals, options);
+        });
     });
   }
   return report;

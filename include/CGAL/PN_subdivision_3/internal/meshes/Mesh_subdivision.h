@@ -12,24 +12,28 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,41 +42,19 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// the size after some rounds
-template <class Host>
-Level_size checked_refined_size(Level_size size, unsigned rounds, std::uint64_t limit)
-{
-  for (unsigned k = 1; k <= rounds; ++k) {
-    size = Host::refined_size(size, k);
-    if (size.halfedges() < limit && size.vertices < limit && size.faces < limit) continue;
-    throw std::length_error(
-      "PN_subdivision_3: round " + std::to_string(k) + " would need " +
-      std::to_string(size.vertices) + " vertices, " + std::to_string(size.halfedges()) +
-      " half-edges and " + std::to_string(size.faces) + " faces, more than the " +
-      std::to_string(limit - 1) + " that the index type of the mesh can number: ask for at most " +
-      std::to_string(k - 1) + " rounds");
-  }
-  return size;
-}
-
-// of calls that tell nobody of their rounds
-inline constexpr auto no_round_done = [](unsigned, std::size_t) {};
-
-// Subdivision of a mesh: read, refine flat levels, write the last one. The mesh and its maps are
-// untouched until everything that a user's data can make fail has been checked; what fails
-// afterwards (an allocation, a map of the user's) is taken back.
+// Subdivision of a mesh, with creases or without: read, refine flat levels, write the last one. The mesh
+// and its maps are untouched until everything that a user's data can make fail has been checked; what
+// fails afterwards (an allocation, a map of the user's) is taken back.
 template <class Concurrency_tag, class Scheme, class FT>
 class Mesh_subdivision
 {
-  static constexpr bool is_pn = !Is_linear<Scheme>::value;
-
   using Index = Level_connectivity::Index;
-  using Average = std::conditional_t<is_pn, PN_average<FT, 3>, Linear_average<FT, 3>>;
+  using Host = typename Scheme::Host;
+  using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
-  using Refiner = Level_refiner<Scheme, Average>;
-  using One_round = typename Refiner::One_round;
-  using Transfers = typename Refiner::Transfers;
-  using Rows_sink = typename Refiner::Rows_sink;
+  using One_round = Round<Scheme, Average>;
+  using Transfers = typename One_round::Transfers;
+  using Rows_sink = typename One_round::Rows_sink;
 
 public:
   using Round_done = Function_ref<void(unsigned, std::size_t)>;
@@ -89,32 +71,28 @@ public:
   Mesh_subdivision(const Scheme&, unsigned, const Function&&) = delete;
 
   // a linear scheme has no use for normals
-  template <class Access, class Point_map, class Normal_map, class Carry>
-  void operator()(Access& access, Point_map points, Normal_map normals, const Carry& carry) const
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
+  void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                  Vertex_map vertex_map, const Carry& carry) const
   {
-    if constexpr (is_pn)
-      subdivide(access, points, normals, carry);
-    else
-      subdivide(access, points, No_normal_map(), carry);
+    if constexpr (!is_pn_v<Scheme> && !std::is_same_v<Normal_map, No_normal_map>)
+      (*this)(access, points, No_normal_map(), edge_map, vertex_map, carry);
+    else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+      require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
+      subdivide(access, points, normals, edge_map, vertex_map, carry);
+    }
   }
 
-  // \name Steps of a call
-  // shared with Creased_subdivision
-
-  // without faces all rounds are alike
-  unsigned number_of_rounds(const Level_connectivity& level) const
-  {
-    return level.size().faces == 0 ? 1 : rounds_;
-  }
-
+private:
   // Whether a mesh gets edges and faces in one thread while others put the values of the last round: the
   // maps of a Surface_mesh stand where they are when other elements than theirs come.
   template <class Writer>
   static constexpr bool has_late_growth_v = is_parallel_v<Concurrency_tag>&& Writer::has_own_maps;
 
   // With several threads the mesh grows while the levels before the last one are made.
-  template <class Writer, class Access, class Any_refiner, class Refine>
-  void grow_and_refine(Access& access, const Level_size& size, const Any_refiner& refiner,
+  template <class Writer, class Access, class Refiner, class Refine>
+  void grow_and_refine(Access& access, const Level_size& size, const Refiner& refiner,
                        unsigned rounds, const Refine& refine) const
   {
     const auto grow = [&] {
@@ -133,9 +111,8 @@ public:
 
   // The last values, put by put(), and what the mesh has not yet of edges and faces; with one thread
   // these come when the old values are gone.
-  template <class Writer, class Access, class Any_refiner, class Put>
-  static void put_and_grow(Access& access, const Level_size& size, Any_refiner& refiner,
-                           const Put& put)
+  template <class Writer, class Access, class Refiner, class Put>
+  static void put_and_grow(Access& access, const Level_size& size, Refiner& refiner, const Put& put)
   {
     if constexpr (has_late_growth_v<Writer>)
       run_with_precision([&] { access.grow(size); }, put);
@@ -152,7 +129,7 @@ public:
     for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
   }
 
-  template <class Writer>
+  template <class Refiner, class Writer>
   static void put_values(const Refiner& refiner, const One_round& last, Writer& writer,
                          const Rows_sink* rows = nullptr)
   {
@@ -164,7 +141,7 @@ public:
     put_range(refiner, last, transfers, 0, old_vertices, writer, rows);
   }
 
-  template <class Writer>
+  template <class Refiner, class Writer>
   static void put_range(const Refiner& refiner, const One_round& last, const Transfers& transfers,
                         Index begin, Index end, const Writer& writer, const Rows_sink* rows)
   {
@@ -185,32 +162,6 @@ public:
     }
   }
 
-  // keep() is called where nothing may fail any more. Threads may; then one alone repeats what they
-  // have begun.
-  template <class Access>
-  void put_connectivity(const Refiner& refiner, const One_round& last, Access& access,
-                        Function_ref<void()> keep) const
-  {
-    std::optional<Level_connectivity> child;
-    if constexpr (!Access::is_child_of_hosts) {
-      child.emplace(last.refined_size());
-      refiner.connect(last, *child);
-    }
-    keep();
-    const auto write = [&](const For_chunks& for_chunks) {
-      if constexpr (Access::is_child_of_hosts)
-        last.host().connect(access, for_chunks);
-      else
-        access.write(*child, for_chunks);
-    };
-    try {
-      write(Access::has_concurrent_connectivity ? for_chunks_ : For_chunks());
-    } catch (...) {
-      write(For_chunks());
-    }
-  }
-
-private:
   // f() and g(), which computes in the caller's precision
   template <class Function, class Computation>
   static void run_with_precision(const Function& f, const Computation& g)
@@ -224,40 +175,101 @@ private:
                                   });
   }
 
-  template <class Access, class Point_map, class Normal_map, class Carry>
-  void subdivide(Access& access, Point_map points, Normal_map normals, const Carry& carry) const
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
+  void subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
+                 Vertex_map vertex_map, const Carry& carry) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
-    const unsigned rounds = number_of_rounds(level);
-    const Level_size size =
-      checked_refined_size<typename Scheme::Host>(level.size(), rounds, Access::index_limit());
-    auto values = read_values<Average>(access, level, points, normals, normal_estimate(scheme_));
-    using Writer = Mesh_writer<Value, Access, Point_map, Normal_map>;
-    Writer writer(access, points, normals, is_any_near_overflow(values));
-    Carried_through<FT, typename Scheme::Host, Carry> carried(
-      carry, access, level, std::vector<Index>(), Control_sharpness(), for_chunks_);
-    Refiner refiner(scheme_, std::move(level), {values.begin(), values.end()}, for_chunks_);
+    Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme_, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
+    of_mesh.read_tangents(creases);
+    const unsigned rounds = number_of_rounds(level, rounds_);
+    const Level_size size = checked_refined_size<Host>(level.size(), rounds, Access::index_limit());
+    std::vector<Value> values = of_mesh.values(level, points, normals, creases);
+
+    using Writers = Normal_writers<Access, Normal_map>;
+    using Writer = Mesh_writer<Value, Access, Point_map, typename Writers::Vertex_map>;
+    Writer writer(access, points, Writers::vertex_map(normals), is_any_near_overflow(values));
+    typename Writers::Corner_writer corners(access, level, normals);
+    Carried_through<FT, Host, Carry> carried(
+      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
+    Level_refiner<Scheme, Average, decltype(creases)> refiner(
+      scheme_, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
     grow_and_refine<Writer>(access, size, refiner, rounds, [&] {
-      const One_round round = refiner.next_round();
-      carried.begin_round(scheme_, round, refiner.level(), false);
+      carried.before_cut(refiner);
+      auto round = refiner.next_round();
+      carried.begin_round(scheme_, refiner, round, false);
       refiner.refine(round, carried.rows(), carried.child());
       carried.end_round();
     });
-    const One_round last = refiner.next_round();
-    carried.begin_round(scheme_, last, refiner.level(), true);
-    put_and_grow<Writer>(access, size, refiner,
-                         [&] { put_values(refiner, last, writer, carried.rows()); });
-    carried.put(refiner, last);
+    carried.before_cut(refiner);
+    auto last = refiner.next_round();
+    carried.begin_round(scheme_, refiner, last, true);
+    put_last_round(access, size, refiner, last, writer, corners, carried.rows());
+    carried.put(refiner, last.round());
+    of_mesh.put_sharpness(last.refined_creases(), size, rounds);
+    of_mesh.put_tangents(last.refined_creases(), size);
     report_last_round(rounds, size);
-    put_connectivity(refiner, last, access, [&] {
+    put_connectivity(last.round(), access, for_chunks_, [&] {
       writer.keep();
+      corners.keep();
+      of_mesh.keep();
       carried.keep();
     });
-    carried.visit(access, refiner, last);
-    if constexpr (!Scheme::Host::keeps_vertices) access.trim(size, writer.has_own_maps);
+    carried.visit(access, refiner, last.round());
+    if constexpr (!Host::keeps_vertices) access.trim(size, writer.has_own_maps);
+  }
+
+  // The values of the last round and its tangents; its level is whole again afterwards.
+  template <class Access, class Refiner, class Last, class Writer, class Corner_writer>
+  void put_last_round(Access& access, const Level_size& size, Refiner& refiner, Last& last,
+                      Writer& writer, Corner_writer& corners, const Rows_sink* rows) const
+  {
+    const auto on_creases = last.crease_values(for_chunks_);
+    if constexpr (Corner_writer::takes_corners)
+      put_corners(access, size, refiner, last, on_creases, writer, corners, rows);
+    else
+      put_and_grow<Writer>(access, size, refiner, [&] {
+        put_values(refiner, last.round(), writer, rows);
+        if constexpr (Corner_writer::takes_wedges) {
+          for (const auto& [slot, value] : on_creases)
+            if (slot < last.number_of_vertices()) writer.put_values(slot, &value, 1);
+          corners.list(last.refined_creases(), on_creases);
+        } else if constexpr (are_creases_v<std::decay_t<decltype(refiner.creases())>>)
+          for_each_crease_vertex<Average>(
+            on_creases, last.number_of_vertices(),
+            [&](std::size_t, Index v, const Value& value) { writer.put_values(v, &value, 1); });
+      });
+    last.close();
+  }
+
+  template <class Access, class Refiner, class Last, class Writer, class Corner_writer>
+  void put_corners(Access& access, const Level_size& size, Refiner& refiner, Last& last,
+                   const std::vector<std::pair<Index, Value>>& on_creases, Writer& writer,
+                   Corner_writer& corners, const Rows_sink* rows) const
+  {
+    const Index n = last.number_of_vertices();
+    const Creases<FT>& creases = last.refined_creases();
+    boost::container::vector<Value> values(creases.number_of_slots, boost::container::default_init);
+    put_and_grow<Writer>(access, size, refiner, [&] {
+      refiner.evaluate(
+        last.round(), refiner.transfers(last.round()), 0, n,
+        [&](Index first, const Value* new_values, Index number) {
+          std::copy(new_values, new_values + number, values.begin() + first);
+        },
+        rows);
+    });
+    for (const auto& slot : on_creases) values[slot.first] = slot.second;
+    writer.begin_old_vertices();
+    writer.put_values(0, values.data(), n);
+    last.close();
+    corners.put_all(child_level(last.round(), for_chunks_), creases, values);
   }
 
   static bool is_any_near_overflow(const std::vector<Value>& values)

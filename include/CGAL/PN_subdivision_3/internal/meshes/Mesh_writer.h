@@ -16,11 +16,15 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -110,6 +114,28 @@ private:
   Old_values<Point_map, Vertex_of_mesh> old_points_;
   Old_values<Normal_map, Vertex_of_mesh> old_normals_;
 };
+
+// Writes what the last round makes of the connectivity. keep() is called where nothing may fail any more. Threads
+// may; then one alone repeats what they have begun.
+template <class Round, class Access>
+void put_connectivity(const Round& last, Access& access, const For_chunks& for_chunks,
+                      Function_ref<void()> keep)
+{
+  std::optional<Level_connectivity> child;
+  if constexpr (!Access::is_child_of_hosts) child = child_level(last, for_chunks);
+  keep();
+  const auto write = [&](const For_chunks& in_chunks) {
+    if constexpr (Access::is_child_of_hosts)
+      last.host().connect(access, in_chunks);
+    else
+      access.write(*child, in_chunks);
+  };
+  try {
+    write(Access::has_concurrent_connectivity ? for_chunks : For_chunks());
+  } catch (...) {
+    write(For_chunks());
+  }
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -12,11 +12,11 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,18 +45,13 @@ struct Wedge_normals
   friend value_type get(const Wedge_normals& n, const key_type& h) { return get(n.corners, h); }
 };
 
-template <class Map>
-struct Is_wedge_normals : std::false_type
-{};
-template <class Corner_map, class Vertex_map>
-struct Is_wedge_normals<Wedge_normals<Corner_map, Vertex_map>> : std::true_type
-{};
-
 // Lists the wedges; they are nobody's until keep() is called.
 template <class Access, class Map>
 class Wedge_normal_writer
 {
 public:
+  static constexpr bool takes_corners = false, takes_wedges = true;
+
   Wedge_normal_writer(const Access& access, const Level_connectivity&, const Map& map)
     : access_(access)
     , map_(map)
@@ -86,6 +81,15 @@ private:
   const Access& access_;
   Map map_;
   typename Map::List wedges_;
+};
+
+template <class Access, class Corners, class Vertices>
+struct Normal_writers<Access, Wedge_normals<Corners, Vertices>, true>
+{
+  using Map = Wedge_normals<Corners, Vertices>;
+  using Vertex_map = Vertices;
+  using Corner_writer = Wedge_normal_writer<Access, Map>;
+  static Vertex_map vertex_map(const Map& map) { return map.vertices; }
 };
 
 } // namespace internal

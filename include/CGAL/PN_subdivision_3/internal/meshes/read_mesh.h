@@ -17,8 +17,10 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -40,6 +42,29 @@ Level_connectivity checked_level(const Access& access)
   access.read(level);
   Connectivity_check(level, access)();
   return level;
+}
+
+// without faces all rounds are alike
+inline unsigned number_of_rounds(const Level_connectivity& level, unsigned rounds)
+{
+  return level.size().faces == 0 ? (std::min)(rounds, 1u) : rounds;
+}
+
+// the size after some rounds
+template <class Host>
+Level_size checked_refined_size(Level_size size, unsigned rounds, std::uint64_t limit)
+{
+  for (unsigned k = 1; k <= rounds; ++k) {
+    size = Host::refined_size(size, k);
+    if (size.halfedges() < limit && size.vertices < limit && size.faces < limit) continue;
+    throw std::length_error(
+      "PN_subdivision_3: round " + std::to_string(k) + " would need " +
+      std::to_string(size.vertices) + " vertices, " + std::to_string(size.halfedges()) +
+      " half-edges and " + std::to_string(size.faces) + " faces, more than the " +
+      std::to_string(limit - 1) + " that the index type of the mesh can number: ask for at most " +
+      std::to_string(k - 1) + " rounds");
+  }
+  return size;
 }
 
 // a point of a mesh, checked

@@ -82,6 +82,7 @@ template <class Access, class Map>
 class Corner_normal_writer
 {
 public:
+  static constexpr bool takes_corners = true, takes_wedges = false;
   using Index = Level_connectivity::Index;
   using Normal = typename boost::property_traits<Map>::value_type;
 
@@ -121,6 +122,33 @@ private:
   Map map_;
   std::vector<std::pair<Index, Normal>> old_;
   bool is_changed_ = false;
+};
+
+// of a map without normals of corners
+struct Nothing_of_corners
+{
+  static constexpr bool takes_corners = false, takes_wedges = false;
+
+  template <class Access, class Map>
+  Nothing_of_corners(const Access&, const Level_connectivity&, const Map&)
+  {}
+  void keep() {}
+};
+
+// the map of vertices that takes the normals of a map, and what takes those of its corners
+template <class Access, class Map, bool is_of_halfedges = is_of_halfedges_v<Access, Map>>
+struct Normal_writers
+{
+  using Vertex_map = Map;
+  using Corner_writer = Nothing_of_corners;
+  static Vertex_map vertex_map(const Map& map) { return map; }
+};
+template <class Access, class Map>
+struct Normal_writers<Access, Map, true>
+{
+  using Vertex_map = No_normal_map;
+  using Corner_writer = Corner_normal_writer<Access, Map>;
+  static Vertex_map vertex_map(const Map&) { return {}; }
 };
 
 } // namespace internal

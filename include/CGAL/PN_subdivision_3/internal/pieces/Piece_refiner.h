@@ -19,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -238,7 +239,7 @@ private:
   {
     close_rim_before(round, part);
     Refiner level = refiner(part, round);
-    const One_round one = level.next_round();
+    One_round one = level.next_round();
     const Piece_elements elements = Child_elements<Host>(level.level(), part.elements, one.host(),
                                                          (*wholes_)[round - 1], for_chunks_)
                                       .all(one.refined_size());
@@ -250,7 +251,7 @@ private:
   void put_last_round(Part& part, bool has_isolated, unsigned rings, const Output& out) const
   {
     close_rim_before(rounds_, part);
-    const Refiner level = refiner(part, rounds_);
+    Refiner level = refiner(part, rounds_);
     const One_round one = level.next_round();
     const auto vertices = put_connectivity(level, one, part.elements, has_isolated, rings, out);
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
@@ -274,9 +275,7 @@ private:
   {
     const Child_elements<Host> children(level.level(), elements, one.host(),
                                         (*wholes_)[rounds_ - 1], for_chunks_);
-    Level_connectivity child(one.refined_size());
-    child.set_uniform_degree(Host::refined_degree);
-    level.connect(one, child);
+    const Level_connectivity child = child_level(one, for_chunks_);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
                              children.faces(child.size().faces)};
     return put(child, all, has_isolated, rings, out);

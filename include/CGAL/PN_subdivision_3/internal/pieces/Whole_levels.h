@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/rim_of_sqrt3.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>
@@ -87,9 +88,8 @@ private:
       find_border(strip, elements, refines_border<Host>(k + 1), whole);
       if (refines_border<Host>(k + 1)) close_rim(strip, elements, whole);
       const Host host(strip, k + 1);
-      Level_connectivity child(Host::refined_size(strip.size(), k + 1));
-      child.set_uniform_degree(Host::refined_degree);
-      host.connect(child, for_chunks);
+      const Level_size child_size = Host::refined_size(strip.size(), k + 1);
+      const Level_connectivity child = child_level(host, child_size, child_size, for_chunks);
       elements = Child_elements<Host>(strip, elements, host, whole, for_chunks).all(child.size());
       Face_marks kept = faces_at_border(child, owned_faces(elements.faces));
       for (std::size_t f = 0; f < kept.size(); ++f)

@@ -9,18 +9,29 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_ROUNDS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_KEPT_ROUNDS_H
 
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Dependents.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <boost/container/vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <deque>
+#include <iterator>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,51 +39,82 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The rounds of a scheme on a control level, kept with their levels. What is kept of the last round is
-// its old level: its new values go to a sink.
-template <class Scheme, class Average>
+// whether two values are the same, bit by bit; other numbers are not compared
+template <class FT>
+bool is_same_value(const Coordinates<FT, 3>& a, const Coordinates<FT, 3>& b)
+{
+  if constexpr (std::is_floating_point_v<FT>)
+    return std::equal(a.begin(), a.end(), b.begin(),
+                      [](FT x, FT y) { return x == y && std::signbit(x) == std::signbit(y); });
+  else
+    return false;
+}
+template <class FT>
+bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
+{
+  return is_same_value<FT>(a.point, b.point) && is_same_value<FT>(a.normal, b.normal);
+}
+
+// The rounds of a scheme on a control level with its creases, kept with their levels. What is kept of the last
+// round is its old level: its new values go to a sink. Levels with creases are kept cut open, and the values are
+// those of slots. What lies on creases is evaluated as a whole in every call, and goes on from where it has changed.
+template <class Scheme, class Average, class Level_creases>
 class Kept_rounds final : public Kept_refinement<Average>
 {
   using Base = Kept_refinement<Average>;
+  using FT = typename Average::FT;
+  using Host = typename Scheme::Host;
 
 public:
   using typename Base::Index;
   using typename Base::List_sink;
   using typename Base::Sink;
   using typename Base::Value;
-  using One_round = Round<Scheme, Average>;
+  using Control = Control_values<Average>;
+  using One_round = Crease_round<Scheme, Average, Level_creases>;
   using Stored_value = typename One_round::Stored_value;
 
-  Kept_rounds(const Scheme& scheme, Level_connectivity&& control, unsigned number_of_rounds,
-              const For_chunks& for_chunks)
+  Kept_rounds(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
+              unsigned number_of_rounds, Control& values, const For_chunks& for_chunks)
     : Base(for_chunks)
     , scheme_(scheme)
+    , creases_(std::move(creases))
   {
-    levels_.emplace_back(std::move(control));
+    if (!creases_.empty()) begin_creases(control, values);
+    Level_connectivity level = std::move(control);
+    const Level_creases* of_level = &creases_;
     for (unsigned k = 1; k <= number_of_rounds; ++k) {
-      Level& level = levels_.back();
-      level.round.emplace(scheme_, level.connectivity, k);
-      if (k < number_of_rounds) levels_.emplace_back(refined_level());
+      // before the round, which cuts its level open
+      Level_connectivity child;
+      if (k < number_of_rounds)
+        child = child_level<Host>(level, k, this->for_chunks_);
+      else if (!creases_.empty())
+        whole_last_ = level;
+      add_level(std::move(level), *of_level);
+      levels_.back().round.emplace(scheme_, levels_.back().connectivity, *of_level, k);
+      of_level = &levels_.back().round->refined_creases();
+      level = std::move(child);
     }
+    if (number_of_rounds == 0) add_level(std::move(level), creases_);
   }
 
   Level_size refined_size() const override
   {
     const Level& last = levels_.back();
-    return last.round ? last.round->refined_size() : last.connectivity.size();
+    return last.round ? last.round->round().refined_size() : last.connectivity.size();
   }
   Level_connectivity refined_level() const override
   {
     const Level& last = levels_.back();
     if (!last.round) return last.connectivity;
-    Level_connectivity result(last.round->refined_size());
-    result.set_uniform_degree(Scheme::Host::refined_degree);
-    last.round->host().connect(result, this->for_chunks_);
-    return result;
+    return child_level<Host>(whole_last_ ? *whole_last_ : last.connectivity,
+                             static_cast<unsigned>(levels_.size()), this->for_chunks_);
   }
 
-  std::vector<Index> take(Control_values<Average>& control) override
+  std::vector<Index> take(Control& control) override
   {
+    if constexpr (are_creases_v<Level_creases>)
+      if (!creases_.empty()) return take_slots(control);
     control.update_estimate(levels_.front().connectivity);
     std::vector<Index> changed = control.changes();
     control.forget_changes();
@@ -85,11 +127,16 @@ public:
     if (!levels_.back().round) return copy(sink);
     for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
       auto& refined = levels_[k + 1].values;
-      evaluate(levels_[k], [&](Index first, const Value* values, Index n) {
-        std::copy(values, values + n, refined.begin() + first);
-      });
+      const Slot_values on_creases =
+        evaluate_round(levels_[k], [&](Index first, const Value* values, Index n) {
+          std::copy(values, values + n, refined.begin() + first);
+        });
+      for (const auto& [slot, value] : on_creases) refined[slot] = value;
     }
-    evaluate(levels_.back(), sink);
+    last_on_creases_ = evaluate_round(levels_.back(), sink);
+    for_each_crease_vertex<Average>(
+      last_on_creases_, number_of_refined_vertices(),
+      [&](std::size_t, Index v, const Value& value) { sink(v, &value, 1); });
   }
 
   std::vector<Index> evaluate_from(std::vector<Index> changed, List_sink sink) override
@@ -101,45 +148,82 @@ public:
       }
       return changed;
     }
-    for (std::size_t k = 0; k < levels_.size(); ++k) {
-      Level& level = levels_[k];
-      changed = level.readers(*level.round, level.values.size(), changed);
-      if (k + 1 == levels_.size())
-        evaluate(level, changed, sink);
-      else {
-        auto& refined = levels_[k + 1].values;
-        evaluate(level, changed, [&](const Index* vertices, const Value* values, Index n) {
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
+      auto& refined = levels_[k + 1].values;
+      const Slot_values on_creases = evaluate_round_from(
+        levels_[k], changed, [&](const Index* vertices, const Value* values, Index n) {
           for (Index i = 0; i < n; ++i) refined[vertices[i]] = values[i];
         });
+      for (const auto& [slot, value] : on_creases) {
+        if (is_same_value<FT>(Value(refined[slot]), value)) continue;
+        refined[slot] = value;
+        changed.push_back(slot);
       }
     }
+    Slot_values on_creases = evaluate_round_from(levels_.back(), changed, sink);
+    const auto end_of_others = static_cast<std::ptrdiff_t>(changed.size());
+    for_each_crease_vertex<Average>(on_creases, number_of_refined_vertices(),
+                                    [&](std::size_t i, Index v, const Value& value) {
+                                      if (is_as_before(on_creases, i)) return;
+                                      sink(&v, &value, 1);
+                                      changed.push_back(v);
+                                    });
+    last_on_creases_ = std::move(on_creases);
+    std::inplace_merge(changed.begin(), changed.begin() + end_of_others, changed.end());
     return changed;
   }
 
   std::size_t memory() const override
   {
-    std::size_t sum = 0;
-    for (const Level& level : levels_) {
-      const Level_size& size = level.connectivity.size();
-      sum += sizeof(Index) * (3 * size.halfedges() + size.vertices + size.faces) +
-             sizeof(Stored_value) * level.values.size() + level.readers.memory();
-    }
+    std::size_t sum = last_on_creases_.capacity() * sizeof(last_on_creases_.front());
+    for (const std::optional<Level_connectivity>* whole : {&whole_control_, &whole_last_})
+      if (*whole) sum += memory(**whole);
+    for (const Level& level : levels_)
+      sum += memory(level.connectivity) + sizeof(Stored_value) * level.values.size() +
+             level.readers.memory();
     return sum;
   }
 
 private:
+  using Slot_values = std::vector<typename One_round::Slot_value>;
+
   struct Level
   {
-    explicit Level(Level_connectivity&& level)
+    Level(Level_connectivity&& level, std::size_t number_of_slots)
       : connectivity(std::move(level))
-      , values(connectivity.number_of_vertices(), boost::container::default_init)
+      , values(number_of_slots, boost::container::default_init)
     {}
 
-    Level_connectivity connectivity;
+    Level_connectivity connectivity; // cut open
     boost::container::vector<Stored_value> values;
     std::optional<One_round> round; // refers to the connectivity; none if there are no rounds
     Row_readers readers;
   };
+
+  void begin_creases([[maybe_unused]] const Level_connectivity& control,
+                     [[maybe_unused]] Control& values)
+  {
+    if constexpr (are_creases_v<Level_creases>) {
+      whole_control_ = control;
+      std::vector<Index> several;
+      for (const Crease_star& star : creases_.stars)
+        if (star.number_of_wedges > 1) several.push_back(star.vertex);
+      values.set_vertices_with_several_normals(std::move(several));
+    }
+  }
+
+  void add_level(Level_connectivity&& level, const Level_creases& creases)
+  {
+    levels_.emplace_back(std::move(level), creases.number_of_slots);
+  }
+
+  static std::size_t memory(const Level_connectivity& level)
+  {
+    const Level_size& size = level.size();
+    return sizeof(Index) * (3 * size.halfedges() + size.vertices + size.faces);
+  }
+
+  Index number_of_refined_vertices() const { return static_cast<Index>(refined_size().vertices); }
 
   void copy(Sink sink) const
   {
@@ -150,24 +234,118 @@ private:
     }
   }
 
-  void evaluate(const Level& level, Sink sink) const
+  // \name Control values of slots
+
+  std::vector<Index> take_slots(Control& control)
   {
-    const auto n = static_cast<Index>(level.round->refined_size().vertices);
-    this->in_chunks(n, [&](Index begin, Index end) {
-      level.round->evaluate(begin, end, level.values.data(), {}, sink);
-    });
+    const std::vector<Index> set = control.changes();
+    if (set.empty()) return {};
+    const std::vector<Value> values = values_of_slots(control);
+    control.forget_changes();
+    auto& stored = levels_.front().values;
+    std::vector<Index> changed;
+    for (Index s = 0; s < values.size(); ++s) {
+      if (set.size() != control.size() && is_same_value<FT>(Value(stored[s]), values[s])) continue;
+      stored[s] = values[s];
+      changed.push_back(s);
+    }
+    return changed;
   }
 
-  void evaluate(const Level& level, const std::vector<Index>& vertices, List_sink sink) const
+  // makes the tangents of the control creases, too
+  std::vector<Value> values_of_slots(Control& control)
   {
-    this->in_chunks(static_cast<Index>(vertices.size()), [&](Index begin, Index end) {
-      level.round->evaluate(vertices.data() + begin, vertices.data() + end, level.values.data(),
-                            sink);
+    const Index n = whole_control_->number_of_vertices();
+    std::vector<Value> values(creases_.number_of_slots);
+    for (Index v = 0; v < n; ++v) values[v] = control[v];
+    const std::vector<Index> extra = vertices_of_extra_slots(creases_, n);
+    for (std::size_t i = 0; i < extra.size(); ++i) values[n + i] = control[extra[i]];
+    if constexpr (Control::has_normals) {
+      std::vector<bool> is_given(values.size(), false);
+      for (Index v = 0; v < n; ++v) is_given[v] = control.is_given(v);
+      for (std::size_t s = 0; s < values.size(); ++s)
+        if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
+      for (Crease_edge<FT>& e : creases_.edges) e.tangent_from.fill(zero_vector<FT, 3>());
+      Control_creases<FT>(*whole_control_, creases_, values, is_given, normal_estimate(scheme_))();
+      for (Index v = 0; v < n; ++v)
+        if (!is_given[v]) control.put_estimate(v, values[v].normal);
+      put_mean_normals(values, control);
+    }
+    return values;
+  }
+
+  void put_mean_normals(const std::vector<Value>& values, Control& control) const
+  {
+    Slot_values slots;
+    for (const Crease_star& star : creases_.stars)
+      if (star.number_of_wedges > 1)
+        for (Index w = 0; w < star.number_of_wedges; ++w)
+          slots.emplace_back(star.slot(w), values[star.slot(w)]);
+    for_each_crease_vertex<Average>(
+      slots, whole_control_->number_of_vertices(),
+      [&](std::size_t, Index v, const Value& value) { control.put_estimate(v, value.normal); });
+  }
+
+  // \name Rounds
+
+  // the values of the vertices on creases that the sink gets do not hold; returns those that do
+  Slot_values evaluate_round(Level& level, Sink sink) const
+  {
+    One_round& round = *level.round;
+    round.read(level.values.data());
+    Slot_values on_creases = round.crease_values(this->for_chunks_);
+    this->in_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
+      round.round().evaluate(begin, end, level.values.data(), {}, sink);
     });
+    round.put_back_softened();
+    return on_creases;
+  }
+
+  // the sink gets what the changed slots reach beside creases, which is put into `changed`; returns what is
+  // on creases
+  Slot_values evaluate_round_from(Level& level, std::vector<Index>& changed, List_sink sink) const
+  {
+    One_round& round = *level.round;
+    round.read(level.values.data());
+    round.for_each_softened([&](Index slot) { changed.push_back(slot); });
+    changed = level.readers(round.round(), level.values.size(), changed);
+    remove_all(round.vertices_on_creases(), changed);
+    Slot_values on_creases = round.crease_values(this->for_chunks_);
+    this->in_chunks(static_cast<Index>(changed.size()), [&](Index begin, Index end) {
+      round.round().evaluate(changed.data() + begin, changed.data() + end, level.values.data(),
+                             sink);
+    });
+    round.put_back_softened();
+    return on_creases;
+  }
+
+  // both are in the order of the numbers
+  static void remove_all(const std::vector<Index>& others, std::vector<Index>& vertices)
+  {
+    if (others.empty()) return;
+    std::vector<Index> rest;
+    std::set_difference(vertices.begin(), vertices.end(), others.begin(), others.end(),
+                        std::back_inserter(rest));
+    vertices = std::move(rest);
+  }
+
+  // the values of a vertex, which begin at this position
+  bool is_as_before(const Slot_values& on_creases, std::size_t first) const
+  {
+    const Index n = number_of_refined_vertices();
+    std::size_t i = first;
+    do {
+      if (!is_same_value<FT>(on_creases[i].second, last_on_creases_[i].second)) return false;
+      ++i;
+    } while (i < on_creases.size() && on_creases[i].first >= n);
+    return true;
   }
 
   const Scheme scheme_;      // the masks may refer to it
+  Level_creases creases_;    // of the control level
   std::deque<Level> levels_; // keeps its elements where they are
+  std::optional<Level_connectivity> whole_control_, whole_last_; // of rounds that cut theirs open
+  Slot_values last_on_creases_;
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/PN_average_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
@@ -258,6 +259,45 @@ private:
   Index number_of_old_vertices_;
   unsigned number_;
   std::vector<Index> of_others_;
+};
+
+// The round that a level with creases is asked for is an ordinary one where nothing can be sharp.
+template <class Scheme, class Average, class Level_creases>
+class Crease_round;
+template <class Scheme, class Average>
+class Crease_round<Scheme, Average, No_creases> : public Round<Scheme, Average>
+{
+public:
+  using One_round = Round<Scheme, Average>;
+  using Index = Level_connectivity::Index;
+  using Stored_value = typename One_round::Stored_value;
+  using Slot_value = std::pair<Index, typename Average::Value>;
+
+  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases,
+               const Stored_value*, unsigned number)
+    : Crease_round(scheme, level, No_creases(), number)
+  {}
+  Crease_round(const Scheme& scheme, const Level_connectivity& level, No_creases, unsigned number)
+    : One_round(scheme, level, number)
+    , refined_creases_(number_of_vertices())
+  {}
+  Crease_round(const Crease_round&) = delete;
+  Crease_round& operator=(const Crease_round&) = delete;
+
+  void read(const Stored_value*) {}
+  void put_back_softened() {}
+  template <class Function>
+  void for_each_softened(const Function&) const
+  {}
+  const One_round& round() const { return *this; }
+  Index number_of_vertices() const { return static_cast<Index>(this->refined_size().vertices); }
+  std::vector<Slot_value> crease_values(const For_chunks&) const { return {}; }
+  void close() {}
+  No_creases& refined_creases() { return refined_creases_; }
+  std::vector<Index> vertices_on_creases() const { return {}; }
+
+private:
+  No_creases refined_creases_;
 };
 
 } // namespace internal

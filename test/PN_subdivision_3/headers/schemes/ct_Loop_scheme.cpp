@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/Kobbelt_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
@@ -19,14 +19,13 @@ struct Row
   void add_rest(Level_connectivity::Index) {}
 };
 
-void use_kobbelt()
+void use_ct_loop()
 {
   const Level_connectivity level = connect();
-  const auto mask = Kobbelt_scheme().mask<double>(level, 1);
+  const auto mask = ct_Loop_scheme().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);
-  mask.face(0, row);
 }
 
 } // namespace header_in_use

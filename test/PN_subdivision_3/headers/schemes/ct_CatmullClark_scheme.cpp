@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/Sqrt3_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
@@ -19,12 +19,13 @@ struct Row
   void add_rest(Level_connectivity::Index) {}
 };
 
-void use_sqrt3()
+void use_ct_catmullclark()
 {
   const Level_connectivity level = connect();
-  const auto mask = Sqrt3_scheme().mask<double>(level, 1);
+  const auto mask = ct_CatmullClark_scheme().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
+  mask.edge(0, row);
   mask.face(0, row);
 }
 

@@ -6,16 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/Extraordinary_net.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
 
-void use_extraordinary_net()
+void use_adaptors()
 {
-  Extraordinary_net net(4, 5, 2);
-  (void)net;
+  (void)linear(with_normal_scheme(CatmullClark_scheme(), CatmullClark_scheme()));
 }
 
 } // namespace header_in_use

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
@@ -19,10 +19,10 @@ struct Row
   void add_rest(Level_connectivity::Index) {}
 };
 
-void use_catmullclark()
+void use_kobbelt()
 {
   const Level_connectivity level = connect();
-  const auto mask = CatmullClark_scheme().mask<double>(level, 1);
+  const auto mask = Kobbelt_scheme().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_VERTEX_LIMITS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_VERTEX_LIMITS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMITS_AT_SLOTS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMITS_AT_SLOTS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
@@ -15,16 +15,14 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Creased_control.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -53,6 +51,21 @@ void require_sharp_for_ever(const Access& access, const Creases<FT>& creases, un
   for (const Crease_star& star : creases.stars)
     require(star.sharpness, [&] { return access.vertex_name(star.vertex); });
 }
+template <class FT, class Access>
+void require_sharp_for_ever(const Access&, No_creases, unsigned)
+{}
+
+// The limits at the slots of a level, which are its vertices if there are no creases. These get the tangents of the
+// limit.
+template <class FT, class Scheme, class Level, class Level_creases>
+auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
+                     Level& level, [[maybe_unused]] Level_creases& creases, unsigned next_round)
+{
+  if constexpr (are_creases_v<Level_creases>)
+    return Creased_limits<Scheme, FT>(scheme, demand, for_chunks)(level, creases, next_round);
+  else
+    return Limit_evaluation<Scheme, FT>(scheme, demand, for_chunks)(level, next_round);
+}
 
 // At vertices with several wedges: the mean of the normals of these.
 template <class Scheme, class FT, class Result>
@@ -77,6 +90,9 @@ void put_mean_normals(const Creases<FT>& creases, std::vector<Result>& results)
     mean.surface_normal = unit_or_zero<double, 3>(mean.surface_normal, star.number_of_wedges);
   }
 }
+template <class Scheme, class Result>
+void put_mean_normals(No_creases, std::vector<Result>&)
+{}
 
 // What becomes of the slots: limit points with the normals that are asked for.
 template <class Scheme, class FT, class Result>
@@ -90,46 +106,8 @@ std::vector<Point_normal<FT, 3>> slot_values(const std::vector<Result>& results,
   return values;
 }
 
-// A mesh with creases as the maps tell of it, and the limits at its slots.
-template <class Scheme, class FT>
-struct Creased_vertex_limits
-{
-  using Value = typename Average_of_scheme<Scheme, FT>::Value;
-  using Control = Creased_control<Scheme, FT>;
-
-  Level_connectivity level;
-  Creases<FT> creases; // with the tangents of the limit
-  std::vector<Limit_result<Average_of_scheme<Scheme, FT>>> results;
-  Limit_demand demand;
-
-  // make_demand(size of the box)
-  template <class Access, class Tangents, class Point_map, class Normal_map, class Edges,
-            class Vertices, class Make_demand>
-  Creased_vertex_limits(const Access& access, Level_connectivity&& of_mesh, Tangents& tangents,
-                        const Scheme& scheme, Point_map points, Normal_map normals,
-                        const Edges& edges, const Vertices& vertices, unsigned rounds_done,
-                        const Make_demand& make_demand, const For_chunks& for_chunks)
-    : level(std::move(of_mesh))
-    , creases(Control::make_creases(scheme, level, edges, vertices))
-  {
-    require_sharp_for_ever(access, creases, 0);
-    tangents.read(creases);
-    Valued_level<Value> valued;
-    if constexpr (is_pn_v<Scheme>)
-      valued.values =
-        Control::template read<Value>(scheme, access, level, points, normals, creases);
-    else
-      valued.values =
-        Control::template read<Value>(scheme, access, level, points, No_normal_map(), creases);
-    valued.level = level;
-    demand = make_demand(box_size(valued));
-    results =
-      Creased_limits<Scheme, FT>(scheme, demand, for_chunks)(valued, creases, rounds_done + 1);
-  }
-};
-
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_VERTEX_LIMITS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMITS_AT_SLOTS_H

@@ -6,10 +6,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_SCHEME_ADAPTORS_H
-#define CGAL_PN_SUBDIVISION_3_SCHEME_ADAPTORS_H
+#include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 
-// The documented name of this header.
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+using namespace CGAL::PN_subdivision_3;
 
-#endif // CGAL_PN_SUBDIVISION_3_SCHEME_ADAPTORS_H
+namespace header_in_use {
+
+void use_extraordinary_net()
+{
+  Extraordinary_net net(4, 5, 2);
+  (void)net;
+}
+
+} // namespace header_in_use

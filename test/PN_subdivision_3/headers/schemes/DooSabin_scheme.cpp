@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/Butterfly_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
@@ -19,13 +19,12 @@ struct Row
   void add_rest(Level_connectivity::Index) {}
 };
 
-void use_butterfly()
+void use_doosabin()
 {
   const Level_connectivity level = connect();
-  const auto mask = Butterfly_scheme().mask<double>(level, 1);
+  const auto mask = DooSabin_scheme().mask<double>(level, 1);
   Row row;
-  mask.vertex(0, row);
-  mask.edge(0, row);
+  mask.corner(0, row);
 }
 
 } // namespace header_in_use

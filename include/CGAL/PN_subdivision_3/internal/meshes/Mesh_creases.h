@@ -1,0 +1,210 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/tangent_maps.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What the maps of a mesh tell of its creases: read before the first round, written for the refined elements, and
+// put back unless that is kept. If nothing can be sharp, there are No_creases.
+template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map, bool may_have_any>
+class Mesh_creases
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+
+  Mesh_creases(const Scheme& scheme, const Access& access, const Level_connectivity& level,
+               Edge_map edge_map, Vertex_map vertex_map)
+    : scheme_(scheme)
+    , access_(access)
+    , edges_(access, edge_map, level.number_of_edges())
+    , vertices_(access, vertex_map, level.number_of_vertices())
+    , tangents_(access, level, tangent_map(scheme))
+  {}
+
+  // without their tangents
+  Creases<FT> creases(const Level_connectivity& level) const
+  {
+    return Make_creases<FT>(level, Border_of<Scheme>::get(scheme_))(
+      [&](Index e) { return edges_.sharpness(e); },
+      [&](Index v) { return vertices_.sharpness(v); });
+  }
+  // those that are given
+  void read_tangents(Creases<FT>& creases) const { tangents_.read(creases); }
+
+  // the values of the slots, and the tangents that are missing
+  template <class Point_map, class Normal_map>
+  std::vector<Value> values(const Level_connectivity& level, Point_map points,
+                            [[maybe_unused]] Normal_map normals, Creases<FT>& creases) const
+  {
+    const Index n = level.number_of_vertices();
+    std::vector<Value> values(creases.number_of_slots);
+    for (Index v = 0; v < n; ++v) point_of(values[v]) = checked_point<FT>(access_, points, v);
+    const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      point_of(values[n + i]) = point_of(values[extra[i]]);
+    if constexpr (is_pn_v<Scheme>) {
+      std::vector<bool> is_given(values.size(), false);
+      for (Value& value : values) value.normal = zero_vector<FT, 3>();
+      if constexpr (is_of_halfedges_v<Access, Normal_map>) {
+        is_given.assign(values.size(), true);
+        read_corner_normals<FT>(access_, level, creases, normals, values);
+      } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+        std::fill_n(is_given.begin(), n, true);
+        for (const Crease_star& star : creases.stars)
+          if (star.number_of_wedges > 1) is_given[star.vertex] = false;
+        read_vertex_normals(normals, is_given, n, values);
+      }
+      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))();
+    }
+    return values;
+  }
+
+  // what is sharp besides the seams of attributes
+  Control_sharpness sharpness(const Level_connectivity& level) const
+  {
+    Control_sharpness result;
+    result.border = Border_of<Scheme>::get(scheme_);
+    for (Index e = 0; e < level.number_of_edges(); ++e) result.edges.push_back(edges_.sharpness(e));
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      result.vertices.push_back(vertices_.sharpness(v));
+    return result;
+  }
+
+  // \name The refined mesh
+
+  // Puts what is left of the user's sharpness after some rounds; the border that is a crease by the scheme's rule
+  // is not the user's.
+  void put_sharpness(const Creases<FT>& creases, const Level_size& size, unsigned rounds)
+  {
+    std::vector<std::pair<Index, std::pair<Index, double>>> tagged;
+    for (const Crease_edge<FT>& e : creases.edges)
+      if (edges_.sharpness(e.control_edge) > 0)
+        tagged.push_back({e.edge, {e.control_edge, e.sharpness}});
+    edges_.put_refined(static_cast<Index>(size.edges), tagged);
+    tagged.clear();
+    for (Index v = 0; v < vertices_.number_of_old(); ++v) {
+      double s = vertices_.sharpness(v);
+      for (unsigned k = 0; k < rounds && s > 0; ++k) s = refined_sharpness(s);
+      if (s > 0) tagged.push_back({v, {v, s}});
+    }
+    vertices_.put_refined(static_cast<Index>(size.vertices), tagged);
+  }
+  void put_tangents(const Creases<FT>& creases, const Level_size& size)
+  {
+    tangents_.put_refined(creases, static_cast<Index>(size.edges));
+  }
+  void keep()
+  {
+    edges_.keep();
+    vertices_.keep();
+    tangents_.keep();
+  }
+
+private:
+  using Tangent_map =
+    std::conditional_t<is_pn_v<Scheme>, Crease_tangent_map<Scheme>, No_tangent_map>;
+
+  // a linear scheme has no use for tangents
+  static Tangent_map tangent_map([[maybe_unused]] const Scheme& scheme)
+  {
+    if constexpr (is_pn_v<Scheme>)
+      return crease_tangents(scheme);
+    else
+      return {};
+  }
+
+  template <class Normal_map>
+  void read_vertex_normals(Normal_map normals, const std::vector<bool>& is_given, Index n,
+                           std::vector<Value>& values) const
+  {
+    std::vector<Value> given(n);
+    read_normals<FT>(access_, normals, given);
+    for (Index v = 0; v < n; ++v)
+      if (is_given[v]) values[v].normal = given[v].normal;
+  }
+
+  const Scheme& scheme_;
+  const Access& access_;
+  Edge_constraints<Access, Edge_map> edges_;
+  Vertex_constraints<Access, Vertex_map> vertices_;
+  Crease_tangents<FT, Access, Tangent_map> tangents_;
+};
+
+template <class Scheme, class FT, class Access, class Edge_map, class Vertex_map>
+class Mesh_creases<Scheme, FT, Access, Edge_map, Vertex_map, false>
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Average = Average_of_scheme<Scheme, FT>;
+
+  Mesh_creases(const Scheme& scheme, const Access& access, const Level_connectivity&, Edge_map,
+               Vertex_map)
+    : scheme_(scheme)
+    , access_(access)
+  {}
+
+  No_creases creases(const Level_connectivity& level) const
+  {
+    return No_creases(level.number_of_vertices());
+  }
+  void read_tangents(No_creases) const {}
+  template <class Point_map, class Normal_map>
+  std::vector<typename Average::Value> values(const Level_connectivity& level, Point_map points,
+                                              Normal_map normals, No_creases) const
+  {
+    return read_values<Average>(access_, level, points, normals, normal_estimate(scheme_));
+  }
+  Control_sharpness sharpness(const Level_connectivity&) const { return {}; }
+  void put_sharpness(No_creases, const Level_size&, unsigned) {}
+  void put_tangents(No_creases, const Level_size&) {}
+  void keep() {}
+
+private:
+  const Scheme& scheme_;
+  const Access& access_;
+};
+
+// the creases that a call has, or may have
+template <class Scheme, class FT, class Access, class Normal_map, class Edge_map, class Vertex_map>
+using Mesh_creases_of_call =
+  Mesh_creases<Scheme, FT, Access, Edge_map, Vertex_map,
+               may_have_creases_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>>;
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_MESH_CREASES_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// whether points are averaged together with normals
+template <class Scheme>
+constexpr bool is_pn_v = !Is_linear<Scheme>::value;
+
+// what turns rows into values, with normals or without
+template <bool with_normals, class FT, int dimension>
+using Average_of =
+  std::conditional_t<with_normals, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
+
+template <class Scheme, class FT>
+using Average_of_scheme = Average_of<is_pn_v<Scheme>, FT, 3>;
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
