@@ -147,8 +147,16 @@ void Refined_surface::show_limit()
     throw Error("limit points are not computed for surfaces with creases");
   Surface surface =
     make_surface(refinement_->faces(), refinement_->cut_vertices(), refinement_->points());
-  const auto limits =
-    surface.add_property_map<Surface::Vertex_index, pn_subdivide::Limit_point>("v:limit").first;
+  const auto& n = display_.normals();
+  std::vector<Point_3> limit_points(surface.number_of_vertices());
+  std::vector<Vector_3> limit_normals(surface.number_of_vertices());
+  const auto keep = [&](Surface::Vertex_index v, const pn_subdivide::Limit_point& limit) {
+    limit_points[v] = limit.point;
+    // where the eigenvectors tell of no tangent plane the normals of the faces are closer to it
+    limit_normals[v] = limit.has_surface_normal ? limit.surface_normal
+                                                : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]);
+  };
+  const pn_subdivide::Limit_map limits(keep);
   pn_subdivide::Limit_options options;
   options.tolerance = 1e-7; // a pixel is a thousandth
   options.surface_normals = true;
@@ -160,14 +168,8 @@ void Refined_surface::show_limit()
     for (const auto v : surface.vertices()) normals[v] = refinement_->normals()[v];
     pn_subdivide::limits_with_normals(surface, normals, scheme_, limits, options);
   }
-  for (const auto v : surface.vertices()) {
-    limit_points_.push_back(limits[v].point);
-    // where the eigenvectors tell of no tangent plane the normals of the faces are closer to it
-    const auto& n = display_.normals();
-    limit_normals_.push_back(limits[v].has_surface_normal
-                               ? limits[v].surface_normal
-                               : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]));
-  }
+  limit_points_ = std::move(limit_points);
+  limit_normals_ = std::move(limit_normals);
   display_.set(limit_points_, limit_normals_);
 }
 

@@ -12,9 +12,13 @@
 #include "surface/Scheme.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
-#include "surface/limit_surface.h"
 
 #include <CGAL/PN_subdivision_3/limit_points.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <utility>
 
 // Each has a source file of its own, because a call for every scheme takes long to compile.
 
@@ -23,18 +27,40 @@ namespace pn_subdivide {
 using Limit_report = CGAL::PN_subdivision_3::Limit_report;
 using Limit_options = CGAL::PN_subdivision_3::Limit_options;
 using Limit_point = CGAL::PN_subdivision_3::Limit_point<Kernel>;
-using Limit_map = Surface::Property_map<Surface::Vertex_index, Limit_point>;
 
-Limit_report linear_limits(const Surface& surface, const Scheme& scheme, Limit_map limits,
+// A map of limits that hands each to a function, so that none is kept that is not wanted.
+class Limit_map
+{
+public:
+  using key_type = Surface::Vertex_index;
+  using value_type = Limit_point;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  using Take_limit = std::function<void(key_type, const Limit_point&)>;
+
+  explicit Limit_map(Take_limit take)
+    : take_(std::move(take))
+  {}
+
+  friend void put(const Limit_map& map, key_type v, const value_type& limit)
+  {
+    map.take_(v, limit);
+  }
+
+private:
+  Take_limit take_;
+};
+
+Limit_report linear_limits(const Surface& surface, const Scheme& scheme, const Limit_map& limits,
                            const Limit_options& options);
 
 Limit_report limits_with_normals(const Surface& surface, Normal_map normals, const Scheme& scheme,
-                                 Limit_map limits, const Limit_options& options);
+                                 const Limit_map& limits, const Limit_options& options);
 
 // The schemes must be different and have the same host.
 Limit_report limits_with_normal_scheme(const Surface& surface, Normal_map normals,
                                        const Scheme& scheme, const Scheme& normal_scheme,
-                                       Limit_map limits, const Limit_options& options);
+                                       const Limit_map& limits, const Limit_options& options);
 
 // The same with creases, of a mesh that is changed: it gets the limit points and the normals that are asked for,
 // by corners; with a linear scheme, only normals of the surface. The schemes must have rules for creases.

@@ -17,7 +17,7 @@ namespace pn_subdivide {
 // With one thread the result is the same as with several, bit for bit.
 using Tag = CGAL::Parallel_if_available_tag;
 
-Limit_report linear_limits(const Surface& surface, const Scheme& scheme, Limit_map limits,
+Limit_report linear_limits(const Surface& surface, const Scheme& scheme, const Limit_map& limits,
                            const Limit_options& options)
 {
   return std::visit(

@@ -11,9 +11,7 @@
 #include "io/Error.h"
 #include "surface/limit.h"
 
-#include <algorithm>
 #include <type_traits>
-#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -22,11 +20,11 @@
 namespace pn_subdivide {
 namespace {
 
-Limit_report limits_of(Surface& surface, const Scheme_choice& choice, const Limit_map& limits,
+Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& normals,
+                       const Scheme_choice& choice, const Limit_map& limits,
                        const Limit_options& options)
 {
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-  const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals) return linear_limits(surface, scheme, limits, options);
   if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
     return limits_with_normal_scheme(surface, *normals, scheme,
@@ -58,21 +56,23 @@ Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
   return move_to_limits_with_normals(surface, *normals, scheme, creases, options);
 }
 
-void write_limits(Surface& surface, Limit_map limits, const Limit_choice& choice)
+// Writes over the points and the normals, whichever are asked for.
+Limit_map write_limits(Surface& surface, std::optional<Normal_map> normals,
+                       const Limit_choice& choice)
 {
-  std::optional<Normal_map> normals = normals_of(surface);
-  if (choice.normals && !normals) normals = add_normals(surface);
-  for (const auto v : surface.vertices()) {
-    if (choice.points) surface.point(v) = limits[v].point;
-    if (normals)
-      (*normals)[v] = choice.normals ? limits[v].surface_normal : limits[v].control_normal;
-  }
+  return Limit_map([&surface, normals, &choice](Surface::Vertex_index v, const Limit_point& limit) {
+    if (choice.points) surface.point(v) = limit.point;
+    if (!normals) return;
+    Normal_map written = *normals;
+    written[v] = choice.normals ? limit.surface_normal : limit.control_normal;
+  });
 }
 
 Limit_options make_options(const Limit_choice& choice, unsigned levels)
 {
   Limit_options options;
   if (choice.tolerance) options.tolerance = *choice.tolerance;
+  options.points = choice.points;
   options.surface_normals = choice.normals;
   options.rounds_done = levels;
   return options;
@@ -99,10 +99,11 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #endif
   const Limit_options options = make_options(choice, levels);
-  Limit_map limits = surface.add_property_map<Surface::Vertex_index, Limit_point>("v:limit").first;
-  const Limit_report report = limits_of(surface, scheme, limits, options);
-  write_limits(surface, limits, choice);
-  surface.remove_property_map(limits);
+  const std::optional<Normal_map> control = normals_of(surface);
+  std::optional<Normal_map> written = control;
+  if (choice.normals && !control) written = add_normals(surface);
+  const Limit_report report =
+    limits_of(surface, control, scheme, write_limits(surface, written, choice), options);
   return {report, report.tolerance / options.tolerance};
 }
 
@@ -114,10 +115,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #endif
   const Limit_options options = make_options(choice, levels);
-  std::vector<Point_3> points;
-  if (!choice.points) points.assign(surface.points().begin(), surface.points().end());
   const Limit_report report = move_to_limits_of(surface, scheme, creases, options);
-  if (!choice.points) std::copy(points.begin(), points.end(), surface.points().begin());
   return {report, report.tolerance / options.tolerance};
 }
 

@@ -18,7 +18,7 @@ using Tag = CGAL::Parallel_if_available_tag;
 
 Limit_report limits_with_normal_scheme(const Surface& surface, Normal_map normals,
                                        const Scheme& scheme, const Scheme& normal_scheme,
-                                       Limit_map limits, const Limit_options& options)
+                                       const Limit_map& limits, const Limit_options& options)
 {
   return std::visit(
     [&](const auto& s, const auto& t) -> Limit_report {

@@ -17,7 +17,7 @@ namespace pn_subdivide {
 using Tag = CGAL::Parallel_if_available_tag;
 
 Limit_report limits_with_normals(const Surface& surface, Normal_map normals, const Scheme& scheme,
-                                 Limit_map limits, const Limit_options& options)
+                                 const Limit_map& limits, const Limit_options& options)
 {
   return std::visit(
     [&](const auto& s) -> Limit_report {
