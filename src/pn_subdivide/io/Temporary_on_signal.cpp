@@ -72,18 +72,38 @@ extern "C" void remove_temporaries(int signal)
   std::raise(signal); // ends the program in the way that the caller expects
 }
 
-void install_handlers()
-{
-  const int signals[] = {SIGINT, SIGTERM,
+const int signals[] = {SIGINT, SIGTERM,
 #ifdef SIGHUP
-                         SIGHUP, SIGPIPE, SIGQUIT,
+                       SIGHUP, SIGPIPE, SIGQUIT,
 #endif
 #ifdef SIGXCPU
-                         SIGXCPU
+                       SIGXCPU
 #endif
-  };
-  for (const int signal : signals)
-    if (std::signal(signal, remove_temporaries) == SIG_IGN) std::signal(signal, SIG_IGN);
+};
+bool was_ignored[std::size(signals)];
+
+// A library may have a handler of its own before main() begins (UCX, which Open MPI loads, has one for SIGHUP): what
+// the caller wants ignored is looked up before libraries are initialized, where that is possible.
+void note_ignored_signals()
+{
+  for (std::size_t i = 0; i < std::size(signals); ++i) {
+    const auto handler = std::signal(signals[i], SIG_IGN);
+    if (handler == SIG_IGN)
+      was_ignored[i] = true;
+    else if (handler != SIG_ERR)
+      std::signal(signals[i], handler);
+  }
+}
+#if defined(__linux__) && defined(__ELF__)
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const before_libraries)() = note_ignored_signals;
+#endif
+
+void install_handlers()
+{
+  note_ignored_signals();
+  for (std::size_t i = 0; i < std::size(signals); ++i)
+    std::signal(signals[i], was_ignored[i] ? SIG_IGN : remove_temporaries);
 }
 
 } // namespace
