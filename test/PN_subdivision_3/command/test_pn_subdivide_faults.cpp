@@ -50,15 +50,19 @@ protected:
   }
 };
 
-// The commands in this program, as main() runs them.
-void run_in_process(const std::vector<std::string>& arguments)
+Command parsed(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> words{"pn_subdivide"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());
   argv.push_back(nullptr);
-  const Command command = parse_command_line(int(words.size()), argv.data());
+  return parse_command_line(int(words.size()), argv.data());
+}
+
+// The commands in this program, as main() runs them.
+void run_in_process(const Command& command)
+{
   if (const auto* surface = std::get_if<Surface_options>(&command)) run_surface_command(*surface);
   if (const auto* curve = std::get_if<Curve_options>(&command)) run_curve_command(*curve);
 }
@@ -75,9 +79,10 @@ Ending run_with_allocations(const std::vector<std::string>& job, long k)
     alarm(60);
     if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(other_message);
     std::string message;
+    const Command command = parsed(job); // CLI11 2.4 allocates in functions that must not throw
     try {
       const failing_allocations::Allocation_limit limit(k);
-      run_in_process(job);
+      run_in_process(command);
       _exit(done);
     } catch (const std::bad_alloc&) {
       _exit(out_of_memory); // main() says so
