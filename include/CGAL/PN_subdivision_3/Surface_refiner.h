@@ -21,6 +21,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <cstddef>
@@ -82,7 +83,7 @@ Different refiners may be used by different threads at the same time, one of the
 template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
 class Surface_refiner
 {
-  static_assert(!internal::Has_curvature_transfer<Scheme>::value,
+  static_assert(internal::Is_any<Scheme>::value || !internal::Has_curvature_transfer<Scheme>::value,
                 "PN_subdivision_3: Surface_refiner takes no scheme that transfers curvature");
 
   using FT = typename GeomTraits::FT;
@@ -117,15 +118,15 @@ public:
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
   {
-    if constexpr (internal::check_refiner_arguments<PolygonMesh, Scheme, NamedParameters>()) {
-      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-      const unsigned rounds = Parameters::number_of_iterations(np);
-      internal::with_mesh_access(mesh, [&](const auto& access) {
-        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
-             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds);
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Number_call<FT>>(scheme, [&](const auto& s) {
+        if (internal::transfers_curvature(s))
+          throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
+                                      "transfers curvature");
+        this->read_mesh(mesh, s, np);
       });
-      update();
-    }
+    else
+      read_mesh(mesh, scheme, np);
   }
 
   /// \name Size
@@ -247,18 +248,35 @@ public:
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
 
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
-  void read(const Access& access, const Scheme& scheme, Point_map points, Normal_map normals,
+  // the scheme has a host
+  template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
+  void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
+  {
+    if constexpr (internal::check_refiner_arguments<PolygonMesh, Hosted_scheme,
+                                                    NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      const unsigned rounds = Parameters::number_of_iterations(np);
+      internal::with_mesh_access(mesh, [&](const auto& access) {
+        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
+             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds);
+      });
+      update();
+    }
+  }
+
+  template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
+            class Vertex_map>
+  void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
             Edge_map edge_map, Vertex_map vertex_map, unsigned rounds)
   {
     Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
+    internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
     rounds = internal::number_of_rounds(level, rounds);
-    const Level_size size = internal::checked_refined_size<typename Scheme::Host>(
+    const Level_size size = internal::checked_refined_size<typename Hosted_scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
     auto creases =
-      internal::Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map>(
+      internal::Mesh_creases_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map, Vertex_map>(
         scheme, access, level, edge_map, vertex_map)
         .creases(level);
     using Level_creases = decltype(creases);
@@ -267,7 +285,7 @@ private:
                                          internal::normal_estimate(scheme), !creases.empty());
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
-    rounds_ = std::make_unique<internal::Kept_rounds<Scheme, Average, Level_creases>>(
+    rounds_ = std::make_unique<internal::Kept_rounds<Hosted_scheme, Average, Level_creases>>(
       scheme, std::move(level), std::move(creases), rounds, *control_,
       internal::For_chunks::with(Concurrency_tag()));
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Zoom_level.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
 #include <CGAL/number_type_basic.h>
 
@@ -61,7 +62,7 @@ public:
     : valence_(valence)
     , level_(scheme, valence, 2)
   {
-    const unsigned round = First_tuned_round<Scheme>::of(scheme);
+    const unsigned round = first_tuned_round(scheme);
     const typename Scheme::Host host(level_.level(), round);
     const auto mask = scheme.template mask<FT>(level_.level(), round);
     const auto child = level_.children(level_.net());
@@ -128,38 +129,43 @@ template <class FT = double, class Scheme>
 Extraordinary_eigenvalues<FT> extraordinary_eigenvalues(const Scheme& scheme,
                                                         Level_connectivity::Index valence)
 {
-  using Blocks = internal::Ring_blocks<Scheme, FT>;
-  using Index = Level_connectivity::Index;
-  const Blocks block(scheme, valence);
-  Extraordinary_eigenvalues<FT> result{FT(0), FT(0)};
-  const auto note_other = [&](const FT& x) {
-    result.largest_other = (std::max)(result.largest_other, std::abs(x));
-  };
-  // frequency 0: 1 and one or two others
-  FT trace(0);
-  for (Index a = 0; a < Blocks::kinds; ++a) trace += block(0, a, a);
-  if constexpr (Blocks::kinds == 2) {
-    note_other(trace - 1);
-  } else {
-    const auto minor = [&](Index a, Index b) {
-      return block(0, a, a) * block(0, b, b) - block(0, a, b) * block(0, b, a);
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_spline_host<Extraordinary_eigenvalues<FT>, internal::Number_call<FT>>(
+      scheme, [&](const auto& s) { return extraordinary_eigenvalues<FT>(s, valence); });
+  else {
+    using Blocks = internal::Ring_blocks<Scheme, FT>;
+    using Index = Level_connectivity::Index;
+    const Blocks block(scheme, valence);
+    Extraordinary_eigenvalues<FT> result{FT(0), FT(0)};
+    const auto note_other = [&](const FT& x) {
+      result.largest_other = (std::max)(result.largest_other, std::abs(x));
     };
-    // the sum of the products of two is that of the others and their product
-    const FT sum = trace - 1, product = minor(0, 1) + minor(0, 2) + minor(1, 2) - sum;
-    note_other(internal::moduli(sum, product)[0]);
+    // frequency 0: 1 and one or two others
+    FT trace(0);
+    for (Index a = 0; a < Blocks::kinds; ++a) trace += block(0, a, a);
+    if constexpr (Blocks::kinds == 2) {
+      note_other(trace - 1);
+    } else {
+      const auto minor = [&](Index a, Index b) {
+        return block(0, a, a) * block(0, b, b) - block(0, a, b) * block(0, b, a);
+      };
+      // the sum of the products of two is that of the others and their product
+      const FT sum = trace - 1, product = minor(0, 1) + minor(0, 2) + minor(1, 2) - sum;
+      note_other(internal::moduli(sum, product)[0]);
+    }
+    for (Index k = 1; 2 * k <= valence; ++k) {
+      std::array<FT, 2> m{std::abs(block(k, 1, 1)), FT(0)};
+      if constexpr (Blocks::kinds == 3)
+        m = internal::moduli(block(k, 1, 1) + block(k, 2, 2),
+                             block(k, 1, 1) * block(k, 2, 2) - block(k, 1, 2) * block(k, 2, 1));
+      if (k == 1)
+        result.subdominant = m[0];
+      else
+        note_other(m[0]);
+      note_other(m[1]);
+    }
+    return result;
   }
-  for (Index k = 1; 2 * k <= valence; ++k) {
-    std::array<FT, 2> m{std::abs(block(k, 1, 1)), FT(0)};
-    if constexpr (Blocks::kinds == 3)
-      m = internal::moduli(block(k, 1, 1) + block(k, 2, 2),
-                           block(k, 1, 1) * block(k, 2, 2) - block(k, 1, 2) * block(k, 2, 1));
-    if (k == 1)
-      result.subdominant = m[0];
-    else
-      note_other(m[0]);
-    note_other(m[1]);
-  }
-  return result;
 }
 
 } // namespace PN_subdivision_3

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/read_interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -104,43 +105,51 @@ Limit_interpolation_report interpolate_limit_points(
   const Limit_interpolation_options<VertexMap>& options = Limit_interpolation_options<VertexMap>(),
   const NamedParameters& np = parameters::default_values())
 {
-  internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  static_assert(internal::Is_linear<Scheme>::value ||
-                  !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
-                "PN_subdivision_3: the control net has control normals: give a vertex_normal_map "
-                "that takes them");
-  internal::check_interpolation_options(options);
-  const auto points = Parameters::point_map(mesh, np);
-  Limit_interpolation_report report;
-  internal::with_mesh_access(mesh, [&](auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    internal::Interpolation_data<3> data =
-      internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
-    for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-      if (internal::is_interpolated(access, options.vertices, v)) data.vertices.push_back(v);
-    data.tolerance = options.tolerance * internal::box_size(data.points);
-    data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
-    data.max_steps = options.max_steps;
-    const internal::Vectors<3> old_normals = data.normals;
-    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
-                                                    internal::For_chunks::with(Concurrency_tag()));
-    auto result =
-      internal::interpolate_mesh(level, internal::normal_estimate(scheme), options, data, source);
-    report = result.report;
-    internal::multiply_by_size(data.exponent, report);
-    internal::multiply_by_size<FT, 3>(data.exponent, data.points);
-    internal::multiply_by_size<FT, 3>(data.exponent, result.points);
-    report.normal_angle = internal::largest_normal_angle(level, data.normals);
-    if constexpr (internal::is_pn_v<Scheme>)
-      internal::write_control_net<FT>(access, points, Parameters::normal_map(np), data.points,
-                                      result.points, old_normals, result.normals);
-    else
-      internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
-                                      result.points, old_normals, result.normals);
-  });
-  return report;
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_interpolated_host<Limit_interpolation_report,
+                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) {
+        return interpolate_limit_points<Concurrency_tag>(mesh, s, options, np);
+      });
+  else {
+    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    static_assert(internal::Is_linear<Scheme>::value ||
+                    !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
+                  "PN_subdivision_3: the control net has control normals: give a vertex_normal_map "
+                  "that takes them");
+    internal::check_interpolation_options(options);
+    const auto points = Parameters::point_map(mesh, np);
+    Limit_interpolation_report report;
+    internal::with_mesh_access(mesh, [&](auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      internal::Interpolation_data<3> data =
+        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+        if (internal::is_interpolated(access, options.vertices, v)) data.vertices.push_back(v);
+      data.tolerance = options.tolerance * internal::box_size(data.points);
+      data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
+      data.max_steps = options.max_steps;
+      const internal::Vectors<3> old_normals = data.normals;
+      internal::Mesh_limit_functionals<Scheme> source(
+        scheme, level, internal::For_chunks::with(Concurrency_tag()));
+      auto result =
+        internal::interpolate_mesh(level, internal::normal_estimate(scheme), options, data, source);
+      report = result.report;
+      internal::multiply_by_size(data.exponent, report);
+      internal::multiply_by_size<FT, 3>(data.exponent, data.points);
+      internal::multiply_by_size<FT, 3>(data.exponent, result.points);
+      report.normal_angle = internal::largest_normal_angle(level, data.normals);
+      if constexpr (internal::is_pn_v<Scheme>)
+        internal::write_control_net<FT>(access, points, Parameters::normal_map(np), data.points,
+                                        result.points, old_normals, result.normals);
+      else
+        internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
+                                        result.points, old_normals, result.normals);
+    });
+    return report;
+  }
 }
 
 /*!
@@ -170,29 +179,36 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void natural_normals(const PolygonMesh& mesh, const Scheme& scheme, VertexNormalMap normals,
                      const NamedParameters& np = parameters::default_values())
 {
-  internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-  static_assert(internal::are_used_v<internal::Mesh_parameters, NamedParameters>,
-                "PN_subdivision_3: a named parameter is given that is not used here");
-  static_assert(!internal::Is_linear<Scheme>::value,
-                "PN_subdivision_3: linear schemes have no control normals");
-  using FT = typename internal::Surface_parameters<PolygonMesh, NamedParameters>::FT;
-  using Normal = typename boost::property_traits<VertexNormalMap>::value_type;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    internal::Interpolation_data<3> data =
-      internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
-    for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-      if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
-    data.tolerance = 1e-9 * internal::box_size(data.points);
-    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
-                                                    internal::For_chunks::with(Concurrency_tag()));
-    internal::Natural_normals natural(data, source);
-    natural();
-    for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
-      const auto& n = data.normals[v];
-      put(normals, access.vertex(v), Normal(FT(n[0]), FT(n[1]), FT(n[2])));
-    }
-  });
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_interpolated_host<void,
+                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme,
+      [&](const auto& s) { return natural_normals<Concurrency_tag>(mesh, s, normals, np); });
+  else {
+    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    static_assert(internal::are_used_v<internal::Mesh_parameters, NamedParameters>,
+                  "PN_subdivision_3: a named parameter is given that is not used here");
+    static_assert(!internal::Is_linear<Scheme>::value,
+                  "PN_subdivision_3: linear schemes have no control normals");
+    using FT = typename internal::Surface_parameters<PolygonMesh, NamedParameters>::FT;
+    using Normal = typename boost::property_traits<VertexNormalMap>::value_type;
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      internal::Interpolation_data<3> data =
+        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+        if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
+      data.tolerance = 1e-9 * internal::box_size(data.points);
+      internal::Mesh_limit_functionals<Scheme> source(
+        scheme, level, internal::For_chunks::with(Concurrency_tag()));
+      internal::Natural_normals natural(data, source);
+      natural();
+      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
+        const auto& n = data.normals[v];
+        put(normals, access.vertex(v), Normal(FT(n[0]), FT(n[1]), FT(n[2])));
+      }
+    });
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/vertex_limits.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
@@ -107,29 +108,36 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
                           const Limit_options& options = Limit_options(),
                           const NamedParameters& np = parameters::default_values())
 {
-  static_assert(Scheme::Host::keeps_vertices,
-                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
-  static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
-                "PN_subdivision_3: a named parameter is given that is not used here");
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  using Limit = typename boost::property_traits<LimitMap>::value_type;
-  Limit_report report;
-  if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
-    const auto points = Parameters::const_point_map(mesh, np);
-    const auto normals = Parameters::normal_map(np);
-    internal::with_mesh_access(mesh, [&](const auto& access) {
-      report = internal::vertex_limits<FT>(
-        access, scheme, points, normals, Parameters::edge_constraint_map(np),
-        Parameters::vertex_constraint_map(np), options,
-        internal::For_chunks::with(Concurrency_tag()), [&](const auto& of_mesh, const auto&) {
-          internal::put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
-          for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
-            put(limits, access.vertex(v), internal::to_limit_point<Limit>(of_mesh.results[v]));
-        });
-    });
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_primal_host<Limit_report,
+                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme,
+      [&](const auto& s) { return limit_points<Concurrency_tag>(mesh, s, limits, options, np); });
+  else {
+    static_assert(Scheme::Host::keeps_vertices,
+                  "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+    static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
+                  "PN_subdivision_3: a named parameter is given that is not used here");
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    Limit_report report;
+    if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+      const auto points = Parameters::const_point_map(mesh, np);
+      const auto normals = Parameters::normal_map(np);
+      internal::with_mesh_access(mesh, [&](const auto& access) {
+        report = internal::vertex_limits<FT>(
+          access, scheme, points, normals, Parameters::edge_constraint_map(np),
+          Parameters::vertex_constraint_map(np), options,
+          internal::For_chunks::with(Concurrency_tag()), [&](const auto& of_mesh, const auto&) {
+            internal::put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+            for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+              put(limits, access.vertex(v), internal::to_limit_point<Limit>(of_mesh.results[v]));
+          });
+      });
+    }
+    return report;
   }
-  return report;
 }
 
 /*!
@@ -149,33 +157,41 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
                                const Limit_options& options = Limit_options(),
                                const NamedParameters& np = parameters::default_values())
 {
-  static_assert(!Scheme::Host::keeps_vertices,
-                "the limit points of a primal scheme belong to the vertices: see limit_points()");
-  static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
-                "PN_subdivision_3: a named parameter is given that is not used here");
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  using Limit = typename boost::property_traits<LimitMap>::value_type;
-  Limit_report report;
-  if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
-    internal::with_mesh_access(mesh, [&](const auto& access) {
-      const auto level = internal::read_limit_level<Scheme, FT>(
-        access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
-      internal::Limit_demand demand =
-        internal::limit_demand<FT>(options, internal::box_size(level));
-      demand.curvatures = false;
-      demand.points = true;
-      internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
-                                                   internal::For_chunks::with(Concurrency_tag()));
-      const auto results = evaluation(level);
-      internal::check_limits<FT>(results,
-                                 [](std::size_t f) { return "face number " + std::to_string(f); });
-      std::size_t i = 0;
-      for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
-      report = internal::limit_report(results, demand);
-    });
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_dual_host<Limit_report,
+                                  internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) {
+        return face_limit_points<Concurrency_tag>(mesh, s, limits, options, np);
+      });
+  else {
+    static_assert(!Scheme::Host::keeps_vertices,
+                  "the limit points of a primal scheme belong to the vertices: see limit_points()");
+    static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
+                  "PN_subdivision_3: a named parameter is given that is not used here");
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    Limit_report report;
+    if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
+      internal::with_mesh_access(mesh, [&](const auto& access) {
+        const auto level = internal::read_limit_level<Scheme, FT>(
+          access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+        internal::Limit_demand demand =
+          internal::limit_demand<FT>(options, internal::box_size(level));
+        demand.curvatures = false;
+        demand.points = true;
+        internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
+                                                     internal::For_chunks::with(Concurrency_tag()));
+        const auto results = evaluation(level);
+        internal::check_limits<FT>(
+          results, [](std::size_t f) { return "face number " + std::to_string(f); });
+        std::size_t i = 0;
+        for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
+        report = internal::limit_report(results, demand);
+      });
+    }
+    return report;
   }
-  return report;
 }
 
 /*!
@@ -207,10 +223,16 @@ Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                            const Limit_options& options = Limit_options(),
                            const NamedParameters& np = parameters::default_values())
 {
-  static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
-                "PN_subdivision_3: a named parameter is given that is not used here");
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_primal_host<Limit_report,
+                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) { return move_to_limit<Concurrency_tag>(mesh, s, options, np); });
+  else {
+    static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
+                  "PN_subdivision_3: a named parameter is given that is not used here");
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/interpolation/Curvature_prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_prescription_options.h>
 
@@ -206,48 +207,58 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPo
                      const Limit_prescription_options& options = Limit_prescription_options(),
                      const NamedParameters& np = parameters::default_values())
 {
-  internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-  internal::check_tolerance(options.tolerance);
-  internal::check_tolerance(options.curvature_tolerance);
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  using FT = typename Parameters::FT;
-  constexpr bool has_curvatures = !std::is_same_v<PrescribedCurvatures, Nothing_prescribed>;
-  static_assert(!has_curvatures || !internal::Is_linear<Scheme>::value,
-                "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
-                "schemes have none");
-  static_assert(!has_curvatures ||
-                  !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
-                "PN_subdivision_3: prescribed curvatures change the control normals: give a "
-                "vertex_normal_map that takes them");
-  const auto point_map = Parameters::point_map(mesh, np);
-  Limit_interpolation_report report;
-  internal::with_mesh_access(mesh, [&](auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    internal::Interpolation_data<3> data =
-      internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
-    data.tolerance = options.tolerance * internal::box_size(data.points);
-    data.max_depth = (std::max)(1u, options.max_depth);
-    data.max_steps = (std::numeric_limits<unsigned>::max)();
-    internal::Mesh_limit_functionals<Scheme> source(scheme, level,
-                                                    internal::For_chunks::with(Concurrency_tag()));
-    auto result =
-      internal::prescribe(access, level, data, source,
-                          internal::read_prescribed(access, level, points, normals, data.exponent),
-                          curvatures, options);
-    report = result.report;
-    internal::multiply_by_size(data.exponent, report);
-    internal::multiply_by_size<FT, 3>(data.exponent, data.points);
-    internal::multiply_by_size<FT, 3>(data.exponent, result.points);
-    const auto write = [&](auto normal_map) {
-      internal::write_control_net<FT>(access, point_map, normal_map, data.points, result.points,
-                                      data.normals, result.normals);
-    };
-    if constexpr (has_curvatures)
-      write(Parameters::normal_map(np));
-    else
-      write(internal::No_normal_map());
-  });
-  return report;
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_interpolated_host<Limit_interpolation_report,
+                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) {
+        return prescribe_limit_data<Concurrency_tag>(mesh, s, points, normals, curvatures, options,
+                                                     np);
+      });
+  else {
+    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    internal::check_tolerance(options.tolerance);
+    internal::check_tolerance(options.curvature_tolerance);
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    using FT = typename Parameters::FT;
+    constexpr bool has_curvatures = !std::is_same_v<PrescribedCurvatures, Nothing_prescribed>;
+    static_assert(
+      !has_curvatures || !internal::Is_linear<Scheme>::value,
+      "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
+      "schemes have none");
+    static_assert(!has_curvatures ||
+                    !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
+                  "PN_subdivision_3: prescribed curvatures change the control normals: give a "
+                  "vertex_normal_map that takes them");
+    const auto point_map = Parameters::point_map(mesh, np);
+    Limit_interpolation_report report;
+    internal::with_mesh_access(mesh, [&](auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      internal::Interpolation_data<3> data =
+        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+      data.tolerance = options.tolerance * internal::box_size(data.points);
+      data.max_depth = (std::max)(1u, options.max_depth);
+      data.max_steps = (std::numeric_limits<unsigned>::max)();
+      internal::Mesh_limit_functionals<Scheme> source(
+        scheme, level, internal::For_chunks::with(Concurrency_tag()));
+      auto result = internal::prescribe(
+        access, level, data, source,
+        internal::read_prescribed(access, level, points, normals, data.exponent), curvatures,
+        options);
+      report = result.report;
+      internal::multiply_by_size(data.exponent, report);
+      internal::multiply_by_size<FT, 3>(data.exponent, data.points);
+      internal::multiply_by_size<FT, 3>(data.exponent, result.points);
+      const auto write = [&](auto normal_map) {
+        internal::write_control_net<FT>(access, point_map, normal_map, data.points, result.points,
+                                        data.normals, result.normals);
+      };
+      if constexpr (has_curvatures)
+        write(Parameters::normal_map(np));
+      else
+        write(internal::No_normal_map());
+    });
+    return report;
+  }
 }
 
 /// \ingroup PkgPNSubdivision3Interpolation

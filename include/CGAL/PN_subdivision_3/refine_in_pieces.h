@@ -13,8 +13,10 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <algorithm>
@@ -154,15 +156,14 @@ the mesh. Its members may be called by several threads at the same time.
 template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
 class Surface_pieces
 {
-  static_assert(internal::Ghost_rings<Scheme>::value != 0,
+  static_assert(internal::Is_any<Scheme>::value || internal::Ghost_rings<Scheme>::value != 0,
                 "PN_subdivision_3: the scheme has no ghost_rings: it does not tell how many rings "
                 "of faces a piece needs around it");
 
   using FT = typename GeomTraits::FT;
   static constexpr bool is_pn = internal::is_pn_v<Scheme>;
   using Average = internal::Average_of_scheme<Scheme, FT>;
-  using Refiner = internal::Piece_refiner<Scheme, Average>;
-  using Value = typename Refiner::Value;
+  using Value = typename Average::Value;
 
 public:
   /// the type of a piece.
@@ -192,16 +193,11 @@ public:
                  const NamedParameters& np = parameters::default_values())
     : number_of_pieces_(number_of_pieces)
   {
-    if constexpr (internal::check_pieces_arguments<PolygonMesh, Scheme, NamedParameters>()) {
-      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-      if (number_of_pieces == 0)
-        throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");
-      const unsigned rounds = Parameters::number_of_iterations(np);
-      internal::with_mesh_access(mesh, [&](const auto& access) {
-        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
-             rounds);
-      });
-    }
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Number_call<FT>>(
+        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
+    else
+      read_mesh(mesh, scheme, np);
   }
 
   /// the number of pieces.
@@ -221,7 +217,7 @@ public:
   /// the degree of the face with the most corners. <br><b>Cost:</b> linear in the level that is divided
   Index largest_degree() const
   {
-    if (Scheme::Host::refined_degree != 0 && rounds_ > 0) return Scheme::Host::refined_degree;
+    if (refiner_->refined_degree() != 0 && rounds_ > 0) return refiner_->refined_degree();
     const Level_connectivity& base = refiner_->base();
     Index degree = rounds_ > refiner_->base_round() ? 4 : 0;
     for (Index f = 0; f < base.number_of_faces(); ++f)
@@ -246,11 +242,10 @@ public:
     if (i >= number_of_pieces_)
       throw std::out_of_range("PN_subdivision_3: there is no piece " + std::to_string(i) +
                               ": there are " + std::to_string(number_of_pieces_));
-    constexpr unsigned most_rings = internal::Ghost_rings<Scheme>::value;
-    if (rings > most_rings)
+    if (rings > ghost_rings_)
       throw std::invalid_argument("PN_subdivision_3: " + std::to_string(rings) +
                                   " rings around a piece, whose scheme has " +
-                                  std::to_string(most_rings));
+                                  std::to_string(ghost_rings_));
     Piece piece;
     const auto begin = [&](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
                            internal::Numbered_elements& faces) {
@@ -266,19 +261,41 @@ public:
   }
 
 private:
-  template <class Access, class Point_map, class Normal_map>
-  void read(const Access& access, const Scheme& scheme, Point_map points, Normal_map normals,
+  // the scheme has a host
+  template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
+  void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
+  {
+    if constexpr (internal::check_pieces_arguments<PolygonMesh, Hosted_scheme, NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      ghost_rings_ = internal::ghost_rings(scheme);
+      if (ghost_rings_ == 0)
+        throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
+                                    " has no ghost_rings: it does not tell how many rings of "
+                                    "faces a piece needs around it");
+      if (number_of_pieces_ == 0)
+        throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");
+      const unsigned rounds = Parameters::number_of_iterations(np);
+      internal::with_mesh_access(mesh, [&](const auto& access) {
+        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
+             rounds);
+      });
+    }
+  }
+
+  template <class Access, class Hosted_scheme, class Point_map, class Normal_map>
+  void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
             unsigned rounds)
   {
+    using Host = typename Hosted_scheme::Host;
+    using Refiner = internal::Piece_refiner<Hosted_scheme, Average>;
     Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme<Scheme, internal::Element_names>(scheme, level, access);
+    internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
     rounds_ = internal::number_of_rounds(level, rounds);
     constexpr std::uint64_t limit = std::uint64_t(1) << 60;
-    internal::checked_refined_size<typename Scheme::Host>(level.size(), rounds_, limit);
+    internal::checked_refined_size<Host>(level.size(), rounds_, limit);
     const unsigned base_round =
-      internal::dividing_round<typename Scheme::Host>(level.size(), rounds_, number_of_pieces_);
-    internal::checked_refined_size<typename Scheme::Host>(level.size(), base_round,
-                                                          Level_connectivity::null);
+      internal::dividing_round<Host>(level.size(), rounds_, number_of_pieces_);
+    internal::checked_refined_size<Host>(level.size(), base_round, Level_connectivity::null);
     const auto values = internal::read_values<Average>(access, level, points, normals,
                                                        internal::normal_estimate(scheme));
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
@@ -286,8 +303,7 @@ private:
     });
     refiner_ = std::make_unique<Refiner>(
       scheme, std::move(level), typename Refiner::Values(values.begin(), values.end()), rounds_,
-      number_of_pieces_, internal::Ghost_rings<Scheme>::value,
-      internal::For_chunks::with(Concurrency_tag()));
+      number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
   }
 
   void put(Piece& piece, Index v, const Value& value) const
@@ -303,9 +319,9 @@ private:
   }
 
   std::size_t number_of_pieces_;
-  unsigned rounds_ = 0;
+  unsigned rounds_ = 0, ghost_rings_ = 0;
   bool is_near_overflow_ = false;
-  std::unique_ptr<Refiner> refiner_;
+  std::unique_ptr<internal::Kept_pieces<Value>> refiner_;
 };
 
 template <class PolygonMesh, class Scheme,
@@ -346,6 +362,21 @@ double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t num
   const auto pieces = double(number_of_pieces);
   return 2 * bytes_of_level(base) +
          rings * unequal * (bytes_of_level(parent) + 2 * bytes_of_level(result)) / pieces;
+}
+
+/// \ingroup PkgPNSubdivision3Functions
+/// does the same for a scheme, or an `Any_scheme`.
+template <class GeomTraits, class Scheme>
+double memory_of_pieces(const Scheme& scheme, const Level_size& size, unsigned rounds,
+                        std::size_t number_of_pieces)
+{
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::with_host<double>(scheme, [&](const auto& s) {
+      return memory_of_pieces<std::decay_t<decltype(s)>, GeomTraits>(size, rounds,
+                                                                     number_of_pieces);
+    });
+  else
+    return memory_of_pieces<Scheme, GeomTraits>(size, rounds, number_of_pieces);
 }
 
 /*!

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -178,8 +179,12 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& np,
                Attributes&& attributes)
 {
-  if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>() &&
-                internal::check_attributes<PolygonMesh, Attributes>()) {
+  if constexpr (internal::Is_any<Scheme>::value)
+    internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) { subdivide<Concurrency_tag>(mesh, s, np, attributes); });
+  else if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme,
+                                                           NamedParameters>() &&
+                     internal::check_attributes<PolygonMesh, Attributes>()) {
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     const unsigned iterations = Parameters::number_of_iterations(np);
     if (iterations == 0) return;

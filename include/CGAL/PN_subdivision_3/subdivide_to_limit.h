@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 
 #include <stdexcept>
@@ -53,28 +54,36 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
                                 const Limit_options& options = Limit_options(),
                                 const NamedParameters& np = parameters::default_values())
 {
-  static_assert(Scheme::Host::keeps_vertices,
-                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
-  static_assert(internal::are_used_v<internal::Limit_subdivision_parameters, NamedParameters>,
-                "PN_subdivision_3: a named parameter is given that is not used here");
-  using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-  if (options.rounds_done != 0)
-    throw std::invalid_argument("PN_subdivision_3: subdivide_to_limit() counts its rounds itself: "
-                                "leave rounds_done 0");
-  const unsigned rounds = Parameters::number_of_iterations(np);
-  if (rounds == 0)
-    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
-  Limit_report report;
-  if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
-    internal::with_mesh_access(mesh, [&](auto& access) {
-      const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
-        subdivision(scheme, rounds, options);
-      report =
-        subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                    Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
-    });
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_primal_host<Limit_report,
+                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
+      scheme,
+      [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, options, np); });
+  else {
+    static_assert(Scheme::Host::keeps_vertices,
+                  "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+    static_assert(internal::are_used_v<internal::Limit_subdivision_parameters, NamedParameters>,
+                  "PN_subdivision_3: a named parameter is given that is not used here");
+    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    if (options.rounds_done != 0)
+      throw std::invalid_argument(
+        "PN_subdivision_3: subdivide_to_limit() counts its rounds itself: "
+        "leave rounds_done 0");
+    const unsigned rounds = Parameters::number_of_iterations(np);
+    if (rounds == 0)
+      return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
+    Limit_report report;
+    if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+      internal::with_mesh_access(mesh, [&](auto& access) {
+        const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
+          subdivision(scheme, rounds, options);
+        report =
+          subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                      Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+      });
+    }
+    return report;
   }
-  return report;
 }
 
 } // namespace PN_subdivision_3

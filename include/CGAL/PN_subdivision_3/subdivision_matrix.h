@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <Eigen/SparseCore>
@@ -123,25 +124,31 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
 {
   if (round == 0)
     throw std::invalid_argument("PN_subdivision_3: the rounds of a call are counted from 1");
-  Eigen::SparseMatrix<FT, Eigen::RowMajor> matrix;
-  internal::with_mesh_access(mesh, [&](const auto& access) {
-    const Level_connectivity level = internal::checked_level(access);
-    internal::check_scheme(scheme, level, access);
-    internal::refuse_crease_borders(scheme, access, level, "a matrix has no rows");
-    const typename Scheme::Host host(level, round);
-    const auto mask = scheme.template mask<FT>(level, round);
-    const std::uint64_t size = Scheme::Host::refined_size(level.size(), round).vertices;
-    internal::Matrix_rows<FT> rows(size, level.number_of_vertices());
-    internal::Stencil_block<FT> stencil;
-    for (std::uint64_t r = 0; r < size; ++r) {
-      stencil.clear();
-      host.stencil(mask, static_cast<Level_connectivity::Index>(r), stencil.row());
-      stencil.close_row();
-      rows.append(stencil.begin(0), stencil.end(0));
-    }
-    matrix = rows.release();
-  });
-  return matrix;
+  using Matrix = Eigen::SparseMatrix<FT, Eigen::RowMajor>;
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_host<Matrix, internal::Number_call<FT>>(
+      scheme, [&](const auto& s) { return subdivision_matrix<FT>(mesh, s, round); });
+  else {
+    Matrix matrix;
+    internal::with_mesh_access(mesh, [&](const auto& access) {
+      const Level_connectivity level = internal::checked_level(access);
+      internal::check_scheme(scheme, level, access);
+      internal::refuse_crease_borders(scheme, access, level, "a matrix has no rows");
+      const typename Scheme::Host host(level, round);
+      const auto mask = scheme.template mask<FT>(level, round);
+      const std::uint64_t size = Scheme::Host::refined_size(level.size(), round).vertices;
+      internal::Matrix_rows<FT> rows(size, level.number_of_vertices());
+      internal::Stencil_block<FT> stencil;
+      for (std::uint64_t r = 0; r < size; ++r) {
+        stencil.clear();
+        host.stencil(mask, static_cast<Level_connectivity::Index>(r), stencil.row());
+        stencil.close_row();
+        rows.append(stencil.begin(0), stencil.end(0));
+      }
+      matrix = rows.release();
+    });
+    return matrix;
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -6,21 +6,60 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "pieces/make_pieces.h"
+#include "pieces/Any_pieces.h"
+#include "surface/Scheme.h"
+
+#include <CGAL/PN_subdivision_3.h>
 
 namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+template <class S>
+class Pieces_of_scheme : public Any_pieces
+{
+public:
+  template <class NamedParameters>
+  Pieces_of_scheme(const Surface& surface, const S& scheme, std::size_t number,
+                   const NamedParameters& np)
+    : pieces_(surface, scheme, number, np)
+  {}
+
+  std::size_t number() const override { return pieces_.number_of_pieces(); }
+  bool is_empty(std::size_t i) const override { return pieces_.is_empty(i); }
+  const Size& size() const override { return pieces_.size(); }
+  std::uint64_t first_corner(std::uint64_t face) const override
+  {
+    return pieces_.first_corner(face);
+  }
+  std::size_t largest_degree() const override { return pieces_.largest_degree(); }
+  Piece piece(std::size_t i, unsigned rings) const override { return pieces_.piece(i, rings); }
+
+private:
+  PN::Surface_pieces<S, Kernel, CGAL::Parallel_if_available_tag> pieces_;
+};
+
+template <class S, class NamedParameters>
+std::unique_ptr<Any_pieces> pieces_of_scheme(const Surface& surface, const S& scheme,
+                                             std::size_t number, const NamedParameters& np)
+{
+  return std::make_unique<Pieces_of_scheme<S>>(surface, scheme, number, np);
+}
+
+} // namespace
 
 std::unique_ptr<Any_pieces> make_pieces(const Surface& surface, const Scheme_choice& choice,
                                         unsigned levels, std::size_t number)
 {
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  const auto rounds = CGAL::parameters::number_of_iterations(levels);
   const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals) return make_pieces_linearly(surface, scheme, levels, number);
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return make_pieces_with_normal_scheme(
-      surface, *normals, scheme, make_scheme("--normal-scheme", *choice.normal_scheme, choice),
-      levels, number);
-  return make_pieces_with_normals(surface, *normals, scheme, levels, number);
+  if (!normals)
+    return pieces_of_scheme(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
+                            number, rounds);
+  return with_scheme(choice, [&](const auto& scheme) {
+    return pieces_of_scheme(surface, scheme, number, rounds.vertex_normal_map(*normals));
+  });
 }
 
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,
@@ -32,12 +71,8 @@ double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, uns
   size.faces = surface.number_of_faces();
   for (const Surface::Halfedge_index h : surface.halfedges())
     if (!surface.is_border(h)) ++size.corners;
-  return std::visit(
-    [&](const auto& s) {
-      return CGAL::PN_subdivision_3::memory_of_pieces<std::decay_t<decltype(s)>, Kernel>(
-        size, levels, number);
-    },
-    make_scheme("--scheme", choice.scheme, choice));
+  return PN::memory_of_pieces<Kernel>(make_scheme("--scheme", choice.scheme, choice), size, levels,
+                                      number);
 }
 
 } // namespace pn_subdivide

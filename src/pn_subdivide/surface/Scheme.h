@@ -11,44 +11,26 @@
 
 #include "surface/surface_schemes.h"
 
-#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 
 #include <string>
-#include <type_traits>
-#include <variant>
 
 namespace pn_subdivide {
 
-using Scheme = CGAL::PN_subdivision_3::Shipped_schemes::apply<std::variant>;
+using Scheme = CGAL::PN_subdivision_3::Any_scheme<double>;
 
-// The scheme of this name with the parameters of the choice. Throws Usage_error, which begins with the
-// option, if there is none, or if a parameter is out of range.
 Scheme make_scheme(const std::string& option, const std::string& name, const Scheme_choice& choice);
 
-template <class S, class T>
-constexpr bool have_same_host = std::is_same_v<typename S::Host, typename T::Host>;
-template <class S, class = void>
-struct Transfers_curvature : std::false_type
-{};
-template <class S>
-struct Transfers_curvature<S, std::void_t<decltype(S::transfers_curvature)>>
-  : std::bool_constant<S::transfers_curvature>
-{};
-// Can one give the normals of the other, which is another scheme?
-template <class S, class T>
-constexpr bool go_together = have_same_host<S, T> && !std::is_same_v<S, T> &&
-                             !Transfers_curvature<S>::value && !Transfers_curvature<T>::value;
-
-template <class S, class = void>
-struct Can_crease : std::false_type
-{};
-template <class S>
-struct Can_crease<S, std::void_t<decltype(S::has_crease_rules)>>
-  : std::bool_constant<S::has_crease_rules>
-{};
-// Has it rules for creases?
-template <class S>
-constexpr bool can_crease = Can_crease<S>::value;
+// Calls f(scheme) with the scheme, which has the normals' if that is another one.
+template <class Function>
+auto with_scheme(const Scheme_choice& choice, const Function& f)
+{
+  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
+    return f(CGAL::PN_subdivision_3::with_normal_scheme(
+      scheme, make_scheme("--normal-scheme", *choice.normal_scheme, choice)));
+  return f(scheme);
+}
 
 } // namespace pn_subdivide
 

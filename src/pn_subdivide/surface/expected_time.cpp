@@ -43,8 +43,7 @@ double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned 
   const PN::Level_connectivity level =
     PN::internal::checked_level(PN::internal::Surface_mesh_access<Surface>(surface));
   const auto entries = [&](const Scheme& scheme) {
-    return std::visit([&](const auto& s) { return PN::estimated_row_entries(s, level, levels); },
-                      scheme);
+    return PN::estimated_row_entries(scheme, level, levels);
   };
   double sum = entries(make_scheme("--scheme", choice.scheme, choice));
   if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)

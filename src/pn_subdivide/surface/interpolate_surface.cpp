@@ -9,23 +9,35 @@
 #include "surface/interpolate_surface.h"
 
 #include "io/Error.h"
-#include "surface/interpolate.h"
+#include "surface/Scheme.h"
+
+#include <CGAL/PN_subdivision_3.h>
+
+#if __has_include(<Eigen/Core>)
+#  include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#endif
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
 #endif
 
 namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+// Are there control points for which surfaces pass through given ones?
+bool can_interpolate(const Scheme& scheme)
+{
+  return scheme.splits_edges() && !scheme.transfers_curvature();
+}
+
+} // namespace
 
 void require_interpolation(const Scheme_choice& choice)
 {
-  const bool is_known = std::visit(
-    [](const auto& s) {
-      using S = std::decay_t<decltype(s)>;
-      return can_interpolate<S> || interpolates<S>;
-    },
-    make_scheme("--scheme", choice.scheme, choice));
-  if (!is_known)
+  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  if (!scheme.interpolates() && !can_interpolate(scheme))
     throw Usage_error("--interpolate: surfaces of " + choice.scheme +
                       " cannot be made to pass through points; take catmull-clark, loop or their "
                       "modified forms");
@@ -44,17 +56,15 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
                                   interpolation.threads);
 #  endif
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+  if (scheme.interpolates()) return {}; // the net is the data
+  using Tag = CGAL::Parallel_if_available_tag;
+  PN::Limit_interpolation_options<> options;
+  options.mode = interpolation.mode;
   const std::optional<Normal_map> normals = normals_of(surface);
-  return std::visit(
-    [&](const auto& s) -> Interpolation_report {
-      using S = std::decay_t<decltype(s)>;
-      if constexpr (can_interpolate<S>)
-        return normals ? Interpolating_scheme<S>::with_normals(surface, *normals, s, interpolation)
-                       : Interpolating_scheme<S>::linearly(surface, s, interpolation.mode);
-      else
-        return {}; // the net is the data
-    },
-    scheme);
+  if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), options);
+  if (interpolation.improves_normals) PN::natural_normals<Tag>(surface, scheme, *normals);
+  return PN::interpolate_limit_points<Tag>(surface, scheme, options,
+                                           CGAL::parameters::vertex_normal_map(*normals));
 }
 #else // parse_interpolation() has refused
 Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, const Interpolation&)

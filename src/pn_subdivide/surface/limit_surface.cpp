@@ -9,9 +9,14 @@
 #include "surface/limit_surface.h"
 
 #include "io/Error.h"
-#include "surface/limit.h"
+#include "surface/Scheme.h"
 
-#include <type_traits>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <utility>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -20,40 +25,91 @@
 namespace pn_subdivide {
 namespace {
 
+namespace PN = CGAL::PN_subdivision_3;
+
+using Tag = CGAL::Parallel_if_available_tag;
+using Limit_report = PN::Limit_report;
+using Limit_options = PN::Limit_options;
+using Limit_point = PN::Limit_point<Kernel>;
+
+// A map of limits that hands each to a function, so that none is kept that is not wanted.
+class Limit_map
+{
+public:
+  using key_type = Surface::Vertex_index;
+  using value_type = Limit_point;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  using Take_limit = std::function<void(key_type, const Limit_point&)>;
+
+  explicit Limit_map(Take_limit take)
+    : take_(std::move(take))
+  {}
+
+  friend void put(const Limit_map& map, key_type v, const value_type& limit)
+  {
+    map.take_(v, limit);
+  }
+
+private:
+  Take_limit take_;
+};
+
 Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& normals,
                        const Scheme_choice& choice, const Limit_map& limits,
                        const Limit_options& options)
 {
+  if (!normals)
+    return PN::limit_points<Tag>(
+      surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), limits, options);
+  return with_scheme(choice, [&](const auto& scheme) {
+    return PN::limit_points<Tag>(surface, scheme, limits, options,
+                                 CGAL::parameters::vertex_normal_map(*normals));
+  });
+}
+
+// The mesh gets the limit points and the normals that are asked for, by corners; with a linear scheme, only normals of
+// the surface.
+template <class S>
+Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S& scheme,
+                            const Crease_maps& creases, const Limit_options& options)
+{
+  return PN::move_to_limit<Tag>(surface, scheme, options,
+                                CGAL::parameters::vertex_normal_map(normals)
+                                  .edge_is_constrained_map(creases.edges)
+                                  .vertex_is_constrained_map(creases.vertices));
+}
+
+Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
+                                   const Scheme_choice& choice, const Crease_maps& creases,
+                                   const Limit_options& options)
+{
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-  if (!normals) return linear_limits(surface, scheme, limits, options);
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return limits_with_normal_scheme(surface, *normals, scheme,
-                                     make_scheme("--normal-scheme", *choice.normal_scheme, choice),
-                                     limits, options);
-  return limits_with_normals(surface, *normals, scheme, limits, options);
+  return move_to_limits(surface, normals, PN::linear(PN::with_border(scheme, creases.border)),
+                        creases, options);
 }
 
 Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
                                const Crease_maps& creases, const Limit_options& options)
 {
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const bool is_linear = !normals_of(surface);
   if (is_linear && !options.surface_normals) {
     Corner_normal_map unused =
       surface.add_property_map<Surface::Halfedge_index, Vector_3>("h:unused").first;
-    const Limit_report report = move_to_linear_limits(surface, unused, scheme, creases, options);
+    const Limit_report report = move_to_linear_limits(surface, unused, choice, creases, options);
     surface.remove_property_map(unused);
     return report;
   }
   if (is_linear) add_normals(surface);
   std::optional<Corner_normal_map> normals = corner_normals_of(surface);
   if (!normals) normals = add_corner_normals(surface);
-  if (is_linear) return move_to_linear_limits(surface, *normals, scheme, creases, options);
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return move_to_limits_with_normal_scheme(
-      surface, *normals, scheme, make_scheme("--normal-scheme", *choice.normal_scheme, choice),
-      creases, options);
-  return move_to_limits_with_normals(surface, *normals, scheme, creases, options);
+  if (is_linear) return move_to_linear_limits(surface, *normals, choice, creases, options);
+  return with_scheme(choice, [&](const auto& scheme) {
+    return move_to_limits(
+      surface, *normals,
+      PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents), creases,
+      options);
+  });
 }
 
 // Writes over the points and the normals, whichever are asked for.
@@ -83,10 +139,7 @@ Limit_options make_options(const Limit_choice& choice, unsigned levels)
 void require_limit_of_vertices(const std::string& scheme, const Limit_choice& choice)
 {
   if (!choice.is_used()) return;
-  const bool has_limits =
-    std::visit([](const auto& s) { return std::decay_t<decltype(s)>::Host::keeps_vertices; },
-               make_scheme("--scheme", scheme, {}));
-  if (!has_limits)
+  if (!make_scheme("--scheme", scheme, {}).keeps_vertices())
     throw Usage_error(std::string(choice.points ? "--limit" : choice.normals_option) +
                       ": the limit points of " + scheme +
                       " belong to the faces, not to the vertices; take another scheme");

@@ -12,8 +12,9 @@
 #include "surface/Surface.h"
 #include "surface/replayed_rounds.h"
 
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
+
 #include <algorithm>
-#include <type_traits>
 
 namespace pn_subdivide {
 namespace {
@@ -23,16 +24,12 @@ namespace PN = CGAL::PN_subdivision_3;
 // The first of the schemes that split faces as this one does.
 std::string first_of_its_kind(const std::string& scheme)
 {
+  const Scheme chosen = make_scheme("--scheme", scheme, {});
   std::string first;
-  std::visit(
-    [&](const auto& s) {
-      PN::for_each_shipped_scheme([&](const auto& other) {
-        if (first.empty() &&
-            have_same_host<std::decay_t<decltype(s)>, std::decay_t<decltype(other)>>)
-          first = other.name();
-      });
-    },
-    make_scheme("--scheme", scheme, {}));
+  PN::for_each_shipped_scheme([&](const auto& other) {
+    if (first.empty() && chosen.has_host_of(make_scheme("--scheme", other.name(), {})))
+      first = other.name();
+  });
   return first;
 }
 

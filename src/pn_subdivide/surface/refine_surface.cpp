@@ -9,7 +9,12 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
-#include "surface/refine.h"
+#include "surface/Scheme.h"
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Wedge_normals.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <utility>
 #include <vector>
@@ -32,6 +37,35 @@ void require_threads(unsigned threads)
 
 namespace {
 
+namespace PN = CGAL::PN_subdivision_3;
+
+struct Round_visitor
+{
+  template <class Round, class Number>
+  void round_done(Round k, Number faces) const
+  {
+    if (report) report(static_cast<unsigned>(k), static_cast<std::size_t>(faces));
+  }
+
+  std::function<void(unsigned, std::size_t)> report;
+};
+
+// The normals that a mesh had at its corners before, for the time of a call.
+struct Control_corner_normals
+{
+  using key_type = Surface::Halfedge_index;
+  using value_type = Vector_3;
+  using reference = const Vector_3&;
+  using category = boost::readable_property_map_tag;
+
+  friend const Vector_3& get(const Control_corner_normals& n, key_type h)
+  {
+    return (*n.normals)[h];
+  }
+  const std::vector<Vector_3>* normals;
+};
+using Wedge_normals = PN::internal::Wedge_normals<Control_corner_normals, Normal_map>;
+
 // of vertices without faces, which have no corner to read them from
 struct Isolated_normals
 {
@@ -47,22 +81,36 @@ struct Isolated_normals
   std::vector<std::pair<Surface::Vertex_index, Vector_3>> of_vertices;
 };
 
+// With one thread the result is the same as with several, bit for bit.
+template <class S, class NamedParameters>
+void refine(Surface& surface, const S& scheme, const Refinement& refinement,
+            const NamedParameters& np)
+{
+  PN::subdivide<CGAL::Parallel_if_available_tag>(
+    surface, scheme,
+    np.number_of_iterations(refinement.levels).visitor(Round_visitor{refinement.round_done}),
+    *refinement.attributes);
+}
+
 void refine_with_creases(Surface& surface, const Scheme_choice& choice,
                          const Refinement& refinement)
 {
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const Crease_maps& creases = *refinement.creases;
+  const auto sharp = CGAL::parameters::edge_is_constrained_map(creases.edges)
+                       .vertex_is_constrained_map(creases.vertices);
   std::optional<Normal_map> of_vertices = normals_of(surface);
-  if (!of_vertices) return refine_linearly(surface, scheme, creases, refinement);
+  if (!of_vertices) {
+    const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+    return refine(surface, PN::linear(PN::with_border(scheme, creases.border)), refinement, sharp);
+  }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
   const Isolated_normals isolated(surface, *of_vertices);
   const Wedge_normals normals{{&of_corners}, *of_vertices, refinement.wedges};
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    refine_with_normal_scheme(surface, normals, scheme,
-                              make_scheme("--normal-scheme", *choice.normal_scheme, choice),
-                              creases, refinement);
-  else
-    refine_with_normals(surface, normals, scheme, creases, refinement);
+  with_scheme(choice, [&](const auto& scheme) {
+    refine(surface,
+           PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
+           refinement, sharp.vertex_normal_map(normals));
+  });
   isolated.put_back(*of_vertices);
 }
 
@@ -74,14 +122,13 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, refinement.threads);
 #endif
   if (refinement.creases) return refine_with_creases(surface, choice, refinement);
-  const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals) return refine_linearly(surface, scheme, refinement);
-  if (choice.normal_scheme && *choice.normal_scheme != choice.scheme)
-    return refine_with_normal_scheme(surface, *normals, scheme,
-                                     make_scheme("--normal-scheme", *choice.normal_scheme, choice),
-                                     refinement);
-  refine_with_normals(surface, *normals, scheme, refinement);
+  if (!normals)
+    return refine(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), refinement,
+                  CGAL::parameters::default_values());
+  with_scheme(choice, [&](const auto& scheme) {
+    refine(surface, scheme, refinement, CGAL::parameters::vertex_normal_map(*normals));
+  });
 }
 
 } // namespace pn_subdivide

@@ -12,12 +12,12 @@
 #include "io/near_miss.h"
 #include "surface/Scheme.h"
 
-#include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace pn_subdivide {
 namespace {
@@ -71,19 +71,10 @@ void require_that_they_go_together(const Scheme_choice& choice, const Scheme& sc
 {
   if (choice.scheme == *choice.normal_scheme) return;
   for (const Scheme* const s : {&scheme, &normal_scheme})
-    std::visit(
-      [&](const auto& t) {
-        if (Transfers_curvature<std::decay_t<decltype(t)>>::value)
-          throw Usage_error("--normal-scheme: " + std::string(t.name()) +
-                            " refines points and normals together and goes with no other scheme");
-      },
-      *s);
-  const bool same = std::visit(
-    [](const auto& s, const auto& t) {
-      return have_same_host<std::decay_t<decltype(s)>, std::decay_t<decltype(t)>>;
-    },
-    scheme, normal_scheme);
-  if (!same)
+    if (s->transfers_curvature())
+      throw Usage_error("--normal-scheme: " + s->name() +
+                        " refines points and normals together and goes with no other scheme");
+  if (!scheme.has_host_of(normal_scheme))
     throw Usage_error("--normal-scheme " + *choice.normal_scheme + " does not go with --scheme " +
                       choice.scheme + ": they split the faces differently");
 }
@@ -158,9 +149,9 @@ Scheme make_scheme(const std::string& option, const std::string& name, const Sch
     using S = std::decay_t<decltype(scheme)>;
     if (name != S::name()) return;
     if constexpr (PN::has_parameter_v<S>)
-      found = with_parameter<S>(choice);
+      found.emplace(with_parameter<S>(choice));
     else
-      found = scheme;
+      found.emplace(scheme);
   });
   if (!found)
     throw Usage_error(option + (" '" + name) + "': there is no such scheme, only " +
@@ -181,35 +172,26 @@ void require_surface_schemes(const Scheme_choice& choice)
 
 bool needs_triangles(const std::string& scheme)
 {
-  return std::visit(
-    [](const auto& s) {
-      using Host = typename std::decay_t<decltype(s)>::Host;
-      return std::is_same_v<Host, PN::PTQ_host> || std::is_same_v<Host, PN::Sqrt3_host>;
-    },
-    make_scheme("--scheme", scheme, {}));
+  return make_scheme("--scheme", scheme, {}).needs_triangles();
 }
 
 bool keeps_edges(const std::string& scheme)
 {
-  return std::visit([](const auto& s) { return PN::splits_edges_v<std::decay_t<decltype(s)>>; },
-                    make_scheme("--scheme", scheme, {}));
+  return make_scheme("--scheme", scheme, {}).splits_edges();
 }
 
 std::string creasing_scheme_names()
 {
   std::vector<std::string> names;
-  PN::for_each_shipped_scheme([&names](const auto& scheme) {
-    if (can_crease<std::decay_t<decltype(scheme)>>) names.push_back(scheme.name());
-  });
+  for (const std::string& name : all_names())
+    if (make_scheme("--scheme", name, {}).has_crease_rules()) names.push_back(name);
   return enumeration(names, "and");
 }
 
 std::string scheme_without_creases(const Scheme_choice& choice)
 {
-  for (const std::string& name : {choice.scheme, choice.normal_scheme.value_or("")}) {
-    const auto can = [](const auto& s) { return can_crease<std::decay_t<decltype(s)>>; };
-    if (!name.empty() && !std::visit(can, make_scheme("--scheme", name, {}))) return name;
-  }
+  for (const std::string& name : {choice.scheme, choice.normal_scheme.value_or("")})
+    if (!name.empty() && !make_scheme("--scheme", name, {}).has_crease_rules()) return name;
   return {};
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 
 #include <cstddef>
 #include <map>
@@ -186,6 +187,8 @@ struct Butterfly_scheme
   static constexpr const char* name() { return "butterfly"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 2;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood{2, false, false, true};
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>

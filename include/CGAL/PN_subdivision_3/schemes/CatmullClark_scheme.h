@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/border_rules.h>
 
 namespace CGAL {
@@ -207,6 +208,8 @@ struct CatmullClark_scheme
   static constexpr const char* name() { return "catmull-clark"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 1;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood{0, true, true, false};
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_checks.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
 #include <CGAL/Uncertain.h>
 
@@ -271,6 +272,8 @@ public:
   static constexpr const char* name() { return "kobbelt"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 4;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood{2, false, false, true};
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "tension"; }
   /// the default tension.

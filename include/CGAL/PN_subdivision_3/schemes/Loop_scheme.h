@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/border_rules.h>
 
 namespace CGAL {
@@ -107,6 +108,8 @@ struct Loop_scheme
   static constexpr const char* name() { return "loop"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 1;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood{0, true, true, false};
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;

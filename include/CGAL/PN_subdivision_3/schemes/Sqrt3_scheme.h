@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/border_rules.h>
 
 namespace CGAL {
@@ -130,6 +131,8 @@ struct Sqrt3_scheme
   static constexpr const char* name() { return "sqrt3"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 2;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood{0, true, false, false};
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>

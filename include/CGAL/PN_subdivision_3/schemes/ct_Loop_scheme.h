@@ -9,6 +9,7 @@
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_CT_LOOP_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 
 namespace CGAL {
@@ -35,6 +36,8 @@ public:
   static constexpr const char* name() { return "ct-loop"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 3;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood = modified_Loop_scheme::limit_neighborhood;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;

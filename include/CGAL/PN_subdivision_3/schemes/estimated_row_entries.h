@@ -10,7 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_ESTIMATED_ROW_ENTRIES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -31,21 +32,25 @@ Such a scheme has a static function `dense_row_entries(level, round)` that retur
 <br><b>Cost:</b> linear in the size of `level`
 */
 template <class Scheme>
-double estimated_row_entries([[maybe_unused]] const Scheme& scheme, const Level_connectivity& level,
-                             unsigned rounds)
+double estimated_row_entries(const Scheme& scheme, const Level_connectivity& level, unsigned rounds)
 {
-  constexpr double ordinary_row = 8;
-  // a transfer evaluates the rows of its rings once more
-  constexpr double times = internal::Has_curvature_transfer<Scheme>::value ? 2 : 1;
-  const double first = times * internal::dense_row_entries<Scheme>(level, 1);
-  const double later = rounds < 2 ? 0 : times * internal::dense_row_entries<Scheme>(level, 2);
-  double entries = 0;
-  Level_size size = level.size();
-  for (unsigned k = 1; k <= rounds && size.vertices < Level_connectivity::null; ++k) {
-    size = Scheme::Host::refined_size(size, k);
-    entries += ordinary_row * static_cast<double>(size.vertices) + (k == 1 ? first : later);
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::with_host<double>(
+      scheme, [&](const auto& s) { return estimated_row_entries(s, level, rounds); });
+  else {
+    constexpr double ordinary_row = 8;
+    // a transfer evaluates the rows of its rings once more
+    const double times = internal::transfers_curvature(scheme) ? 2 : 1;
+    const double first = times * internal::dense_row_entries(scheme, level, 1);
+    const double later = rounds < 2 ? 0 : times * internal::dense_row_entries(scheme, level, 2);
+    double entries = 0;
+    Level_size size = level.size();
+    for (unsigned k = 1; k <= rounds && size.vertices < Level_connectivity::null; ++k) {
+      size = Scheme::Host::refined_size(size, k);
+      entries += ordinary_row * static_cast<double>(size.vertices) + (k == 1 ? first : later);
+    }
+    return entries;
   }
-  return entries;
 }
 
 } // namespace PN_subdivision_3

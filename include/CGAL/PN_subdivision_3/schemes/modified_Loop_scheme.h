@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
 
@@ -165,6 +166,8 @@ public:
   static constexpr const char* name() { return "modified-loop"; }
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 3;
+  /// what has to be regular around a vertex for its limit.
+  static constexpr Limit_neighborhood limit_neighborhood{1, true, true, false};
   /// the name of the parameter that the constructor takes, and its default value.
   static constexpr const char* parameter_name() { return "cap"; }
   /// the default cap.

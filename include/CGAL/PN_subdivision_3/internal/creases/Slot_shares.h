@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -23,15 +24,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-template <class Mask, class = void>
-struct Has_face_parts : std::false_type
-{};
-template <class Mask>
-struct Has_face_parts<Mask,
-                      std::void_t<decltype(std::declval<const Mask&>().face_part_of_edge(0u))>>
-  : std::true_type
-{};
 
 // The smooth rows of a mask, over slots. A row is a sum over the faces round the new vertex, and
 // every face hands its share to the slots of its own corners: to the vertex itself and to the ends of

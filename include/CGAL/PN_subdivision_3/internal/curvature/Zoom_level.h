@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 #include <algorithm>
 #include <array>
@@ -55,7 +55,7 @@ public:
   Zoom_level(const Scheme& scheme, Index valence, Index rings)
     : net_(degree, valence, rings)
     , level_(net_.level())
-    , round_(scheme, level_, First_tuned_round<Scheme>::of(scheme))
+    , round_(scheme, level_, first_tuned_round(scheme))
   {}
   // the round refers to the level
   Zoom_level(const Zoom_level&) = delete;

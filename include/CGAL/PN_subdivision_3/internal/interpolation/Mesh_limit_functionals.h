@@ -13,13 +13,13 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/second_form.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,6 @@ private:
   using Average = PN_average<double, 3>;
   using One_round = Round<Scheme, Average>;
   using Kind = typename Limit_classes<Scheme, double>::Kind;
-  using Neighborhood = Limit_neighborhood<Scheme>;
   using Tower = Functional_tower<3, 2>;
   using Entry = Functionals::Entry;
 
@@ -110,8 +109,9 @@ private:
                 const std::vector<std::size_t>& positions, unsigned next_round, unsigned depth,
                 std::vector<Functionals>& result)
   {
-    const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
-    const Settled_neighborhood<Scheme> is_settled(stage.level, next_round >= first_final_round);
+    const unsigned first_final_round = first_tuned_round(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(scheme_, stage.level,
+                                                  next_round >= first_final_round);
     std::vector<const Ring_of_kind*> kinds(vertices.size(), nullptr);
     std::vector<Index> unsettled;
     std::vector<std::size_t> unsettled_positions;
@@ -148,7 +148,7 @@ private:
       throw std::invalid_argument(
         "PN_subdivision_3: the scheme does not settle about its vertices: "
         "it has no limit masks");
-    const Sub_level cut(stage.level, unsettled, Neighborhood::cut_rings);
+    const Sub_level cut(stage.level, unsettled, cut_rings(scheme_));
     const One_round round(scheme_, cut.level(), next_round);
     const auto [fine, fine_values] = refined(stage, cut, round);
     evaluate(Stage{fine, fine_values, &stage, &cut, &round}, cut.centers(), unsettled_positions,
@@ -261,7 +261,7 @@ private:
     if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
         Average::is_zero(tower.limit().normal))
       return std::nullopt;
-    if (Neighborhood::is_spline &&
+    if (limit_neighborhood(scheme_).is_spline &&
         level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
       return Regular_jet<double>(is_quads ? 4 : 3)
         .surface_jet(is_quads ? quads : triangles, tower.top().data());

@@ -43,7 +43,7 @@ constexpr void check_interpolation_arguments()
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
     "Loop, or their modified forms");
-  static_assert(!Has_curvature_transfer<Scheme>::value,
+  static_assert(is_chosen_at_run_time<Scheme>() || !Has_curvature_transfer<Scheme>::value,
                 "PN_subdivision_3: interpolation is not known for schemes that transfer curvature, "
                 "whose normals depend on the points: take their modified forms");
 }

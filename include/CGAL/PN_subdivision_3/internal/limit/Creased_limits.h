@@ -18,12 +18,12 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Creased_sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Dart_limit.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -59,7 +59,7 @@ public:
     , demand_(demand)
     , for_chunks_(for_chunks)
     , evaluation_(scheme, demand, for_chunks)
-    , any_round_((std::max)(101u, First_tuned_round<Scheme>::of(scheme)))
+    , any_round_((std::max)(101u, first_tuned_round(scheme)))
     , border_classes_(scheme)
   {}
 
@@ -96,7 +96,6 @@ private:
   using Dart = Dart_class<Scheme, FT>;
 
   using Sub = Creased_sub_level<FT, Value>;
-  static constexpr unsigned cut_rings = Limit_neighborhood<Scheme>::cut_rings;
 
   // open while it lives
   struct Cut
@@ -155,8 +154,8 @@ private:
     for (const Crease_star& star : creases.stars)
       if (creases.rule(star) == Vertex_rule::dart) darts.emplace(star.vertex, &star);
     std::vector<Index> smooth, smooth_positions, rest;
-    const bool is_final = next_round >= First_tuned_round<Scheme>::of(scheme_);
-    const Settled_neighborhood<Scheme> is_settled(level.level, is_final);
+    const bool is_final = next_round >= first_tuned_round(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(scheme_, level.level, is_final);
     for (Index i = 0; i < vertices.here.size(); ++i) {
       const Index v = vertices.here[i], whole = vertices.whole[i];
       const auto dart = darts.find(v);
@@ -180,7 +179,8 @@ private:
   void refine(const Level& level, const Creases<FT>& creases, Creases<FT>& limits,
               std::vector<Index>&& vertices, unsigned next_round, std::vector<Result>& results)
   {
-    std::optional<Sub> part(std::in_place, level.level, creases, level.values, vertices, cut_rings);
+    std::optional<Sub> part(std::in_place, level.level, creases, level.values, vertices,
+                            cut_rings(scheme_));
     for (unsigned depth = 0;;) {
       evaluation_.require_depth(depth, next_round);
       const std::vector<Index> here = part->centers();
@@ -200,7 +200,7 @@ private:
       if (rest.empty()) return;
       vertices = selected(vertices, rest);
       part.emplace(refined.level, refiner.creases(), refined.values, selected(here, rest),
-                   cut_rings);
+                   cut_rings(scheme_));
     }
   }
 

@@ -10,13 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_CLASSES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,7 +55,7 @@ public:
 
   explicit Limit_classes(const Scheme& scheme)
     : scheme_(scheme)
-    , any_round_((std::max)(101u, First_tuned_round<Scheme>::of(scheme) | 1u))
+    , any_round_((std::max)(101u, first_tuned_round(scheme) | 1u))
   {}
 
   // the kind of a vertex with edges, in the round that is next; threads may ask at the same time

@@ -12,9 +12,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Gathered_rings.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 #include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
@@ -23,7 +23,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 
 #include <algorithm>
 #include <array>
@@ -62,6 +62,7 @@ public:
 
   Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
     : scheme_(scheme)
+    , neighborhood_(limit_neighborhood(scheme))
     , demand_(demand)
     , for_chunks_(for_chunks)
     , classes_(scheme)
@@ -88,10 +89,11 @@ public:
                                       unsigned next_round, unsigned depth,
                                       const Result_of& result_of)
   {
-    const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
-    const Settled_neighborhood<Scheme> is_settled(level.level, next_round >= first_final_round);
+    const unsigned first_final_round = first_tuned_round(scheme_);
+    const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
+                                                  next_round >= first_final_round);
     const bool keeps_points =
-      Neighborhood::keeps_points && !demand_.surface_normals && !demand_.curvatures;
+      neighborhood_.keeps_points && !demand_.surface_normals && !demand_.curvatures;
     const bool is_final_then = next_round + 1 >= first_final_round;
     std::vector<Vertex_state> states(vertices.size());
     // all about a vertex in one go: what is read of the level is at hand then
@@ -137,7 +139,7 @@ public:
   // after so many rounds about vertices that are not settled
   void require_depth(unsigned depth, unsigned next_round) const
   {
-    const unsigned first_final_round = First_tuned_round<Scheme>::of(scheme_);
+    const unsigned first_final_round = first_tuned_round(scheme_);
     if (depth < most_rounds) return;
     if (next_round < first_final_round)
       throw std::invalid_argument(
@@ -153,7 +155,6 @@ public:
 private:
   using Average = typename Tower::Average;
   using One_round = Round<Scheme, Average>;
-  using Neighborhood = Limit_neighborhood<Scheme>;
 
   using Classes = Limit_classes<Scheme, FT>;
   using Towers = Limit_towers<Scheme, FT>;
@@ -210,7 +211,7 @@ private:
 
   void evaluate_in_next_ring(const Level& level, const Vertices& vertices, unsigned number) const
   {
-    if constexpr (Settled_neighborhood<Scheme>::has_next_ring) {
+    if constexpr (Settled_neighborhood<Scheme>::may_have_next_ring) {
       const One_round round(scheme_, level.level, number);
       const std::vector<Stored_value> old = stored(level.values);
       with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
@@ -241,7 +242,7 @@ private:
   // curvature is asked of the jet of a spline where all around is regular
   bool is_regular_spline(const Level_connectivity& level, Index v) const
   {
-    if (!demand_.curvatures || !Neighborhood::is_spline || level.is_border_vertex(v)) return false;
+    if (!demand_.curvatures || !neighborhood_.is_spline || level.is_border_vertex(v)) return false;
     return level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
   }
 
@@ -249,7 +250,7 @@ private:
   Level refined_about(const Level& level, std::vector<Index>& vertices, unsigned round) const
   {
     constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
-    const Sub_level cut(level.level, vertices, Neighborhood::cut_rings, is_sqrt3);
+    const Sub_level cut(level.level, vertices, cut_rings(scheme_), is_sqrt3);
     std::vector<Stored_value> values;
     values.reserve(cut.origin().size());
     for (const Index v : cut.origin()) values.emplace_back(level.values[v]);
@@ -300,6 +301,7 @@ private:
   }
 
   const Scheme& scheme_;
+  const Limit_neighborhood neighborhood_;
   const Limit_demand& demand_;
   For_chunks for_chunks_;
   Classes classes_;

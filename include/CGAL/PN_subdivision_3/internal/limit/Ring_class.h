@@ -148,7 +148,7 @@ public:
       };
       if (!set_rules(rounds, layout, normal_matrix_of, normals_)) return;
     }
-    if (Has_curvature_transfer<Scheme>::value && !layout.at_border && layout.number > 2 &&
+    if (transfers_curvature(scheme) && !layout.at_border && layout.number > 2 &&
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
       transfer_valence_ = static_cast<Level_connectivity::Index>(layout.number);
     is_at_border_ = layout.at_border;

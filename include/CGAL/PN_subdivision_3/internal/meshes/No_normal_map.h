@@ -17,6 +17,17 @@ namespace internal {
 struct No_normal_map
 {};
 
+template <class Map>
+struct Key_of_map
+{
+  using type = typename boost::property_traits<Map>::key_type;
+};
+template <>
+struct Key_of_map<No_normal_map>
+{
+  using type = void;
+};
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

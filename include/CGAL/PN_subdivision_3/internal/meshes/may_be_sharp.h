@@ -12,9 +12,12 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/No_constraint_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
+
+#include <stdexcept>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -48,9 +51,15 @@ void require_crease_rules([[maybe_unused]] const Scheme& scheme,
                           [[maybe_unused]] Edge_map edge_map,
                           [[maybe_unused]] Vertex_map vertex_map)
 {
-  if constexpr (!Has_crease_rules<Scheme>::value &&
-                may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>)
-    refuse_creases(scheme, access, edge_map, vertex_map);
+  if constexpr (may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>) {
+    if (has_crease_rules(scheme)) return;
+    if constexpr (is_of_halfedges_v<Access, Normal_map>)
+      throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
+                                  " has no rules for creases and takes a normal per vertex, not "
+                                  "per half-edge");
+    else
+      refuse_creases(scheme, access, edge_map, vertex_map);
+  }
 }
 
 } // namespace internal

@@ -95,6 +95,17 @@ struct Surface_parameters
   }
 };
 
+// what a call says of the scheme that it takes
+template <class PolygonMesh, class NamedParameters>
+struct Surface_call
+{
+  using FT = typename GetGeomTraits<PolygonMesh, NamedParameters>::type::FT;
+  static constexpr bool has_corner_normals =
+    std::is_same_v<typename Key_of_map<
+                     typename Surface_parameters<PolygonMesh, NamedParameters>::Normal_map>::type,
+                   typename boost::graph_traits<PolygonMesh>::halfedge_descriptor>;
+};
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

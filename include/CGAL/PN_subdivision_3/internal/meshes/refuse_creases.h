@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
 #include <stdexcept>
@@ -23,24 +24,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-template <class Scheme, class = void>
-struct Scheme_name
-{
-  static std::string get() { return "this scheme"; }
-};
-template <class Scheme>
-struct Scheme_name<Scheme, std::void_t<decltype(std::string(Scheme::name()))>>
-{
-  static std::string get() { return "the scheme " + std::string(Scheme::name()); }
-};
-// not by std::void_t, too: to clang++ the two would be one
-template <class Scheme>
-struct Scheme_name<Scheme, std::enable_if_t<(sizeof(typename Scheme::Adapted_scheme) != 0)>>
-  : Scheme_name<typename Scheme::Adapted_scheme>
-{};
-
-// Calls refuse(name) for the edges and vertices of a mesh that are sharp, by a map or by the border of the
-// scheme.
 template <class Scheme, class Access, class Edge_map, class Vertex_map, class Refuse>
 void refuse_sharp_elements(const Scheme& scheme, const Access& access,
                            const Level_connectivity& level, Edge_map edge_map,
@@ -64,9 +47,9 @@ void refuse_creases(const Scheme& scheme, const Access& access, Edge_map edge_ma
                     Vertex_map vertex_map)
 {
   refuse_sharp_elements(
-    scheme, access, checked_level(access), edge_map, vertex_map, [](const std::string& element) {
+    scheme, access, checked_level(access), edge_map, vertex_map, [&](const std::string& element) {
       throw std::invalid_argument("PN_subdivision_3: " + element + " is sharp, but " +
-                                  Scheme_name<Scheme>::get() +
+                                  name_in_message(scheme) +
                                   " has no rules for creases: take Catmull-Clark or Loop, or their "
                                   "modified forms");
     });

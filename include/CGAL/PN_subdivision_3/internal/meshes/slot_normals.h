@@ -30,17 +30,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-template <class Map>
-struct Key_of_map
-{
-  using type = typename boost::property_traits<Map>::key_type;
-};
-template <>
-struct Key_of_map<No_normal_map>
-{
-  using type = void;
-};
-
 // whether the map has a normal for every corner: at the target of a half-edge in its face
 template <class Access, class Map>
 constexpr bool is_of_halfedges_v =

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
@@ -54,7 +55,7 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 // together with the rings of faces around these. The last of them go wrong in each round, since faces are
 // missing there, and are cut off.
 template <class Scheme, class Average>
-class Piece_refiner
+class Piece_refiner final : public Kept_pieces<typename Average::Value>
 {
 public:
   using Host = typename Scheme::Host;
@@ -64,13 +65,7 @@ public:
   using Value = typename Refiner::Value;
   using Values = typename Refiner::Values;
 
-  // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
-  // vertices from different threads
-  struct Output
-  {
-    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
-    Function_ref<void(Index, const Value&)> put;
-  };
+  using Output = typename Kept_pieces<Value>::Output;
 
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
                 unsigned rounds, std::size_t number_of_pieces, unsigned rings,
@@ -86,23 +81,19 @@ public:
     wholes_.emplace(base_.level(), base_round_, rounds_);
     divide(number_of_pieces);
   }
-  Piece_refiner(const Piece_refiner&) = delete;
-  Piece_refiner& operator=(const Piece_refiner&) = delete;
 
-  // after all rounds
-  const Whole_level& result() const { return wholes_->back(); }
-  // the level that is divided
-  const Level_connectivity& base() const { return base_.level(); }
-  unsigned base_round() const { return base_round_; }
+  const Whole_level& result() const override { return wholes_->back(); }
+  const Level_connectivity& base() const override { return base_.level(); }
+  unsigned base_round() const override { return base_round_; }
+  Index refined_degree() const override { return Host::refined_degree; }
 
-  bool is_empty(std::size_t piece) const
+  bool is_empty(std::size_t piece) const override
   {
     return first_of_piece_[piece] == first_of_piece_[piece + 1] &&
            (piece != 0 || isolated_vertices_.empty());
   }
 
-  // the faces that the piece owns, and some rings around them
-  void refine(std::size_t piece, unsigned rings, const Output& out) const
+  void refine(std::size_t piece, unsigned rings, const Output& out) const override
   {
     const bool has_isolated = piece == 0;
     Part part = first_part(piece, has_isolated);
@@ -258,8 +249,9 @@ private:
       for (Index i = 0; i < n; ++i)
         out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
     };
-    if constexpr (One_round::has_transfers)
-      level.evaluate(one, level.transfers(one), 0, static_cast<Index>(one.refined_size().vertices),
+    const auto transfers = level.transfers(one);
+    if (!transfers.is_empty())
+      level.evaluate(one, transfers, 0, static_cast<Index>(one.refined_size().vertices),
                      [&](Index first, const Value* values, Index n) {
                        auto it = std::lower_bound(vertices.begin(), vertices.end(), first);
                        for (; it != vertices.end() && *it - first < n; ++it)

@@ -30,6 +30,7 @@ namespace internal {
 // of a round whose normals are those of the rows
 struct No_transfers
 {
+  bool is_empty() const { return true; }
   template <class Index, class Value>
   void put(Index, Index, Value*) const
   {}
@@ -97,6 +98,7 @@ public:
               [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
+  bool is_empty() const { return normals_.empty(); }
   // into the values of the new vertices [first, first + n)
   void put(Index first, Index n, Value* values) const
   {

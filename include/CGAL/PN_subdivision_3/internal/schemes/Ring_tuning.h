@@ -54,39 +54,6 @@ struct Ring_tuning
   bool keeps_quadratic = false;
 };
 
-// The first round from which on the rules of a scheme are the same in all: where a modified scheme has
-// its own.
-template <class Scheme, class = void>
-struct Has_first_round : std::false_type
-{};
-template <class Scheme>
-struct Has_first_round<Scheme, std::void_t<decltype(std::declval<const Scheme&>().first_round())>>
-  : std::true_type
-{};
-
-template <class Scheme>
-struct First_tuned_round
-{
-  static unsigned of([[maybe_unused]] const Scheme& scheme)
-  {
-    if constexpr (Has_first_round<Scheme>::value)
-      return scheme.first_round();
-    else if constexpr (Is_adaptor<Scheme>::value)
-      return First_tuned_round<std::decay_t<decltype(scheme.scheme)>>::of(scheme.scheme);
-    else
-      return 1;
-  }
-};
-template <class Scheme, class Normal_scheme>
-struct First_tuned_round<Scheme_with_normals<Scheme, Normal_scheme>>
-{
-  static unsigned of(const Scheme_with_normals<Scheme, Normal_scheme>& both)
-  {
-    return (std::max)(First_tuned_round<Scheme>::of(both.scheme),
-                      First_tuned_round<Normal_scheme>::of(both.normal_scheme));
-  }
-};
-
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -1,0 +1,142 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_ON_HOST_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_ON_HOST_H
+
+#include <CGAL/PN_subdivision_3/hosts/DQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Erased_mask.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// All that is asked of a scheme but its host.
+template <class FT>
+struct Scheme_facts
+{
+  template <class Number>
+  using Make_mask =
+    std::function<std::shared_ptr<const Erased_mask<Number>>(const Level_connectivity&, unsigned)>;
+
+  std::string name;
+  unsigned ghost_rings = 0;
+  bool has_crease_rules = false;
+  bool transfers_curvature = false;
+  unsigned first_round = 1;
+  Limit_neighborhood limit_neighborhood;
+  std::optional<Control_normal_estimate> normal_estimate;
+  std::function<double(const Level_connectivity&, unsigned)> dense_row_entries;
+  std::function<void(const Level_connectivity&, const Element_names&)> check;
+  // in the number type of the points, and in those in which limits are found and interpolated
+  Make_mask<FT> mask;
+  Make_mask<double> double_mask;
+  Make_mask<long double> long_double_mask;
+};
+
+template <class Number, class Scheme>
+auto mask_maker(const Scheme& scheme)
+{
+  return [scheme](const Level_connectivity& level,
+                  unsigned round) -> std::shared_ptr<const Erased_mask<Number>> {
+    using Mask = decltype(scheme.template mask<Number>(level, round));
+    return std::make_shared<Erased_mask_of<Mask, Scheme, Number>>(scheme, level, round);
+  };
+}
+
+template <class FT, class Scheme>
+Scheme_facts<FT> facts_of(const Scheme& scheme)
+{
+  Scheme_facts<FT> facts;
+  if constexpr (Has_name<Scheme>::value) facts.name = scheme.name();
+  facts.ghost_rings = ghost_rings(scheme);
+  facts.has_crease_rules = has_crease_rules(scheme);
+  facts.transfers_curvature = transfers_curvature(scheme);
+  facts.first_round = first_tuned_round(scheme);
+  facts.limit_neighborhood = limit_neighborhood(scheme);
+  facts.normal_estimate = stated_normal_estimate(scheme);
+  facts.dense_row_entries = [scheme](const Level_connectivity& level, unsigned round) {
+    return dense_row_entries(scheme, level, round);
+  };
+  facts.check = [scheme](const Level_connectivity& level, const Element_names& names) {
+    check_scheme(scheme, level, names);
+  };
+  facts.mask = mask_maker<FT>(scheme);
+  facts.double_mask = mask_maker<double>(scheme);
+  facts.long_double_mask = mask_maker<long double>(scheme);
+  return facts;
+}
+
+// A scheme that was chosen at run time, on the host that it has: a model of PNSubdivisionScheme_3. What its type
+// says is what a scheme on this host may be; scheme_facts.h asks what it is.
+template <class Host_, class FT>
+class Scheme_on_host
+{
+  static constexpr bool may_be_creased =
+    std::is_same_v<Host_, PQQ_host> || std::is_same_v<Host_, PTQ_host>;
+
+public:
+  using Host = Host_;
+  using Number_type = FT;
+
+  static constexpr unsigned ghost_rings = 1;
+  static constexpr bool has_crease_rules = may_be_creased;
+  static constexpr bool transfers_curvature = may_be_creased;
+
+  template <class Scheme>
+  explicit Scheme_on_host(const Scheme& scheme)
+    : facts_(std::make_shared<const Scheme_facts<FT>>(facts_of<FT>(scheme)))
+  {}
+
+  const Scheme_facts<FT>& facts() const { return *facts_; }
+
+  const std::string& name() const { return facts_->name; }
+  unsigned first_round() const { return facts_->first_round; }
+  std::optional<Control_normal_estimate> normal_estimate() const { return facts_->normal_estimate; }
+  void check(const Level_connectivity& level, const Element_names& names) const
+  {
+    facts_->check(level, names);
+  }
+
+  template <class Number>
+  Any_mask<Number> mask(const Level_connectivity& level, unsigned round) const
+  {
+    if constexpr (std::is_same_v<Number, FT>)
+      return Any_mask<Number>(facts_->mask(level, round));
+    else if constexpr (std::is_same_v<Number, double>)
+      return Any_mask<Number>(facts_->double_mask(level, round));
+    else {
+      static_assert(std::is_same_v<Number, long double>,
+                    "PN_subdivision_3: an Any_scheme has weights of its own number type only");
+      return Any_mask<Number>(facts_->long_double_mask(level, round));
+    }
+  }
+
+private:
+  std::shared_ptr<const Scheme_facts<FT>> facts_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_ON_HOST_H

@@ -1,0 +1,188 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_ON_HOST_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_ON_HOST_H
+
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
+
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// in the place of the host of an Any_scheme: functions that take one call themselves with the scheme on its host
+struct Host_at_run_time
+{};
+
+// whether it is an Any_scheme, or what adapts one
+template <class Scheme, class = void>
+struct Is_any : std::false_type
+{};
+template <class Scheme>
+struct Is_any<Scheme, std::void_t<typename Scheme::Host>>
+  : std::is_same<typename Scheme::Host, Host_at_run_time>
+{};
+
+template <class Scheme>
+constexpr auto number_type_of_any(const Scheme* scheme)
+{
+  if constexpr (Is_adaptor<Scheme>::value)
+    return number_type_of_any(&scheme->scheme);
+  else
+    return typename Scheme::Number_type();
+}
+
+template <class Scheme, class Other>
+auto adapted_alike(const Linear_scheme<Scheme>&, const Other& other)
+{
+  return linear(other);
+}
+template <class Scheme, class Other>
+auto adapted_alike(const Scheme_with_border<Scheme>& adaptor, const Other& other)
+{
+  return with_border(other, adaptor.border);
+}
+template <class Scheme, class Map, class Other>
+auto adapted_alike(const Scheme_with_crease_tangents<Scheme, Map>& adaptor, const Other& other)
+{
+  return with_crease_tangents(other, adaptor.tangents);
+}
+template <class Scheme, class Other>
+auto adapted_alike(const Scheme_with_normal_estimate<Scheme>& adaptor, const Other& other)
+{
+  return with_normal_estimate(other, adaptor.estimate);
+}
+
+// a call for points of a number type, without normals of corners
+template <class FT_>
+struct Number_call
+{
+  using FT = FT_;
+  static constexpr bool has_corner_normals = false;
+};
+
+// calls f(s) with the scheme on the host that it has
+template <class Result, class Scheme, class Function>
+Result with_host(const Scheme& scheme, const Function& f)
+{
+  if constexpr (Is_with_normals<Scheme>::value)
+    return with_host<Result>(scheme.scheme, [&](const auto& points) -> Result {
+      return with_host<Result>(
+        scheme.normal_scheme, [&]([[maybe_unused]] const auto& normals) -> Result {
+          if (transfers_curvature(points) || transfers_curvature(normals))
+            throw std::invalid_argument("PN_subdivision_3: a scheme that transfers curvature "
+                                        "refines points and normals together: it goes with no "
+                                        "other scheme of normals");
+          if constexpr (std::is_same_v<typename std::decay_t<decltype(points)>::Host,
+                                       typename std::decay_t<decltype(normals)>::Host>)
+            return f(with_normal_scheme(points, normals));
+          else
+            throw std::invalid_argument("PN_subdivision_3: " + name_in_message(points) +
+                                        " does not go with " + name_in_message(normals) +
+                                        " for the normals: they split the faces differently");
+        });
+    });
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return with_host<Result>(scheme.scheme,
+                             [&](const auto& s) -> Result { return f(adapted_alike(scheme, s)); });
+  else
+    return scheme.visit([&](const auto& s) -> Result { return f(s); });
+}
+
+// The same in a call. What a host does not take is refused when it is run, since another scheme may be chosen then.
+template <class Result, class Call, class Scheme, class Function>
+Result on_host([[maybe_unused]] const Scheme& scheme, [[maybe_unused]] const Function& f)
+{
+  constexpr bool fits = std::is_same_v<typename Call::FT, decltype(number_type_of_any(&scheme))>;
+  static_assert(fits, "PN_subdivision_3: the points have another number type than the Any_scheme: "
+                      "take Any_scheme<FT> with that of their kernel");
+  if constexpr (fits)
+    return with_host<Result>(scheme, [&](const auto& s) -> Result {
+      using Hosted_scheme = std::decay_t<decltype(s)>;
+      constexpr bool is_creased = Call::has_corner_normals || has_crease_tangents_v<Hosted_scheme>;
+      if constexpr (is_creased && !Has_crease_rules<Hosted_scheme>::value)
+        throw std::invalid_argument("PN_subdivision_3: " + name_in_message(s) +
+                                    " has no rules for creases: it takes a normal per vertex, and "
+                                    "no tangents");
+      else
+        return f(s);
+    });
+  else
+    return Result();
+}
+
+// the same for schemes that keep no vertices
+template <class Result, class Call, class Scheme, class Function>
+Result on_dual_host(const Scheme& scheme, const Function& f)
+{
+  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
+    if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices)
+      throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
+                                  " belong to the vertices, not to the faces: see limit_points()");
+    else
+      return f(s);
+  });
+}
+
+// the same for schemes that keep vertices
+template <class Result, class Call, class Scheme, class Function>
+Result on_primal_host(const Scheme& scheme, const Function& f)
+{
+  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
+    if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices)
+      return f(s);
+    else
+      throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
+                                  " belong to the faces, not to the vertices: see "
+                                  "face_limit_points()");
+  });
+}
+
+// the same for schemes that split edges and faces at them
+template <class Result, class Call, class Scheme, class Function>
+Result on_spline_host(const Scheme& scheme, const Function& f)
+{
+  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
+    using Host = typename std::decay_t<decltype(s)>::Host;
+    if constexpr (std::is_same_v<Host, PQQ_host> || std::is_same_v<Host, PTQ_host>)
+      return f(s);
+    else
+      throw std::invalid_argument("PN_subdivision_3: this is not known for " + name_in_message(s) +
+                                  ": take a scheme that splits faces as Catmull-Clark or Loop");
+  });
+}
+
+// the same for schemes whose limits can be interpolated
+template <class Result, class Call, class Scheme, class Function>
+Result on_interpolated_host(const Scheme& scheme, const Function& f)
+{
+  return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
+    using Host = typename std::decay_t<decltype(s)>::Host;
+    if constexpr (std::is_same_v<Host, PQQ_host> || std::is_same_v<Host, PTQ_host>)
+      if (!transfers_curvature(s)) return f(s);
+    throw std::invalid_argument("PN_subdivision_3: interpolation is not known for " +
+                                name_in_message(s) +
+                                ": take Catmull-Clark or Loop, or their modified forms");
+  });
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_ON_HOST_H
