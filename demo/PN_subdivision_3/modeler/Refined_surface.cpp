@@ -9,11 +9,10 @@
 #include "Refined_surface.h"
 
 #include "io/Error.h"
-#include "surface/limit.h"
 
 #include <CGAL/PN_subdivision_3/estimate_curvature.h>
-#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <numeric>
 #include <type_traits>
@@ -25,34 +24,9 @@ namespace {
 namespace PN = CGAL::PN_subdivision_3;
 using pn_subdivide::Error;
 
-template <class S>
-constexpr bool takes_triangles_v = std::is_same_v<typename S::Host, PN::PTQ_host> ||
-                                   std::is_same_v<typename S::Host, PN::Sqrt3_host>;
-
 Scheme make_scheme(const std::string& name)
 {
   return pn_subdivide::make_scheme("scheme", name, {});
-}
-
-std::unique_ptr<Refinement> make_refinement(const Control_mesh& mesh, const Scheme& scheme,
-                                            unsigned rounds, bool is_linear)
-{
-  const bool can_be_creased = std::visit(
-    [](const auto& s) { return pn_subdivide::can_crease<std::decay_t<decltype(s)>>; }, scheme);
-  const bool transfers = std::visit(
-    [](const auto& s) {
-      return pn_subdivide::Transfers_curvature<std::decay_t<decltype(s)>>::value;
-    },
-    scheme);
-  const bool is_creased = mesh.number_of_sharp_edges() > 0;
-  if (is_creased && !can_be_creased)
-    throw Error(std::visit([](const auto& s) { return std::string(s.name()); }, scheme) +
-                " subdivision has no rules for creases");
-  if (is_creased || (transfers && !is_linear))
-    return is_linear ? make_linear_refinement_with_creases(mesh, scheme, rounds)
-                     : make_pn_refinement_with_creases(mesh, scheme, rounds);
-  return is_linear ? make_linear_refinement(mesh, scheme, rounds)
-                   : make_pn_refinement(mesh, scheme, rounds);
 }
 
 Display_mesh make_display(const Refinement& refinement)
@@ -82,9 +56,10 @@ std::vector<Scheme_traits> scheme_traits()
 {
   std::vector<Scheme_traits> result;
   PN::for_each_shipped_scheme([&](const auto& s) {
-    using S = std::decay_t<decltype(s)>;
-    result.push_back({s.name(), takes_triangles_v<S>, std::is_same_v<S, PN::Kobbelt_scheme>,
-                      pn_subdivide::can_crease<S>, S::Host::keeps_vertices});
+    const Scheme scheme = make_scheme(s.name());
+    result.push_back({scheme.name(), scheme.needs_triangles(),
+                      std::is_same_v<std::decay_t<decltype(s)>, PN::Kobbelt_scheme>,
+                      scheme.has_crease_rules(), scheme.keeps_vertices()});
   });
   return result;
 }
@@ -147,29 +122,28 @@ void Refined_surface::show_limit()
     throw Error("limit points are not computed for surfaces with creases");
   Surface surface =
     make_surface(refinement_->faces(), refinement_->cut_vertices(), refinement_->points());
-  const auto& n = display_.normals();
-  std::vector<Point_3> limit_points(surface.number_of_vertices());
-  std::vector<Vector_3> limit_normals(surface.number_of_vertices());
-  const auto keep = [&](Surface::Vertex_index v, const pn_subdivide::Limit_point& limit) {
-    limit_points[v] = limit.point;
-    // where the eigenvectors tell of no tangent plane the normals of the faces are closer to it
-    limit_normals[v] = limit.has_surface_normal ? limit.surface_normal
-                                                : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]);
-  };
-  const pn_subdivide::Limit_map limits(keep);
-  pn_subdivide::Limit_options options;
+  using Limit_point = PN::Limit_point<pn_subdivide::Kernel>;
+  const auto limits = surface.add_property_map<Surface::Vertex_index, Limit_point>("v:limit").first;
+  PN::Limit_options options;
   options.tolerance = 1e-7; // a pixel is a thousandth
   options.surface_normals = true;
   options.rounds_done = rounds_;
   if (is_linear_)
-    pn_subdivide::linear_limits(surface, scheme_, limits, options);
+    PN::limit_points(surface, PN::linear(scheme_), limits, options);
   else {
     const Normal_map normals = pn_subdivide::add_normals(surface);
     for (const auto v : surface.vertices()) normals[v] = refinement_->normals()[v];
-    pn_subdivide::limits_with_normals(surface, normals, scheme_, limits, options);
+    PN::limit_points(surface, scheme_, limits, options,
+                     CGAL::parameters::vertex_normal_map(normals));
   }
-  limit_points_ = std::move(limit_points);
-  limit_normals_ = std::move(limit_normals);
+  for (const auto v : surface.vertices()) {
+    limit_points_.push_back(limits[v].point);
+    // where the eigenvectors tell of no tangent plane the normals of the faces are closer to it
+    const auto& n = display_.normals();
+    limit_normals_.push_back(limits[v].has_surface_normal
+                               ? limits[v].surface_normal
+                               : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]));
+  }
   display_.set(limit_points_, limit_normals_);
 }
 

@@ -51,19 +51,9 @@ public:
   virtual const std::vector<Index>& cut_vertices() const = 0;
 };
 
-// Each of these has a source file of its own, since calls for every scheme take long to compile.
-
-// Nothing must be sharp, and the scheme must not transfer curvature.
-std::unique_ptr<Refinement> make_pn_refinement(const Control_mesh& mesh, const Scheme& scheme,
-                                               unsigned rounds);
-std::unique_ptr<Refinement> make_linear_refinement(const Control_mesh& mesh, const Scheme& scheme,
-                                                   unsigned rounds);
-// Subdivides anew in every update(). The scheme must have rules for creases.
-std::unique_ptr<Refinement> make_pn_refinement_with_creases(const Control_mesh& mesh,
-                                                            const Scheme& scheme, unsigned rounds);
-std::unique_ptr<Refinement> make_linear_refinement_with_creases(const Control_mesh& mesh,
-                                                                const Scheme& scheme,
-                                                                unsigned rounds);
+// Throws if the mesh has creases and the scheme no rules for them.
+std::unique_ptr<Refinement> make_refinement(const Control_mesh& mesh, const Scheme& scheme,
+                                            unsigned rounds, bool is_linear);
 
 } // namespace pn_demo
 

@@ -21,6 +21,7 @@ the weights of the new vertices. Parameters such as a tension are members of the
 \cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::modified_CatmullClark_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::modified_Loop_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Any_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Linear_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_normals}
 \cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_border}
@@ -52,6 +53,13 @@ public:
   /// `CGAL::PN_subdivision_3::Surface_pieces`: with so many rings that are right on a level, a round gives so many
   /// that are right. It is at least as many as the rows reach; whatever else a mask looks at counts, too.
   static constexpr unsigned ghost_rings;
+
+  /// optional: what has to be regular around a vertex for the scheme to do there the same in every round, so that
+  /// limits are known. Without it, limits are found for masks as large as those of the package.
+  static constexpr CGAL::PN_subdivision_3::Limit_neighborhood limit_neighborhood;
+
+  /// optional: the first round from which on the rules are the same in all. Without it, the first.
+  unsigned first_round() const;
 
   /// optional: `true` if the rules of the mask for border edges and border vertices, rows of two and three
   /// entries along the border, may serve along creases. The host is then `PQQ_host` or `PTQ_host`. If the

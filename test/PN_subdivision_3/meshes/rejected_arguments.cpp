@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -58,6 +59,12 @@ void reject(Mesh& mesh)
 
   PN::subdivide(mesh, PN::with_crease_tangents(PN::Sqrt3_scheme(), tangents));
   // expected: with_crease_tangents() is given a scheme without rules for creases
+
+  PN::subdivide(mesh, PN::Any_scheme<float>(PN::Loop_scheme()));
+  // expected: the points have another number type than the Any_scheme
+
+  PN::Any_scheme<>(PN::linear(PN::Loop_scheme()));
+  // expected: make an Any_scheme of the scheme that is adapted, and adapt it
 
   PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
   // expected: the map of creases is no property map of the mesh's edges

@@ -1,0 +1,20 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+
+using namespace CGAL::PN_subdivision_3;
+
+namespace header_in_use {
+
+bool use_scheme_by_name()
+{
+  return any_scheme("kobbelt", {{"tension", {1, 16}}}).interpolates();
+}
+
+} // namespace header_in_use
