@@ -52,28 +52,6 @@ private:
   bool is_kept_ = false;
 };
 
-// gives a child of hosts the connectivity of a level
-template <class Child>
-void copy_connectivity(const Level_connectivity& level, Child& child)
-{
-  using Index = Level_connectivity::Index;
-  for (Index h = 0; h < level.number_of_halfedges(); ++h) {
-    child.set_target(h, level.target(h));
-    child.set_next(h, level.next(h));
-    if (level.is_border(h))
-      child.set_border(h);
-    else
-      child.set_face(h, level.face(h));
-  }
-  for (Index v = 0; v < level.number_of_vertices(); ++v)
-    if (level.is_isolated(v))
-      child.set_isolated(v);
-    else
-      child.set_halfedge_of_vertex(v, level.halfedge_of_vertex(v));
-  for (Index f = 0; f < level.number_of_faces(); ++f)
-    child.set_halfedge_of_face(f, level.halfedge_of_face(f));
-}
-
 // Makes an empty mesh one with the connectivity of a level and with points and normals.
 template <class Access, class Point_map, class Point, class Normal_map, class Vector>
 void build_mesh(Access& access, const Level_connectivity& level, Point_map point_map,
@@ -95,10 +73,7 @@ void build_mesh(Access& access, const Level_connectivity& level, Point_map point
     if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
       if (v < normals.size()) put(normal_map, access.vertex(v), normals[v]);
   }
-  if constexpr (Access::is_child_of_hosts)
-    copy_connectivity(level, access);
-  else
-    access.write(level, For_chunks());
+  access.write(level, For_chunks());
   growth.keep();
 }
 

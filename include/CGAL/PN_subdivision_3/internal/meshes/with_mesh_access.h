@@ -27,13 +27,13 @@ inline constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
 template <class Mesh, class Function>
 void with_mesh_access(Mesh& mesh, const Function& f)
 {
-  if constexpr (is_surface_mesh_v<std::remove_const_t<Mesh>>)
-    if (!mesh.has_garbage()) {
-      Surface_mesh_access<Mesh> access(mesh);
-      return f(access);
-    }
-  Bgl_mesh_access<Mesh> access(mesh);
-  f(access);
+  if constexpr (is_surface_mesh_v<std::remove_const_t<Mesh>>) {
+    Surface_mesh_access<Mesh> access(mesh);
+    f(access);
+  } else {
+    Bgl_mesh_access<Mesh> access(mesh);
+    f(access);
+  }
 }
 
 } // namespace internal
