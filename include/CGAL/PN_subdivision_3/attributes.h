@@ -102,7 +102,7 @@ internal::Edge_parents<Map> edge_parents(Map map)
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-returns what `subdivide()` is to carry beside points and normals: any number of the results of
+returns what `subdivide()` or `subdivide_to_limit()` is to carry beside points and normals: any number of the results of
 `vertex_attribute()`, `corner_attribute()`, `edge_attribute()`, `face_attribute()`, `face_parents()`,
 `vertex_parents()` and `edge_parents()`.
 */
