@@ -110,14 +110,17 @@ struct Case
     set_attributes(attributes);
   }
 
-  // points and normals
-  std::vector<double> values() const
+  std::vector<double> points() const
   {
-    std::vector<double> result;
-    const auto add = [&](const auto& p) { result.insert(result.end(), {p.x(), p.y(), p.z()}); };
-    for (auto v : mesh.vertices()) add(mesh.point(v)), add(normals[v]);
-    for (auto h : mesh.halfedges()) add(corner_normals[h]);
-    return result;
+    return coordinates(mesh.vertices(), [&](auto v) { return mesh.point(v); });
+  }
+  std::vector<double> vertex_normals() const
+  {
+    return coordinates(mesh.vertices(), [&](auto v) { return normals[v]; });
+  }
+  std::vector<double> all_corner_normals() const
+  {
+    return coordinates(mesh.halfedges(), [&](auto h) { return corner_normals[h]; });
   }
   std::vector<double> all_sharpness() const
   {
@@ -145,6 +148,17 @@ struct Case
   std::string error; // why the call was refused
 
 private:
+  template <class Elements, class Function>
+  static std::vector<double> coordinates(const Elements& elements, const Function& of)
+  {
+    std::vector<double> result;
+    for (auto x : elements) {
+      const auto p = of(x);
+      result.insert(result.end(), {p.x(), p.y(), p.z()});
+    }
+    return result;
+  }
+
   void set_sharpness(Crease_kind kind)
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
