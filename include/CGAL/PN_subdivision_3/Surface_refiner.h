@@ -19,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_rounds.h>
@@ -64,8 +65,8 @@ Without a `vertex_normal_map`, control normals are estimated from the points, an
 
 <b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals
 move, the sharpness stays. The tangents of creases are made anew from the control points and normals. A
-control vertex between creases has a normal on each side, which are estimated; `normals()` then holds their
-mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all that lies on creases.
+control vertex between creases has a normal on each side, which are estimated, or given by a `vertex_normal_map` of
+half-edges, and then stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all that lies on creases.
 
 <b>Attributes.</b> What else the control mesh carries is named as for `subdivide()` and does not depend on its points: it is
 refined once, by the constructor, and `build_mesh()` puts it.
@@ -126,12 +127,13 @@ public:
                   const Attributes& attributes)
   {
     if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Number_call<FT>>(scheme, [&](const auto& s) {
-        if (internal::transfers_curvature(s))
-          throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
-                                      "transfers curvature");
-        this->read_mesh(mesh, s, np, attributes);
-      });
+      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, [&](const auto& s) {
+          if (internal::transfers_curvature(s))
+            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
+                                        "transfers curvature");
+          this->read_mesh(mesh, s, np, attributes);
+        });
     else
       read_mesh(mesh, scheme, np, attributes);
   }
@@ -242,7 +244,7 @@ public:
   \tparam PolygonMesh a model of `MutableFaceGraph`
   \param mesh an empty mesh
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
-    `vertex_normal_map`, which are written
+    `vertex_normal_map`, which are written; the normal map may be of half-edges, and gets the normals of corners
   \param attributes what gets the attributes: a table, or maps of `mesh` of the same kinds, with the same types of values,
     in the same order as the constructor was given
   \throws std::invalid_argument if the mesh is not empty, or if the attributes are others
@@ -251,14 +253,20 @@ public:
   template <class PolygonMesh, class NamedParameters, class Attributes>
   void build_mesh(PolygonMesh& mesh, const NamedParameters& np, Attributes&& attributes) const
   {
-    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>() &&
+    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters, true>() &&
                   internal::check_attributes<PolygonMesh, Attributes>()) {
       const Level_connectivity refined = connectivity();
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       internal::with_mesh_access(mesh, [&](auto& access) {
+        const auto map = Parameters::normal_map(np);
+        using Writers =
+          internal::Normal_writers<std::decay_t<decltype(access)>, std::decay_t<decltype(map)>>;
         internal::build_mesh(access, refined, Parameters::point_map(mesh, np), points_,
-                             Parameters::normal_map(np), normals_,
-                             [&] { attributes_.put_all(access, refined, attributes); });
+                             Writers::vertex_map(map), normals_, [&] {
+                               if constexpr (is_pn && Writers::Corner_writer::takes_corners)
+                                 put_corner_normals(access, refined, map);
+                               attributes_.put_all(access, refined, attributes);
+                             });
       });
     }
   }
@@ -284,12 +292,22 @@ private:
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       const unsigned rounds = Parameters::number_of_iterations(np);
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
+        read(access, scheme, Parameters::const_point_map(mesh, np), used_normals<Parameters>(np),
              Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds,
              attributes);
       });
       update();
     }
+  }
+
+  // a linear scheme has no use for normals
+  template <class Parameters, class NamedParameters>
+  static auto used_normals([[maybe_unused]] const NamedParameters& np)
+  {
+    if constexpr (is_pn)
+      return Parameters::normal_map(np);
+    else
+      return internal::No_normal_map();
   }
 
   template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
@@ -309,8 +327,16 @@ private:
     auto creases = of_mesh.creases(level);
     using Level_creases = decltype(creases);
     if (rounds == 0) creases = Level_creases(level.number_of_vertices());
-    control_ = std::make_unique<Control>(access, level, points, normals,
-                                         internal::normal_estimate(scheme), !creases.empty());
+    using Writers = internal::Normal_writers<Access, Normal_map>;
+    constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
+    control_ = std::make_unique<Control>(access, level, points, Writers::vertex_map(normals),
+                                         internal::normal_estimate(scheme),
+                                         takes_corners || !creases.empty());
+    if constexpr (takes_corners) {
+      std::vector<Value> slots(creases.number_of_slots);
+      internal::read_corner_normals<FT>(access, level, creases, normals, slots);
+      control_->set_slot_normals(slots);
+    }
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
     if constexpr (!std::is_same_v<Attributes, internal::No_attributes>)
       attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,
@@ -321,12 +347,22 @@ private:
       scheme, std::move(level), std::move(creases), rounds, *control_, for_chunks);
   }
 
+  template <class Access, class Map>
+  void put_corner_normals(const Access& access, const Level_connectivity& refined, Map map) const
+  {
+    rounds_->for_each_corner(refined, [&](Index h, const Value* value) {
+      const Vector_3& n = normals_[refined.target(h)];
+      put(map, access.halfedge_at(h),
+          value == nullptr ? n : Vector_3(value->normal[0], value->normal[1], value->normal[2]));
+    });
+  }
+
   void evaluate_all()
   {
     changed_.resize(points_.size());
     std::iota(changed_.begin(), changed_.end(), Index(0));
     rounds_->evaluate([&](Index first, const Value* values, Index n) {
-      for (Index i = 0; i < n; ++i) put(first + i, values[i]);
+      for (Index i = 0; i < n; ++i) store(first + i, values[i]);
     });
   }
 
@@ -334,11 +370,11 @@ private:
   {
     changed_ = rounds_->evaluate_from(std::move(control_vertices),
                                       [&](const Index* vertices, const Value* values, Index n) {
-                                        for (Index i = 0; i < n; ++i) put(vertices[i], values[i]);
+                                        for (Index i = 0; i < n; ++i) store(vertices[i], values[i]);
                                       });
   }
 
-  void put(Index v, const Value& value)
+  void store(Index v, const Value& value)
   {
     const Coordinates& p = internal::point_of(value);
     if (control_->is_near_overflow())
