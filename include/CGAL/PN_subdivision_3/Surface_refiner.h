@@ -63,17 +63,18 @@ refined mesh as in the result of `subdivide()`. The refiner keeps no reference t
 Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
 `update()` after a point was set; a normal that is set stays as it is.
 
-<b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals
-move, the sharpness stays. The tangents of creases are made anew from the control points and normals. A
-control vertex between creases has a normal on each side, which are estimated, or given by a `vertex_normal_map` of
-half-edges, and then stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all that lies on creases.
+<b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals move, the
+sharpness stays. The tangents of creases are made anew from the control points and normals. A control vertex between
+creases has a normal on each side, which are estimated, or given by a `vertex_normal_map` of half-edges, and then
+stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all
+that lies on creases.
 
-<b>Attributes.</b> What else the control mesh carries is named as for `subdivide()` and does not depend on its points: it is
-refined once, by the constructor, and `build_mesh()` puts it.
+<b>Attributes.</b> What else the control mesh carries is named as for `subdivide()` and does not depend on its points:
+it is refined once, by the constructor, and `build_mesh()` puts it.
 
-<b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the
-last in `double`, besides the results (`points()` and `normals()`, 48 bytes a vertex, and refined attributes). The first `update()`
-that does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for
+<b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the last in
+`double`, besides the results (`points()` and `normals()`, 48 bytes a vertex, and refined attributes). The first
+`update()` that does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for
 each entry of the rows, 6.3 a refined vertex with Catmull-Clark subdivision. `memory()` tells.
 
 <b>Exceptions.</b> If `update()` throws, `points()` and `normals()` may hold old values and new ones; the
@@ -244,7 +245,8 @@ public:
   \tparam PolygonMesh a model of `MutableFaceGraph`
   \param mesh an empty mesh
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
-    `vertex_normal_map`, which are written; the normal map may be of half-edges, and gets the normals of corners
+    `vertex_normal_map`, which are written; the normal map may be of half-edges, and gets the normals of corners (after
+    0 rounds those of their vertices)
   \param attributes what gets the attributes: a table, or maps of `mesh` of the same kinds, with the same types of values,
     in the same order as the constructor was given
   \throws std::invalid_argument if the mesh is not empty, or if the attributes are others

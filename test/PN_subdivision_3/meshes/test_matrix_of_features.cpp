@@ -92,10 +92,12 @@ void compare_refiners(const std::string& scheme, Crease_kind creases, const Norm
     expect_same_tables(refiner.table, plain.table);
     EXPECT_EQ(refiner.connectivity(), plain.connectivity());
     EXPECT_TRUE(same_bytes(refiner.points(), plain.points()));
-    if (std::is_same_v<Normals, Of_vertices>)
+    if (std::is_same_v<Normals, Of_vertices>) {
       EXPECT_TRUE(same_bytes(refiner.vertex_normals(), plain.vertex_normals()));
-    if (std::is_same_v<Normals, Of_corners>)
+    }
+    if (std::is_same_v<Normals, Of_corners>) {
       EXPECT_TRUE(same_bytes(refiner.all_corner_normals(), plain.all_corner_normals()));
+    }
   }
 }
 

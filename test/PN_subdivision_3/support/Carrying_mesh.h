@@ -51,7 +51,8 @@ struct Carrying
   }
   auto attributes() const
   {
-    return PN::attributes(PN::vertex_attribute(of_vertices), PN::corner_attribute(of_corners),
+    return PN::attributes(PN::vertex_attribute(of_vertices),
+                          PN::corner_attribute(of_corners, PN::Corner_rule::linear),
                           PN::edge_attribute(of_edges), PN::face_attribute(of_faces));
   }
   std::vector<Number> carried() const
