@@ -97,6 +97,21 @@ TEST(Refiner_with_attributes, InMapsOfOtherMeshes)
   compare<Mesh, Polyhedron, double>(mesh_cases::mixed_with_border(), scheme);
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Refiner_with_attributes, OnSeveralThreads)
+{
+  const PN::CatmullClark_scheme scheme;
+  const auto np = params::number_of_iterations(5); // some chunks of vertices
+  Carrying<Mesh> control(mesh_cases::mixed_with_border()), plain(mesh_cases::mixed_with_border());
+  Carrying<Mesh> built;
+  const PN::Surface_refiner<PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> refiner(
+    control.mesh, scheme, np, control.attributes());
+  refiner.build_mesh(built.mesh, params::default_values(), built.attributes());
+  PN::subdivide(plain.mesh, scheme, np, plain.attributes());
+  EXPECT_EQ(built.carried(), plain.carried());
+}
+#endif
+
 TEST(Refiner_with_attributes, InExactNumbers)
 {
   using FT = CGAL::Exact_rational;
