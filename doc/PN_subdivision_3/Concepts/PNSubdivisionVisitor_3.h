@@ -7,10 +7,10 @@
 \ingroup PkgPNSubdivision3Concepts
 \cgalConcept
 
-What `CGAL::PN_subdivision_3::subdivide()` tells of its rounds and of the elements of the refined mesh. A visitor needs
-one of these members; those that it has not, or inherits from `CGAL::PN_subdivision_3::Default_visitor`, are not called
-and cost nothing. A member of one of these names that cannot be called with these arguments is an error when the call is
-compiled, which shows what is expected.
+What `CGAL::PN_subdivision_3::subdivide()` and `CGAL::PN_subdivision_3::subdivide_to_limit()` tell of their rounds and
+of the elements of the refined mesh. A visitor needs one of these members; those that it has not, or inherits from
+`CGAL::PN_subdivision_3::Default_visitor`, are not called and cost nothing. A member of one of these names that cannot
+be called with these arguments is an error when the call is compiled, which shows what is expected.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::PN_subdivision_3::Default_visitor}

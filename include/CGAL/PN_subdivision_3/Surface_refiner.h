@@ -9,14 +9,17 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SURFACE_REFINER_H
 #define CGAL_PN_SUBDIVISION_3_SURFACE_REFINER_H
 
+#include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_rounds.h>
@@ -29,6 +32,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,14 +63,18 @@ refined mesh as in the result of `subdivide()`. The refiner keeps no reference t
 Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
 `update()` after a point was set; a normal that is set stays as it is.
 
-<b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals
-move, the sharpness stays. The tangents of creases are made anew from the control points and normals. A
-control vertex between creases has a normal on each side, which are estimated; `normals()` then holds their
-mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all that lies on creases.
+<b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals move, the
+sharpness stays. The tangents of creases are made anew from the control points and normals. A control vertex between
+creases has a normal on each side, which are estimated, or given by a `vertex_normal_map` of half-edges, and then
+stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all
+that lies on creases.
 
-<b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the
-last in `double`, besides the results (`points()` and `normals()`, 48 bytes a vertex). The first `update()`
-that does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for
+<b>Attributes.</b> What else the control mesh carries is named as for `subdivide()` and does not depend on its points:
+it is refined once, by the constructor, and `build_mesh()` puts it.
+
+<b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the last in
+`double`, besides the results (`points()` and `normals()`, 48 bytes a vertex, and refined attributes). The first
+`update()` that does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for
 each entry of the rows, 6.3 a refined vertex with Catmull-Clark subdivision. `memory()` tells.
 
 <b>Exceptions.</b> If `update()` throws, `points()` and `normals()` may hold old values and new ones; the
@@ -110,24 +118,32 @@ public:
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
     they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map`, and `geom_traits`, as in
     `subdivide()`; the maps are read only
+  \param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`; they are read only
 
   \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as
     `subdivide()` does
   */
+  template <class PolygonMesh, class NamedParameters, class Attributes>
+  Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& np,
+                  const Attributes& attributes)
+  {
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, [&](const auto& s) {
+          if (internal::transfers_curvature(s))
+            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
+                                        "transfers curvature");
+          this->read_mesh(mesh, s, np, attributes);
+        });
+    else
+      read_mesh(mesh, scheme, np, attributes);
+  }
+  /// does the same without attributes.
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Number_call<FT>>(scheme, [&](const auto& s) {
-        if (internal::transfers_curvature(s))
-          throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
-                                      "transfers curvature");
-        this->read_mesh(mesh, s, np);
-      });
-    else
-      read_mesh(mesh, scheme, np);
-  }
+    : Surface_refiner(mesh, scheme, np, internal::No_attributes())
+  {}
 
   /// \name Size
   /// @{
@@ -145,7 +161,8 @@ public:
   std::size_t memory() const
   {
     return rounds_->memory() + control_->memory() + points_.capacity() * sizeof(Point_3) +
-           normals_.capacity() * sizeof(Vector_3) + changed_.capacity() * sizeof(Index);
+           normals_.capacity() * sizeof(Vector_3) + changed_.capacity() * sizeof(Index) +
+           attributes_.memory();
   }
   /// @}
 
@@ -228,20 +245,38 @@ public:
   \tparam PolygonMesh a model of `MutableFaceGraph`
   \param mesh an empty mesh
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
-    `vertex_normal_map`, which are written
-  \throws std::invalid_argument if the mesh is not empty
+    `vertex_normal_map`, which are written; the normal map may be of half-edges, and gets the normals of corners (after
+    0 rounds those of their vertices)
+  \param attributes what gets the attributes: a table, or maps of `mesh` of the same kinds, with the same types of values,
+    in the same order as the constructor was given
+  \throws std::invalid_argument if the mesh is not empty, or if the attributes are others
   \throws std::length_error if the index type of the mesh cannot number the elements
   */
+  template <class PolygonMesh, class NamedParameters, class Attributes>
+  void build_mesh(PolygonMesh& mesh, const NamedParameters& np, Attributes&& attributes) const
+  {
+    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters, true>() &&
+                  internal::check_attributes<PolygonMesh, Attributes>()) {
+      const Level_connectivity refined = connectivity();
+      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      internal::with_mesh_access(mesh, [&](auto& access) {
+        const auto map = Parameters::normal_map(np);
+        using Writers =
+          internal::Normal_writers<std::decay_t<decltype(access)>, std::decay_t<decltype(map)>>;
+        internal::build_mesh(access, refined, Parameters::point_map(mesh, np), points_,
+                             Writers::vertex_map(map), normals_, [&] {
+                               if constexpr (is_pn && Writers::Corner_writer::takes_corners)
+                                 put_corner_normals(access, refined, map);
+                               attributes_.put_all(access, refined, attributes);
+                             });
+      });
+    }
+  }
+  /// does the same without attributes.
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
   void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
-    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>()) {
-      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-      internal::with_mesh_access(mesh, [&](auto& access) {
-        internal::build_mesh(access, connectivity(), Parameters::point_map(mesh, np), points_,
-                             Parameters::normal_map(np), normals_);
-      });
-    }
+    build_mesh(mesh, np, internal::No_attributes());
   }
   /// @}
 
@@ -249,25 +284,38 @@ private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
 
   // the scheme has a host
-  template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
-  void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
+  template <class PolygonMesh, class Hosted_scheme, class NamedParameters, class Attributes>
+  void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np,
+                 const Attributes& attributes)
   {
     if constexpr (internal::check_refiner_arguments<PolygonMesh, Hosted_scheme,
-                                                    NamedParameters>()) {
+                                                    NamedParameters>() &&
+                  internal::check_attributes<PolygonMesh, Attributes&>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       const unsigned rounds = Parameters::number_of_iterations(np);
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
-             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds);
+        read(access, scheme, Parameters::const_point_map(mesh, np), used_normals<Parameters>(np),
+             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds,
+             attributes);
       });
       update();
     }
   }
 
+  // a linear scheme has no use for normals
+  template <class Parameters, class NamedParameters>
+  static auto used_normals([[maybe_unused]] const NamedParameters& np)
+  {
+    if constexpr (is_pn)
+      return Parameters::normal_map(np);
+    else
+      return internal::No_normal_map();
+  }
+
   template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
-            class Vertex_map>
+            class Vertex_map, class Attributes>
   void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
-            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds)
+            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds, const Attributes& attributes)
   {
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
@@ -275,19 +323,40 @@ private:
     const Level_size size = internal::checked_refined_size<typename Hosted_scheme::Host>(
       level.size(), rounds, Level_connectivity::null);
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
-    auto creases =
-      internal::Mesh_creases_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map, Vertex_map>(
-        scheme, access, level, edge_map, vertex_map)
-        .creases(level);
+    const internal::Mesh_creases_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map,
+                                         Vertex_map>
+      of_mesh(scheme, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
     using Level_creases = decltype(creases);
     if (rounds == 0) creases = Level_creases(level.number_of_vertices());
-    control_ = std::make_unique<Control>(access, level, points, normals,
-                                         internal::normal_estimate(scheme), !creases.empty());
+    using Writers = internal::Normal_writers<Access, Normal_map>;
+    constexpr bool takes_corners = Writers::Corner_writer::takes_corners;
+    control_ = std::make_unique<Control>(access, level, points, Writers::vertex_map(normals),
+                                         internal::normal_estimate(scheme),
+                                         takes_corners || !creases.empty());
+    if constexpr (takes_corners) {
+      std::vector<Value> slots(creases.number_of_slots);
+      internal::read_corner_normals<FT>(access, level, creases, normals, slots);
+      control_->set_slot_normals(slots);
+    }
+    const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+    if constexpr (!std::is_same_v<Attributes, internal::No_attributes>)
+      attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,
+                             attributes, for_chunks);
     points_.assign(size.vertices, Point_3(0, 0, 0));
     if (is_pn) normals_.assign(size.vertices, Vector_3(0, 0, 0));
     rounds_ = std::make_unique<internal::Kept_rounds<Hosted_scheme, Average, Level_creases>>(
-      scheme, std::move(level), std::move(creases), rounds, *control_,
-      internal::For_chunks::with(Concurrency_tag()));
+      scheme, std::move(level), std::move(creases), rounds, *control_, for_chunks);
+  }
+
+  template <class Access, class Map>
+  void put_corner_normals(const Access& access, const Level_connectivity& refined, Map map) const
+  {
+    rounds_->for_each_corner(refined, [&](Index h, const Value* value) {
+      const Vector_3& n = normals_[refined.target(h)];
+      put(map, access.halfedge_at(h),
+          value == nullptr ? n : Vector_3(value->normal[0], value->normal[1], value->normal[2]));
+    });
   }
 
   void evaluate_all()
@@ -295,7 +364,7 @@ private:
     changed_.resize(points_.size());
     std::iota(changed_.begin(), changed_.end(), Index(0));
     rounds_->evaluate([&](Index first, const Value* values, Index n) {
-      for (Index i = 0; i < n; ++i) put(first + i, values[i]);
+      for (Index i = 0; i < n; ++i) store(first + i, values[i]);
     });
   }
 
@@ -303,11 +372,11 @@ private:
   {
     changed_ = rounds_->evaluate_from(std::move(control_vertices),
                                       [&](const Index* vertices, const Value* values, Index n) {
-                                        for (Index i = 0; i < n; ++i) put(vertices[i], values[i]);
+                                        for (Index i = 0; i < n; ++i) store(vertices[i], values[i]);
                                       });
   }
 
-  void put(Index v, const Value& value)
+  void store(Index v, const Value& value)
   {
     const Coordinates& p = internal::point_of(value);
     if (control_->is_near_overflow())
@@ -322,8 +391,13 @@ private:
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
   std::vector<Index> changed_;
+  internal::Kept_attributes attributes_;
 };
 
+template <class PolygonMesh, class Scheme, class NamedParameters, class Attributes>
+Surface_refiner(const PolygonMesh&, const Scheme&, const NamedParameters&, const Attributes&)
+  -> Surface_refiner<
+    Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
 template <class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Surface_refiner(const PolygonMesh&, const Scheme&,

@@ -102,9 +102,9 @@ internal::Edge_parents<Map> edge_parents(Map map)
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-returns what `subdivide()` is to carry beside points and normals: any number of the results of
-`vertex_attribute()`, `corner_attribute()`, `edge_attribute()`, `face_attribute()`, `face_parents()`,
-`vertex_parents()` and `edge_parents()`.
+returns what `subdivide()`, `subdivide_to_limit()` or a `Surface_refiner` is to carry beside points and normals: any
+number of the results of `vertex_attribute()`, `corner_attribute()`, `edge_attribute()`, `face_attribute()`,
+`face_parents()`, `vertex_parents()` and `edge_parents()`.
 */
 template <class... Items>
 internal::Attributes<Items...> attributes(const Items&... items)

@@ -98,7 +98,7 @@ public:
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       internal::with_mesh_access(mesh, [&](auto& access) {
         internal::build_mesh(access, connectivity_, Parameters::point_map(mesh, np), points_,
-                             Parameters::normal_map(np), normals_);
+                             Parameters::normal_map(np), normals_, [] {});
       });
     }
   }

@@ -18,7 +18,6 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -191,11 +190,7 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& n
     auto visitor = Parameters::visitor(np);
     auto& unwrapped = internal::unwrapped(visitor);
     using Visitor = std::remove_reference_t<decltype(unwrapped)>;
-    const auto round_done = [&](unsigned k, std::size_t number_of_faces) {
-      (void)k, (void)number_of_faces;
-      if constexpr (internal::Visits_rounds<Visitor>::value)
-        unwrapped.round_done(k, number_of_faces);
-    };
+    const internal::Call_round_done<Visitor> round_done{unwrapped};
     if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
     const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
       unwrapped, attributes};

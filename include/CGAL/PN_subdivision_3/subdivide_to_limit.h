@@ -10,6 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVIDE_TO_LIMIT_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -18,6 +20,7 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -34,8 +37,10 @@ call.
 \param options what is computed, and how well; `Limit_options::rounds_done` is 0, since the call counts its rounds itself
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
   `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), which become what
-  `move_to_limit()` makes of them, `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
-  `subdivide()`
+  `move_to_limit()` makes of them, `edge_is_constrained_map`, `vertex_is_constrained_map`, `geom_traits` and `visitor`,
+  as in `subdivide()`
+\param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`, which is read and
+  changed
 
 \returns what was reached
 
@@ -47,23 +52,26 @@ With `edge_is_constrained_map`, `vertex_is_constrained_map`, `with_border()` and
 has creases as in `subdivide()`, and the limits are those of `limit_points()`: what is sharp for a finite number of
 rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are those
 of the limit.
+
+Attributes are those that `subdivide()` leaves after as many rounds, bit for bit: values of vertices and corners are
+not moved to their limits. With 0 rounds they stay as they are, and the visitor is not called. It may cancel the call by
+an exception of `round_done()`, also of the last round, after which limits are computed.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters, class Attributes>
 Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
-                                const Limit_options& options = Limit_options(),
-                                const NamedParameters& np = parameters::default_values())
+                                const Limit_options& options, const NamedParameters& np,
+                                Attributes&& attributes)
 {
   if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_primal_host<Limit_report,
                                     internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme,
-      [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, options, np); });
+      scheme, [&](const auto& s) {
+        return subdivide_to_limit<Concurrency_tag>(mesh, s, options, np, attributes);
+      });
   else {
     static_assert(Scheme::Host::keeps_vertices,
                   "the limit points of a dual scheme belong to the faces: see face_limit_points()");
-    static_assert(internal::are_used_v<internal::Limit_subdivision_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     if (options.rounds_done != 0)
       throw std::invalid_argument(
@@ -73,17 +81,36 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
     if (rounds == 0)
       return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
     Limit_report report;
-    if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>() &&
+                  internal::check_attributes<PolygonMesh, Attributes>()) {
+      auto visitor = Parameters::visitor(np);
+      auto& unwrapped = internal::unwrapped(visitor);
+      using Visitor = std::remove_reference_t<decltype(unwrapped)>;
+      const internal::Call_round_done<Visitor> round_done{unwrapped};
+      if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return report;
+      const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
+        unwrapped, attributes};
       internal::with_mesh_access(mesh, [&](auto& access) {
         const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
-          subdivision(scheme, rounds, options);
-        report =
-          subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                      Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+          subdivision(scheme, rounds, options, round_done);
+        report = subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                             Parameters::edge_constraint_map(np),
+                             Parameters::vertex_constraint_map(np), carry);
       });
     }
     return report;
   }
+}
+
+/// \ingroup PkgPNSubdivision3Limit
+/// does the same without attributes.
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
+Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
+                                const Limit_options& options = Limit_options(),
+                                const NamedParameters& np = parameters::default_values())
+{
+  return subdivide_to_limit<Concurrency_tag>(mesh, scheme, options, np, internal::No_attributes());
 }
 
 } // namespace PN_subdivision_3

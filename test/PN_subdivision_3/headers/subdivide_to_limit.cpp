@@ -18,6 +18,8 @@ namespace header_in_use {
 
 void use_subdivide_to_limit(Mesh& mesh)
 {
+  subdivide_to_limit(mesh, linear(Loop_scheme()), Limit_options(),
+                     CGAL::parameters::default_values(), attributes());
   subdivide_to_limit(mesh, linear(Loop_scheme()));
 }
 

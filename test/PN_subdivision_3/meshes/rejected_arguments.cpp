@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -164,6 +165,13 @@ void reject(Mesh& mesh)
 
   PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::vertex_is_constrained_map(creases));
   // expected: is no property map of the mesh's edges or vertices
+
+  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::default_values(), 3);
+  // expected: the attributes are neither made by
+
+  PN::subdivide_to_limit(mesh, PN::Loop_scheme(), {}, params::default_values(),
+                         PN::attributes(PN::face_attribute(creases), PN::face_attribute(creases)));
+  // expected: the map of an attribute is no property map of the
 
   PN::Surface_refiner(mesh, PN::Loop_scheme(), params::visitor(3));
   // expected: a named parameter is given that is not used here

@@ -244,6 +244,20 @@ TYPED_TEST(Strong_guarantee_of_features, CreasedLimits)
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), moved, true), 24);
 }
 
+TYPED_TEST(Strong_guarantee_of_features, WhatIsCarriedToTheLimit)
+{
+  PN::Limit_options options;
+  options.max_depth = 1;
+  const auto job = [&](auto& t) {
+    PN::subdivide_to_limit(
+      t.mesh, PN::Loop_scheme(), options, params::vertex_normal_map(failing(t.normals)),
+      PN::attributes(PN::vertex_attribute(failing(t.corners)), PN::edge_attribute(failing(t.sharp)),
+                     PN::corner_attribute(failing(t.corner_normals))));
+  };
+  EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4 + 6 + 12);
+  EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 10);
+}
+
 TYPED_TEST(Strong_guarantee_of_features, MapsThatFailForGood)
 {
   const auto creases = [](auto& t) {

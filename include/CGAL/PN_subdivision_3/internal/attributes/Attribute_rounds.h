@@ -41,6 +41,9 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// Values of vertices of the last round may be put as they are computed, or when put() is called.
+enum class Kind_of_round { inner, last_put_at_once, last_put_later };
+
 // Attributes through the rounds of a call: begin_round(), the rows() and the child() of the round, end_round();
 // after the last one put().
 template <class FT, class Host>
@@ -83,16 +86,17 @@ public:
 
   template <class Scheme, class One_round>
   void begin_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
-                   bool is_last)
+                   Kind_of_round kind)
   {
     using Mask = std::decay_t<decltype(round.mask())>;
     begin(scheme, round, level, std::shared_ptr<const Mask>(),
-          static_cast<std::size_t>(round.refined_size().vertices), is_last);
+          static_cast<std::size_t>(round.refined_size().vertices), kind);
   }
   // `level` is the whole one; it stays until the round ends
   template <class Scheme, class Crease_round>
   void begin_creased_round(const Scheme& scheme, const Crease_round& round,
-                           Level_connectivity& level, const Creases<FT>& creases, bool is_last)
+                           Level_connectivity& level, const Creases<FT>& creases,
+                           Kind_of_round kind)
   {
     using Mask = std::decay_t<decltype(round.round().mask())>;
     std::shared_ptr<const Mask> smooth_mask;
@@ -103,7 +107,7 @@ public:
     }
     const auto& refined = round.refined();
     charts_take_rows_ = false; // rows are of slots of the creases
-    begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, is_last);
+    begin(scheme, round.round(), level, smooth_mask, refined.creases.number_of_slots, kind);
     crease_rows_.clear();
     copies_.clear();
     if (by_rows_.empty()) return;
@@ -240,10 +244,10 @@ private:
   void begin([[maybe_unused]] const Scheme& scheme, const One_round& round,
              const Level_connectivity& level,
              [[maybe_unused]] const std::shared_ptr<const Mask>& smooth_mask,
-             std::size_t number_of_values, bool is_last)
+             std::size_t number_of_values, Kind_of_round kind)
   {
     for (const By_rows& by_rows : by_rows_)
-      if (is_last && by_rows.is_of_vertices)
+      if (kind == Kind_of_round::last_put_at_once && by_rows.is_of_vertices)
         by_rows.values->begin_last_round(number_of_values, for_chunks_.has_threads());
       else
         by_rows.values->begin_round(number_of_values);
@@ -260,7 +264,7 @@ private:
       values->begin_round(static_cast<std::size_t>(size.halfedges()));
     host_ = &round.host();
     level_ = &level;
-    if (!is_last && wanted_.any())
+    if (kind == Kind_of_round::inner && wanted_.any())
       refined_origins_ = Level_origins::of_child(rules(round, level), size,
                                                  Level_origins::needed<Host>(wanted_), for_chunks_);
   }

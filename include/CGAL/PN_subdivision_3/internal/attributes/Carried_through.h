@@ -53,16 +53,25 @@ public:
   }
   template <class Scheme, class Refiner, class One_round>
   void begin_round(const Scheme& scheme, const Refiner& refiner, const One_round& round,
-                   bool is_last)
+                   Kind_of_round kind)
   {
     if constexpr (are_creases_v<Creases_of<Refiner>>)
-      rounds_.begin_creased_round(scheme, round, *whole_, refiner.creases(), is_last);
+      rounds_.begin_creased_round(scheme, round, *whole_, refiner.creases(), kind);
     else
-      rounds_.begin_round(scheme, round.round(), refiner.level(), is_last);
+      rounds_.begin_round(scheme, round.round(), refiner.level(), kind);
   }
   const typename Rounds::Rows_sink* rows() const { return rounds_.rows(); }
-  const typename Rounds::Child_sink* child() const { return rounds_.child(); }
-  void end_round() { rounds_.end_round(); }
+
+  // a round before the last one
+  template <class Scheme, class Refiner>
+  void refine(const Scheme& scheme, Refiner& refiner)
+  {
+    before_cut(refiner);
+    auto round = refiner.next_round();
+    begin_round(scheme, refiner, round, Kind_of_round::inner);
+    refiner.refine(round, rows(), rounds_.child());
+    rounds_.end_round();
+  }
 
   // ends the last round, of which the refiner has the level, and puts what it gives
   template <class Refiner, class Round>
@@ -71,7 +80,7 @@ public:
     std::optional<Level_connectivity> refined;
     if (rounds_.needs_refined_level()) {
       refined = child_level(last, for_chunks_);
-      if (child() != nullptr) (*child())(*refined);
+      if (rounds_.child() != nullptr) (*rounds_.child())(*refined);
     }
     rounds_.end_round();
     rounds_.put(last.refined_size(), refined ? &*refined : nullptr,
@@ -110,8 +119,11 @@ public:
   void begin_round(const Arguments&...) const
   {}
   static constexpr std::nullptr_t rows() { return nullptr; }
-  static constexpr std::nullptr_t child() { return nullptr; }
-  void end_round() const {}
+  template <class Scheme, class Refiner>
+  void refine(const Scheme&, Refiner& refiner) const
+  {
+    refiner.refine();
+  }
   template <class... Arguments>
   void put(const Arguments&...) const
   {}

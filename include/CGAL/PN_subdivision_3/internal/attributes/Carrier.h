@@ -180,6 +180,17 @@ constexpr bool check_visitor()
   return rounds && vertices && edges && faces && visits;
 }
 
+// calls the visitor's member if it has one
+template <class Visitor>
+struct Call_round_done
+{
+  void operator()([[maybe_unused]] unsigned round, [[maybe_unused]] std::size_t faces) const
+  {
+    if constexpr (Visits_rounds<Visitor>::value) visitor.round_done(round, faces);
+  }
+  Visitor& visitor;
+};
+
 // What a call carries beside points and normals: its attributes, and what its
 // visitor asks for.
 template <class Mesh, class Visitor, class Attributes>

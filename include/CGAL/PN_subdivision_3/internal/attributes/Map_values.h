@@ -30,6 +30,10 @@ namespace internal {
 // The kinds of elements that a map may have as keys.
 struct Vertex_keys
 {
+  static std::size_t number(const Level_size& size)
+  {
+    return static_cast<std::size_t>(size.vertices);
+  }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
   {
@@ -38,6 +42,10 @@ struct Vertex_keys
 };
 struct Corner_keys
 {
+  static std::size_t number(const Level_size& size)
+  {
+    return static_cast<std::size_t>(size.halfedges());
+  }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
   {
@@ -46,6 +54,7 @@ struct Corner_keys
 };
 struct Edge_keys
 {
+  static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
   {
@@ -54,6 +63,7 @@ struct Edge_keys
 };
 struct Face_keys
 {
+  static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
   {

@@ -40,13 +40,14 @@ namespace internal {
 template <class Map>
 struct Vertex_attribute
 {
+  using Keys = Vertex_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Row_map<Access, Map, Vertex_keys, FT>;
+    using Values = Row_map<Access, Map, Keys, FT>;
     c.vertices.push_back(
       std::make_unique<Values>(access, map, first_indices(level.number_of_vertices())));
   }
@@ -66,13 +67,14 @@ inline std::vector<Level_connectivity::Index> corners_of(const Level_connectivit
 template <class Map>
 struct Corner_attribute
 {
+  using Keys = Corner_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::halfedge_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Row_map<Access, Map, Corner_keys, FT>;
+    using Values = Row_map<Access, Map, Keys, FT>;
     c.corners.push_back({std::make_unique<Values>(access, map, corners_of(level)), rule});
   }
   Map map;
@@ -82,13 +84,14 @@ struct Corner_attribute
 template <class Map>
 struct Edge_attribute
 {
+  using Keys = Edge_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::edge_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Copied_map<Access, Map, Edge_keys>;
+    using Values = Copied_map<Access, Map, Keys>;
     c.edges.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
   }
   Map map;
@@ -97,13 +100,14 @@ struct Edge_attribute
 template <class Map>
 struct Face_attribute
 {
+  using Keys = Face_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::face_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Copied_map<Access, Map, Face_keys>;
+    using Values = Copied_map<Access, Map, Keys>;
     c.faces.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
   }
   Map map;
@@ -112,13 +116,14 @@ struct Face_attribute
 template <class Map>
 struct Face_parents
 {
+  using Keys = Face_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::face_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Origin_map<Access, Map, Face_keys>;
+    using Values = Origin_map<Access, Map, Keys>;
     c.face_origins.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
   }
   Map map;
@@ -127,13 +132,14 @@ struct Face_parents
 template <class Map>
 struct Vertex_parents
 {
+  using Keys = Vertex_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Origin_map<Access, Map, Vertex_keys>;
+    using Values = Origin_map<Access, Map, Keys>;
     c.vertex_origins.push_back(std::make_unique<Values>(access, map, level.number_of_vertices()));
   }
   Map map;
@@ -142,13 +148,14 @@ struct Vertex_parents
 template <class Map>
 struct Edge_parents
 {
+  using Keys = Edge_keys;
   template <class Mesh>
   using Key = typename boost::graph_traits<Mesh>::edge_descriptor;
 
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Origin_map<Access, Map, Edge_keys>;
+    using Values = Origin_map<Access, Map, Keys>;
     c.edge_origins.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
   }
   Map map;

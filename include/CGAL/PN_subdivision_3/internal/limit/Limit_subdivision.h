@@ -11,6 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
@@ -23,6 +26,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
@@ -37,27 +41,36 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The rounds of a call, and then the limits of the vertices that they make. The mesh is touched when all
-// limits are known.
+// The rounds of a call, and then the limits of the vertices that they make. The mesh and its maps are touched when
+// all limits are known; attributes are those of the rounds.
 template <class Concurrency_tag, class Scheme, class FT>
 class Limit_subdivision
 {
 public:
-  Limit_subdivision(const Scheme& scheme, unsigned rounds, const Limit_options& options)
+  using Round_done = Function_ref<void(unsigned, std::size_t)>;
+
+  // options and round_done have to live as long
+  template <class Function>
+  Limit_subdivision(const Scheme& scheme, unsigned rounds, const Limit_options& options,
+                    const Function& round_done)
     : scheme_(scheme)
     , options_(options)
     , rounds_(rounds)
+    , round_done_(round_done)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
+  template <class Function>
+  Limit_subdivision(const Scheme&, unsigned, const Limit_options&, const Function&&) = delete;
 
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
   Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                          Vertex_map vertex_map) const
+                          Vertex_map vertex_map, const Carry& carry) const
   {
     Limit_report report;
     if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
-      report = subdivide(access, points, normals, edge_map, vertex_map);
+      report = subdivide(access, points, normals, edge_map, vertex_map, carry);
     }
     return report;
   }
@@ -70,9 +83,10 @@ private:
   using Level = Valued_level<Value>;
   using Limit_value = Point_normal<FT, 3>;
 
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map>
+  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
+            class Carry>
   Limit_report subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                         Vertex_map vertex_map) const
+                         Vertex_map vertex_map, const Carry& carry) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
@@ -86,14 +100,23 @@ private:
     std::vector<Value> values = of_mesh.values(level, points, normals, creases);
     using Writers = Normal_writers<Access, Normal_map>;
     typename Writers::Corner_writer corners(access, level, normals);
+    Carried_through<FT, Host, Carry> carried(
+      carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
+      Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
     Level_refiner<Scheme, Average, decltype(creases)> refiner(
       scheme_, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    for (unsigned k = 1; k < rounds; ++k) refiner.refine();
+    for (unsigned k = 1; k < rounds; ++k) {
+      carried.refine(scheme_, refiner);
+      round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
+    }
+    carried.before_cut(refiner);
     auto last = refiner.next_round();
-    Level refined = refined_level(refiner, last);
+    carried.begin_round(scheme_, refiner, last, Kind_of_round::last_put_later);
+    Level refined = refined_level(refiner, last, carried.rows());
     refiner.release_values();
+    report_last_round(rounds, size);
     auto limit_creases = last.refined_creases();
     const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
     auto limits =
@@ -115,31 +138,42 @@ private:
         if (puts_normals)
           corners.put_all(refined.level, limit_creases,
                           slot_values<Scheme, FT>(limits, options_.surface_normals));
+      carried.put(refiner, last.round());
       of_mesh.put_sharpness(limit_creases, size, rounds);
       of_mesh.put_tangents(limit_creases, size);
       put_connectivity(last.round(), access, for_chunks_, [&] {
         writer.keep();
         corners.keep();
         of_mesh.keep();
+        carried.keep();
       });
     };
     if (puts_normals)
       put(Writers::vertex_map(normals));
     else
       put(No_normal_map());
+    carried.visit(access, refiner, last.round());
     limits.resize(size.vertices);
     return limit_report(limits, demand);
   }
 
   // with the values of its slots; the level before it is whole again afterwards
   template <class Refiner, class Last>
-  Level refined_level(const Refiner& refiner, Last& last) const
+  Level refined_level(const Refiner& refiner, Last& last,
+                      const typename Refiner::Rows_sink* rows) const
   {
-    const auto values = refiner.refined_values(last);
+    const auto values = refiner.refined_values(last, rows);
     Level refined;
     refined.values.assign(values.begin(), values.end());
     refined.level = refiner.child(last, last.refined_creases());
     return refined;
+  }
+
+  // of the last round, and of those that change nothing
+  void report_last_round(unsigned rounds, const Level_size& size) const
+  {
+    round_done_(rounds, static_cast<std::size_t>(size.faces));
+    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
   }
 
   template <class Limits, class Writer>
@@ -163,6 +197,7 @@ private:
   const Scheme& scheme_;
   const Limit_options& options_;
   unsigned rounds_;
+  Round_done round_done_;
   For_chunks for_chunks_;
 };
 

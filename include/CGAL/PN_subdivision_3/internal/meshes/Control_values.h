@@ -62,7 +62,8 @@ public:
   std::size_t size() const { return values_.size(); }
   std::size_t memory() const
   {
-    return values_.capacity() * sizeof(Value) + (is_changed_.capacity() + is_given_.capacity()) / 8;
+    return values_.capacity() * sizeof(Value) + slot_normals_.capacity() * sizeof(Vector) +
+           (is_changed_.capacity() + is_given_.capacity()) / 8;
   }
   const Value& operator[](std::size_t v) const { return values_[checked(v)]; }
   // whether one of the points is, or was, so far out that refined ones have to be looked at
@@ -80,8 +81,9 @@ public:
     check_finite<FT, 3>(n, "normal", [&] { return name(v); });
     if (std::binary_search(several_normals_.begin(), several_normals_.end(), checked(v)))
       throw std::invalid_argument("PN_subdivision_3: " + name(v) +
-                                  " has a normal on each side of its creases, all of which are "
-                                  "estimated: set the normals of its neighbors");
+                                  " has a normal on each side of its creases, all of which are " +
+                                  (slot_normals_.empty() ? "estimated" : "given by its corners") +
+                                  ": set the normals of its neighbors");
     normalize_control_normal<FT, 3>(n, [&] { return name(v); });
     values_[checked(v)].normal = n;
     if (is_estimated_) is_given_[v] = true;
@@ -108,7 +110,7 @@ public:
   }
 
   // \name Creases
-  // Vertices between creases have several normals, one for each wedge, which are always estimated.
+  // Vertices between creases have several normals, one for each wedge, which are estimated, or given for all slots.
   bool is_given(Index v) const
   {
     return (!is_estimated_ || is_given_[v]) &&
@@ -119,6 +121,14 @@ public:
   {
     several_normals_ = std::move(vertices);
   }
+  void set_slot_normals(const std::vector<Value>& slots)
+  {
+    is_estimated_ = false;
+    is_given_.clear();
+    for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slots[v].normal;
+    for (const Value& slot : slots) slot_normals_.push_back(slot.normal);
+  }
+  const std::vector<Vector>& slot_normals() const { return slot_normals_; }
   void put_estimate(Index v, const Vector& n) { values_[v].normal = n; }
 
   // in the order of the numbers
@@ -161,6 +171,7 @@ private:
   std::vector<bool> is_changed_;
   std::vector<bool> is_given_; // where normals are estimated
   std::vector<Index> several_normals_;
+  std::vector<Vector> slot_normals_; // none if they are not given
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;

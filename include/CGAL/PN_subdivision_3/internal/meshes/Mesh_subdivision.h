@@ -201,16 +201,11 @@ private:
       scheme_, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    grow_and_refine<Writer>(access, size, refiner, rounds, [&] {
-      carried.before_cut(refiner);
-      auto round = refiner.next_round();
-      carried.begin_round(scheme_, refiner, round, false);
-      refiner.refine(round, carried.rows(), carried.child());
-      carried.end_round();
-    });
+    grow_and_refine<Writer>(access, size, refiner, rounds,
+                            [&] { carried.refine(scheme_, refiner); });
     carried.before_cut(refiner);
     auto last = refiner.next_round();
-    carried.begin_round(scheme_, refiner, last, true);
+    carried.begin_round(scheme_, refiner, last, Kind_of_round::last_put_at_once);
     put_last_round(access, size, refiner, last, writer, corners, carried.rows());
     carried.put(refiner, last.round());
     of_mesh.put_sharpness(last.refined_creases(), size, rounds);

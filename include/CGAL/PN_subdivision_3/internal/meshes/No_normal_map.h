@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NO_NORMAL_MAP_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NO_NORMAL_MAP_H
 
+#include <boost/property_map/property_map.hpp>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {

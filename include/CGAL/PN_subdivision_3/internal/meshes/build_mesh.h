@@ -52,11 +52,12 @@ private:
   bool is_kept_ = false;
 };
 
-// Makes an empty mesh one with the connectivity of a level and with points and normals.
-template <class Access, class Point_map, class Point, class Normal_map, class Vector>
+// Makes an empty mesh one with the connectivity of a level, with points and normals, and with what put_others() puts.
+template <class Access, class Point_map, class Point, class Normal_map, class Vector,
+          class Function>
 void build_mesh(Access& access, const Level_connectivity& level, Point_map point_map,
                 const std::vector<Point>& points, [[maybe_unused]] Normal_map normal_map,
-                [[maybe_unused]] const std::vector<Vector>& normals)
+                [[maybe_unused]] const std::vector<Vector>& normals, const Function& put_others)
 {
   using Index = Level_connectivity::Index;
   const Level_size size = level.size(), old_size = access.size();
@@ -73,6 +74,7 @@ void build_mesh(Access& access, const Level_connectivity& level, Point_map point
     if constexpr (!std::is_same_v<Normal_map, No_normal_map>)
       if (v < normals.size()) put(normal_map, access.vertex(v), normals[v]);
   }
+  put_others();
   access.write(level, For_chunks());
   growth.keep();
 }

@@ -30,7 +30,7 @@ using Build_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
 
 // the scheme and what is read of the mesh
-template <class Mesh, class Scheme, class NamedParameters>
+template <class Mesh, class Scheme, class NamedParameters, bool takes_corners = false>
 constexpr bool check_control_arguments()
 {
   if constexpr (!check_is_point_map<Mesh, NamedParameters>())
@@ -43,7 +43,8 @@ constexpr bool check_control_arguments()
            check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag,
                            typename Parameters::FT>() &&
            check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                            typename Parameters::Geom_traits, boost::readable_property_map_tag>();
+                            typename Parameters::Geom_traits, boost::readable_property_map_tag,
+                            takes_corners>();
   }
 }
 
@@ -59,7 +60,7 @@ constexpr bool check_refiner_arguments()
   static_assert(!has_tangents, "PN_subdivision_3: Surface_refiner makes the tangents of creases "
                                "from the control points: it takes no with_crease_tangents()");
   if constexpr (!are_used || has_tangents ||
-                !check_control_arguments<Mesh, Scheme, NamedParameters>())
+                !check_control_arguments<Mesh, Scheme, NamedParameters, true>())
     return false;
   else {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
@@ -86,7 +87,7 @@ constexpr bool check_pieces_arguments()
     return check_control_arguments<Mesh, Scheme, NamedParameters>();
 }
 
-template <class Mesh, class NamedParameters>
+template <class Mesh, class NamedParameters, bool takes_corners = false>
 constexpr bool check_build_arguments()
 {
   constexpr bool are_used = are_used_v<Build_parameters, NamedParameters>;
@@ -98,7 +99,8 @@ constexpr bool check_build_arguments()
       return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag,
                              typename Parameters::FT>() &&
              check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
-                              typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+                              typename Parameters::Geom_traits, boost::writable_property_map_tag,
+                              takes_corners>();
     }
   }
   return false;

@@ -33,6 +33,8 @@ public:
   // take refined values, from several threads if for_chunks calls from them
   using Sink = Function_ref<void(Index, const Value*, Index)>;
   using List_sink = Function_ref<void(const Index*, const Value*, Index)>;
+  // takes (corner of the refined level, its value; none if it is that of the vertex)
+  using Corner_sink = Function_ref<void(Index, const Value*)>;
 
   Kept_refinement(const Kept_refinement&) = delete;
   Kept_refinement& operator=(const Kept_refinement&) = delete;
@@ -47,6 +49,9 @@ public:
   // what this reaches; returns it, in the order of the numbers. The first such call finds out once what
   // reads what. Values were evaluated before.
   virtual std::vector<Index> evaluate_from(std::vector<Index> changed, List_sink sink) = 0;
+
+  // as of the last evaluation
+  virtual void for_each_corner(const Level_connectivity& refined, Corner_sink sink) const = 0;
 
   // in bytes, without what the masks of a scheme may keep
   virtual std::size_t memory() const = 0;

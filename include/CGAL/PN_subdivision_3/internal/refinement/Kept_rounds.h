@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
@@ -66,6 +67,7 @@ class Kept_rounds final : public Kept_refinement<Average>
   using Host = typename Scheme::Host;
 
 public:
+  using typename Base::Corner_sink;
   using typename Base::Index;
   using typename Base::List_sink;
   using typename Base::Sink;
@@ -173,6 +175,22 @@ public:
     return changed;
   }
 
+  void for_each_corner(const Level_connectivity& refined, Corner_sink sink) const override
+  {
+    if constexpr (are_creases_v<Level_creases>)
+      if (!creases_.empty()) {
+        const Creases<FT>& creases = levels_.back().round->refined().creases;
+        std::vector<const Value*> of_slots(creases.number_of_slots, nullptr);
+        for (const auto& [slot, value] : last_on_creases_) of_slots[slot] = &value;
+        const Cut_level<FT> cut(refined, creases);
+        internal::for_each_corner(refined, cut.connectivity(),
+                                  [&](Index h, Index slot) { sink(h, of_slots[slot]); });
+        return;
+      }
+    for (Index h = 0; h < refined.number_of_halfedges(); ++h)
+      if (!refined.is_border(h)) sink(h, nullptr);
+  }
+
   std::size_t memory() const override
   {
     std::size_t sum = last_on_creases_.capacity() * sizeof(last_on_creases_.front());
@@ -265,6 +283,7 @@ private:
       for (Index v = 0; v < n; ++v) is_given[v] = control.is_given(v);
       for (std::size_t s = 0; s < values.size(); ++s)
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
+      put_given_normals(control, values, is_given);
       for (Crease_edge<FT>& e : creases_.edges) e.tangent_from.fill(zero_vector<FT, 3>());
       Control_creases<FT>(*whole_control_, creases_, values, is_given, normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
@@ -272,6 +291,19 @@ private:
       put_mean_normals(values, control);
     }
     return values;
+  }
+
+  // those of the wedges of vertices that have several, if they are given
+  void put_given_normals(const Control& control, std::vector<Value>& values,
+                         std::vector<bool>& is_given) const
+  {
+    if (control.slot_normals().empty()) return;
+    for (const Crease_star& star : creases_.stars)
+      for (Index w = 0; star.number_of_wedges > 1 && w < star.number_of_wedges; ++w) {
+        const Index slot = star.slot(w);
+        values[slot].normal = control.slot_normals()[slot];
+        is_given[slot] = true;
+      }
   }
 
   void put_mean_normals(const std::vector<Value>& values, Control& control) const
