@@ -10,6 +10,10 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
+#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
@@ -22,6 +26,8 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/number_type_basic.h>
+
+#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,34 +59,46 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 
 // Refines a control level piece by piece. A piece owns faces of the level where it is divided; it is refined
 // together with the rings of faces around these. The last of them go wrong in each round, since faces are
-// missing there, and are cut off.
-template <class Scheme, class Average>
+// missing there, and are cut off. The rules of creases, too, know only what is near: a part of a level has its part of
+// the creases.
+template <class Scheme, class Average, class Level_creases = No_creases>
 class Piece_refiner final : public Kept_pieces<typename Average::Value>
 {
 public:
   using Host = typename Scheme::Host;
   using Index = Level_connectivity::Index;
-  using Refiner = Level_refiner<Scheme, Average>;
+  using Refiner = Level_refiner<Scheme, Average, Level_creases>;
   using One_round = typename Refiner::One_round;
+  using FT = typename Average::FT;
   using Value = typename Refiner::Value;
   using Values = typename Refiner::Values;
 
   using Output = typename Kept_pieces<Value>::Output;
 
-  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
-                unsigned rounds, std::size_t number_of_pieces, unsigned rings,
+  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
+                Values&& values, unsigned rounds, std::size_t number_of_pieces, unsigned rings,
                 const For_chunks& for_chunks)
     : scheme_(scheme)
     , rings_(rings)
     , rounds_(rounds)
     , base_round_(dividing_round<Host>(control.size(), rounds, number_of_pieces))
     , for_chunks_(for_chunks)
-    , base_(scheme_, std::move(control), std::move(values), for_chunks)
+    , base_(scheme_, std::move(control), std::move(creases), std::move(values), for_chunks)
   {
     while (base_.rounds_done() < base_round_) base_.refine();
     wholes_.emplace(base_.level(), base_round_, rounds_);
     divide(number_of_pieces);
+    if constexpr (is_creased) {
+      if (!base_.creases().empty()) rings_ += more_rings;
+      base_slots_.emplace(base_.level(), base_.creases());
+    }
   }
+  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
+                unsigned rounds, std::size_t number_of_pieces, unsigned rings,
+                const For_chunks& for_chunks)
+    : Piece_refiner(scheme, std::move(control), No_creases(control.number_of_vertices()),
+                    std::move(values), rounds, number_of_pieces, rings, for_chunks)
+  {}
 
   const Whole_level& result() const override { return wholes_->back(); }
   const Level_connectivity& base() const override { return base_.level(); }
@@ -99,17 +117,41 @@ public:
     Part part = first_part(piece, has_isolated);
     for (unsigned k = base_round_ + 1; k < rounds_; ++k) part = refined(part, k, has_isolated);
     if (base_round_ == rounds_)
-      put(part.level, part.elements, has_isolated, rings, part.values, out);
+      put(part, has_isolated, rings, out);
     else
       put_last_round(part, has_isolated, rings, out);
   }
 
 private:
+  static constexpr bool is_creased = are_creases_v<Level_creases>;
+  // The rules of creases read what the mask does, but of each vertex all wedges where creases run out: with one ring
+  // more no vertex that is read misses faces.
+  static constexpr unsigned more_rings = 1;
+
+  struct Nothing
+  {};
+  using Slot_value = typename One_round::Slot_value;
+  using Slots = std::conditional_t<is_creased, std::optional<Corner_slots<FT>>, Nothing>;
+
   struct Part
   {
     Level_connectivity level;
     Piece_elements elements;
-    Values values;
+    Level_creases creases;
+    Values values; // of the slots
+  };
+
+  // of a vertex with several wedges
+  struct Corner
+  {
+    Index halfedge; // of the piece
+    Index slot, wedge;
+  };
+  // What a piece keeps of a level: the vertices of that, and such corners in the order of the half-edges.
+  struct Kept
+  {
+    typename Piece_extraction<All_candidates>::Old_vertices vertices;
+    std::vector<Corner> corners;
   };
 
   void divide(std::size_t number_of_pieces)
@@ -187,7 +229,30 @@ private:
     });
     Piece_elements elements{extraction.vertices(vertices), extraction.edges(edges),
                             extraction.faces(base_elements(owns))};
-    return {std::move(extraction.piece()), std::move(elements), extraction.values(base_.values())};
+    return part_of(base_, extraction, std::move(elements), base_slots_);
+  }
+
+  // `slots` are those of the level
+  template <class Candidates>
+  static Part part_of(const Refiner& level, Piece_extraction<Candidates>& extraction,
+                      Piece_elements&& elements, [[maybe_unused]] const Slots& slots)
+  {
+    Part part{std::move(extraction.piece()), std::move(elements),
+              Level_creases(static_cast<Index>(extraction.old_vertices().size())),
+              extraction.values(level.values())};
+    if constexpr (is_creased) {
+      if (level.creases().empty()) return part;
+      const auto edges = extraction.old_edges();
+      const auto& vertices = extraction.old_vertices();
+      part.creases = creases_of_part(
+        level.creases(), part.level, [&](Index e) { return edges[e]; },
+        [&](Index v) { return vertices[v]; });
+      part.values.resize(part.creases.number_of_slots, boost::container::default_init);
+      take_slot_values(
+        part.level, part.creases, [&](Index h) { return 2 * edges[h / 2] + (h & 1u); }, *slots,
+        level.values(), part.values);
+    }
+    return part;
   }
 
   static Face_marks marked(const Level_connectivity& level, const Piece_elements& elements,
@@ -199,14 +264,14 @@ private:
   }
 
   // what is owned, and the rings around it
-  Part with_rings(const Level_connectivity& level, const Piece_elements& elements,
-                  const Values& values, bool has_isolated) const
+  Part with_rings(const Refiner& level, const Piece_elements& elements, bool has_isolated) const
   {
-    const Face_marks kept = marked(level, elements, rings_);
-    const All_candidates candidates(level, kept);
-    Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
-    return {std::move(extraction.piece()), extraction.elements(elements),
-            extraction.values(values)};
+    const Face_marks kept = marked(level.level(), elements, rings_);
+    const All_candidates candidates(level.level(), kept);
+    Piece_extraction<All_candidates> extraction(level.level(), candidates, has_isolated);
+    Slots slots;
+    if constexpr (is_creased) slots.emplace(level.level(), level.creases());
+    return part_of(level, extraction, extraction.elements(elements), slots);
   }
 
   void close_rim_before(unsigned round, Part& part) const
@@ -223,59 +288,108 @@ private:
       throw std::length_error("PN_subdivision_3: a piece would have " +
                               std::to_string(size.halfedges()) +
                               " half-edges, more than can be numbered: ask for more pieces");
-    return Refiner(scheme_, std::move(part.level), std::move(part.values), for_chunks_, round - 1);
+    if constexpr (!is_creased) part.creases = No_creases(part.level.number_of_vertices());
+    return Refiner(scheme_, std::move(part.level), std::move(part.creases), std::move(part.values),
+                   for_chunks_, round - 1);
   }
 
   Part refined(Part& part, unsigned round, bool has_isolated) const
   {
     close_rim_before(round, part);
     Refiner level = refiner(part, round);
+    const auto children = [&](const Host& host) {
+      return Child_elements<Host>(level.level(), part.elements, host, (*wholes_)[round - 1],
+                                  for_chunks_)
+        .all(Host::refined_size(level.level().size(), round));
+    };
+    Piece_elements elements;
+    if constexpr (is_creased) elements = children(Host(level.level(), round)); // is cut open next
     One_round one = level.next_round();
-    const Piece_elements elements = Child_elements<Host>(level.level(), part.elements, one.host(),
-                                                         (*wholes_)[round - 1], for_chunks_)
-                                      .all(one.refined_size());
+    if constexpr (!is_creased) elements = children(one.host());
     part.elements = Piece_elements();
     level.refine(one);
-    return with_rings(level.level(), elements, level.values(), has_isolated);
+    return with_rings(level, elements, has_isolated);
   }
 
   void put_last_round(Part& part, bool has_isolated, unsigned rings, const Output& out) const
   {
     close_rim_before(rounds_, part);
     Refiner level = refiner(part, rounds_);
-    const One_round one = level.next_round();
-    const auto vertices = put_connectivity(level, one, part.elements, has_isolated, rings, out);
+    const auto put_connectivity = [&](const Host& host, const Level_creases& creases) {
+      return this->put_connectivity(level, host, part.elements, creases, has_isolated, rings, out);
+    };
+    if constexpr (is_creased) {
+      const Level_size size = Host::refined_size(level.level().size(), rounds_);
+      const auto vertices = static_cast<Index>(size.vertices);
+      const Kept kept =
+        put_connectivity(Host(level.level(), rounds_),
+                         Refined_creases<FT>(level.creases(), level.level(), vertices).creases);
+      One_round one = level.next_round();
+      put_values(level, one.round(), kept, out);
+      put_on_creases(one.crease_values(for_chunks_), vertices, kept, out);
+    } else {
+      One_round one = level.next_round();
+      put_values(level, one, put_connectivity(one.host(), one.refined_creases()), out);
+    }
+  }
+
+  void put_values(const Refiner& level, const typename Refiner::Rows& rows, const Kept& kept,
+                  const Output& out) const
+  {
+    const auto& vertices = kept.vertices;
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
       for (Index i = 0; i < n; ++i)
         out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
     };
-    const auto transfers = level.transfers(one);
+    const auto transfers = level.transfers(rows);
     if (!transfers.is_empty())
-      level.evaluate(one, transfers, 0, static_cast<Index>(one.refined_size().vertices),
+      level.evaluate(rows, transfers, 0, static_cast<Index>(rows.refined_size().vertices),
                      [&](Index first, const Value* values, Index n) {
                        auto it = std::lower_bound(vertices.begin(), vertices.end(), first);
                        for (; it != vertices.end() && *it - first < n; ++it)
                          put(&*it, values + (*it - first), 1);
                      });
     else
-      level.evaluate(one, vertices.data(), static_cast<Index>(vertices.size()), put);
+      level.evaluate(rows, vertices.data(), static_cast<Index>(vertices.size()), put);
   }
 
-  typename Piece_extraction<All_candidates>::Old_vertices
-  put_connectivity(const Refiner& level, const One_round& one, const Piece_elements& elements,
-                   bool has_isolated, unsigned rings, const Output& out) const
+  // instead of what the rows have given there; the slots of a vertex follow one another
+  static void put_on_creases(std::vector<Slot_value> values, Index number_of_vertices,
+                             const Kept& kept, const Output& out)
   {
-    const Child_elements<Host> children(level.level(), elements, one.host(),
-                                        (*wholes_)[rounds_ - 1], for_chunks_);
-    const Level_connectivity child = child_level(one, for_chunks_);
+    const auto& vertices = kept.vertices;
+    for_each_crease_vertex<Average>(
+      values, number_of_vertices, [&](std::size_t, Index v, const Value& value) {
+        auto it = std::lower_bound(vertices.begin(), vertices.end(), v);
+        for (; it != vertices.end() && *it == v; ++it)
+          out.put(static_cast<Index>(it - vertices.begin()), value);
+      });
+    const auto is_before = [](const Slot_value& a, const Slot_value& b) {
+      return a.first < b.first;
+    };
+    std::sort(values.begin(), values.end(), is_before);
+    for (const Corner& c : kept.corners)
+      out.put_corner(
+        c.halfedge, c.wedge,
+        std::lower_bound(values.begin(), values.end(), Slot_value(c.slot, {}), is_before)->second);
+  }
+
+  Kept put_connectivity(const Refiner& level, const Host& host, const Piece_elements& elements,
+                        const Level_creases& creases, bool has_isolated, unsigned rings,
+                        const Output& out) const
+  {
+    const Child_elements<Host> children(level.level(), elements, host, (*wholes_)[rounds_ - 1],
+                                        for_chunks_);
+    const Level_size size = Host::refined_size(level.level().size(), rounds_);
+    const Level_connectivity child = child_level(host, size, size, for_chunks_);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
                              children.faces(child.size().faces)};
-    return put(child, all, has_isolated, rings, out);
+    return put(child, all, creases, has_isolated, rings, out);
   }
 
-  static typename Piece_extraction<All_candidates>::Old_vertices
-  put(const Level_connectivity& level, const Piece_elements& elements, bool has_isolated,
-      unsigned rings, const Output& out)
+  static Kept put(const Level_connectivity& level, const Piece_elements& elements,
+                  [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
+                  const Output& out)
   {
     const Face_marks kept = marked(level, elements, rings);
     const All_candidates candidates(level, kept);
@@ -283,16 +397,46 @@ private:
     Numbered_elements vertices = extraction.vertices(elements.vertices);
     Numbered_elements faces = extraction.faces(elements.faces);
     out.begin(extraction.piece(), vertices, faces);
-    return extraction.old_vertices();
+    Kept result{extraction.old_vertices(), {}};
+    if constexpr (is_creased) result.corners = corners_of_wedges(extraction, level, creases);
+    return result;
   }
 
-  static void put(const Level_connectivity& level, const Piece_elements& elements,
-                  bool has_isolated, unsigned rings, const Values& values, const Output& out)
+  static std::vector<Corner> corners_of_wedges(const Piece_extraction<All_candidates>& extraction,
+                                               const Level_connectivity& level,
+                                               const Creases<FT>& creases)
   {
-    const auto vertices = put(level, elements, has_isolated, rings, out);
-    for (Index v = 0; v < vertices.size(); ++v) {
-      const Value value = values[vertices[v]];
+    std::vector<Corner> corners;
+    const Corner_slots<FT> slots(level, creases);
+    for (const Crease_star& star : creases.stars) {
+      if (star.number_of_wedges == 1) continue;
+      const Index first = level.halfedge_of_vertex(star.vertex);
+      Index h = first;
+      do {
+        if (extraction.is_inside(h))
+          corners.push_back({extraction.new_halfedge(h), slots(h), star.wedge(slots(h))});
+        h = level.next_around_target(h);
+      } while (h != first);
+    }
+    std::sort(corners.begin(), corners.end(),
+              [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; });
+    return corners;
+  }
+
+  // without a round
+  static void put(const Part& part, bool has_isolated, unsigned rings, const Output& out)
+  {
+    const Kept kept = put(part.level, part.elements, part.creases, has_isolated, rings, out);
+    for (Index v = 0; v < kept.vertices.size(); ++v) {
+      const Value value = part.values[kept.vertices[v]];
       out.put(v, value);
+    }
+    if constexpr (is_creased) {
+      std::vector<Slot_value> on_creases;
+      for (const Crease_star& star : part.creases.stars)
+        for (Index w = 0; w < star.number_of_wedges; ++w)
+          on_creases.emplace_back(star.slot(w), part.values[star.slot(w)]);
+      put_on_creases(std::move(on_creases), part.level.number_of_vertices(), kept, out);
     }
   }
 
@@ -302,6 +446,7 @@ private:
   Refiner base_;
   std::optional<Whole_levels<Host>> wholes_;
   // of the level that is divided
+  Slots base_slots_;
   std::vector<std::size_t> piece_of_face_;
   std::vector<Index> faces_by_piece_, first_of_piece_; // in increasing order for each piece
   mutable Candidate_tables tables_;
