@@ -123,19 +123,22 @@ public:
     const Corner* corner = corner_at(h);
     return corner == nullptr ? normals_[connectivity_.target(h)] : corner->normal;
   }
-  /// whether there is a vertex with several wedges.
-  bool has_several_wedges() const { return !corners_.empty(); }
+  /// a corner of a vertex with several wedges.
+  struct Corner
+  {
+    Index halfedge;  ///< the half-edge.
+    Index wedge;     ///< see `corner_wedge()`.
+    Vector_3 normal; ///< see `corner_normal()`.
+  };
+  /// all such corners, in the order of the half-edges.
+  const std::vector<Corner>& corners_of_several_wedges() const& { return corners_; }
+  const std::vector<Corner>&
+  corners_of_several_wedges() const&& = delete; // of a piece that is gone
   /// @}
 
 private:
   template <class Scheme, class Traits, class Concurrency_tag>
   friend class Surface_pieces;
-
-  struct Corner
-  {
-    Index halfedge, wedge;
-    Vector_3 normal;
-  };
 
   const Corner* corner_at(Index h) const
   {
