@@ -134,6 +134,9 @@ TEST_F(Pieces, ResumeAfterAFullDisk)
     // other options, and a run that does not know of it
     expect_one_line(run(in_out(scheme, "out.ply") + "--levels 4 --pieces 40 --resume"), 1,
                     "out.ply.part.done");
+    if (scheme == "catmull-clark")
+      for (const char* const creases : {"--border curve", "--sharp angle:25"})
+        expect_one_line(run(arguments + " " + creases), 1, "out.ply.part.done");
     expect_one_line(run(in_out(scheme, "out.ply") + "--levels 6 --pieces 40"), 1, "--resume");
     EXPECT_EQ(run(arguments).code, 0);
     EXPECT_TRUE(content("out.ply") == expected);

@@ -13,10 +13,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
-#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
@@ -130,7 +130,7 @@ private:
 
   struct Nothing
   {};
-  using Slot_value = typename One_round::Slot_value;
+  using Kept = Kept_level<Average, Level_creases>;
   using Slots = std::conditional_t<is_creased, std::optional<Corner_slots<FT>>, Nothing>;
 
   struct Part
@@ -139,19 +139,6 @@ private:
     Piece_elements elements;
     Level_creases creases;
     Values values; // of the slots
-  };
-
-  // of a vertex with several wedges
-  struct Corner
-  {
-    Index halfedge; // of the piece
-    Index slot, wedge;
-  };
-  // What a piece keeps of a level: the vertices of that, and such corners in the order of the half-edges.
-  struct Kept
-  {
-    typename Piece_extraction<All_candidates>::Old_vertices vertices;
-    std::vector<Corner> corners;
   };
 
   void divide(std::size_t number_of_pieces)
@@ -255,18 +242,10 @@ private:
     return part;
   }
 
-  static Face_marks marked(const Level_connectivity& level, const Piece_elements& elements,
-                           unsigned rings)
-  {
-    Face_marks marks = owned_faces(elements.faces);
-    for (unsigned i = 0; i < rings; ++i) add_ring(level, marks);
-    return marks;
-  }
-
   // what is owned, and the rings around it
   Part with_rings(const Refiner& level, const Piece_elements& elements, bool has_isolated) const
   {
-    const Face_marks kept = marked(level.level(), elements, rings_);
+    const Face_marks kept = owned_with_rings(level.level(), elements, rings_);
     const All_candidates candidates(level.level(), kept);
     Piece_extraction<All_candidates> extraction(level.level(), candidates, has_isolated);
     Slots slots;
@@ -326,7 +305,7 @@ private:
                          Refined_creases<FT>(level.creases(), level.level(), vertices).creases);
       One_round one = level.next_round();
       put_values(level, one.round(), kept, out);
-      put_on_creases(one.crease_values(for_chunks_), vertices, kept, out);
+      kept.put_on_creases(one.crease_values(for_chunks_), vertices, out);
     } else {
       One_round one = level.next_round();
       put_values(level, one, put_connectivity(one.host(), one.refined_creases()), out);
@@ -336,7 +315,7 @@ private:
   void put_values(const Refiner& level, const typename Refiner::Rows& rows, const Kept& kept,
                   const Output& out) const
   {
-    const auto& vertices = kept.vertices;
+    const auto& vertices = kept.vertices();
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
       for (Index i = 0; i < n; ++i)
         out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
@@ -353,27 +332,6 @@ private:
       level.evaluate(rows, vertices.data(), static_cast<Index>(vertices.size()), put);
   }
 
-  // instead of what the rows have given there; the slots of a vertex follow one another
-  static void put_on_creases(std::vector<Slot_value> values, Index number_of_vertices,
-                             const Kept& kept, const Output& out)
-  {
-    const auto& vertices = kept.vertices;
-    for_each_crease_vertex<Average>(
-      values, number_of_vertices, [&](std::size_t, Index v, const Value& value) {
-        auto it = std::lower_bound(vertices.begin(), vertices.end(), v);
-        for (; it != vertices.end() && *it == v; ++it)
-          out.put(static_cast<Index>(it - vertices.begin()), value);
-      });
-    const auto is_before = [](const Slot_value& a, const Slot_value& b) {
-      return a.first < b.first;
-    };
-    std::sort(values.begin(), values.end(), is_before);
-    for (const Corner& c : kept.corners)
-      out.put_corner(
-        c.halfedge, c.wedge,
-        std::lower_bound(values.begin(), values.end(), Slot_value(c.slot, {}), is_before)->second);
-  }
-
   Kept put_connectivity(const Refiner& level, const Host& host, const Piece_elements& elements,
                         const Level_creases& creases, bool has_isolated, unsigned rings,
                         const Output& out) const
@@ -384,59 +342,24 @@ private:
     const Level_connectivity child = child_level(host, size, size, for_chunks_);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
                              children.faces(child.size().faces)};
-    return put(child, all, creases, has_isolated, rings, out);
-  }
-
-  static Kept put(const Level_connectivity& level, const Piece_elements& elements,
-                  [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
-                  const Output& out)
-  {
-    const Face_marks kept = marked(level, elements, rings);
-    const All_candidates candidates(level, kept);
-    Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
-    Numbered_elements vertices = extraction.vertices(elements.vertices);
-    Numbered_elements faces = extraction.faces(elements.faces);
-    out.begin(extraction.piece(), vertices, faces);
-    Kept result{extraction.old_vertices(), {}};
-    if constexpr (is_creased) result.corners = corners_of_wedges(extraction, level, creases);
-    return result;
-  }
-
-  static std::vector<Corner> corners_of_wedges(const Piece_extraction<All_candidates>& extraction,
-                                               const Level_connectivity& level,
-                                               const Creases<FT>& creases)
-  {
-    std::vector<Corner> corners;
-    const Corner_slots<FT> slots(level, creases);
-    for (const Crease_star& star : creases.stars) {
-      if (star.number_of_wedges == 1) continue;
-      const Index first = level.halfedge_of_vertex(star.vertex);
-      Index h = first;
-      do {
-        if (extraction.is_inside(h))
-          corners.push_back({extraction.new_halfedge(h), slots(h), star.wedge(slots(h))});
-        h = level.next_around_target(h);
-      } while (h != first);
-    }
-    std::sort(corners.begin(), corners.end(),
-              [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; });
-    return corners;
+    return Kept(child, all, creases, has_isolated, rings, out);
   }
 
   // without a round
   static void put(const Part& part, bool has_isolated, unsigned rings, const Output& out)
   {
-    const Kept kept = put(part.level, part.elements, part.creases, has_isolated, rings, out);
-    for (Index v = 0; v < kept.vertices.size(); ++v) {
-      const Value value = part.values[kept.vertices[v]];
+    const Kept kept(part.level, part.elements, part.creases, has_isolated, rings, out);
+    const auto& vertices = kept.vertices();
+    for (Index v = 0; v < vertices.size(); ++v) {
+      const Value value = part.values[vertices[v]];
       out.put(v, value);
     }
     if constexpr (is_creased) {
-      std::vector<Slot_value> on_creases;
+      std::vector<typename Kept::Slot_value> on_creases;
       for (const Crease_star& star : part.creases.stars)
         for (Index w = 0; w < star.number_of_wedges; ++w)
           on_creases.emplace_back(star.slot(w), part.values[star.slot(w)]);
-      put_on_creases(std::move(on_creases), part.level.number_of_vertices(), kept, out);
+      kept.put_on_creases(std::move(on_creases), part.level.number_of_vertices(), out);
     }
   }
 
