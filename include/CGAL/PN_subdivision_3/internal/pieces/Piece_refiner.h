@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
@@ -32,7 +33,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -87,7 +87,12 @@ public:
   {
     while (base_.rounds_done() < base_round_) base_.refine();
     wholes_.emplace(base_.level(), base_round_, rounds_);
-    divide(number_of_pieces);
+    division_.emplace(base_.level(), number_of_pieces, [this](Index v) {
+      const Value value = base_.values()[v];
+      const auto& p = point_of(value);
+      return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
+                                   CGAL::to_double(p[2])};
+    });
     if constexpr (is_creased) {
       if (!base_.creases().empty()) rings_ += more_rings;
       base_slots_.emplace(base_.level(), base_.creases());
@@ -107,8 +112,8 @@ public:
 
   bool is_empty(std::size_t piece) const override
   {
-    return first_of_piece_[piece] == first_of_piece_[piece + 1] &&
-           (piece != 0 || isolated_vertices_.empty());
+    return division_->begin(piece) == division_->end(piece) &&
+           (piece != 0 || division_->isolated_vertices().empty());
   }
 
   void refine(std::size_t piece, unsigned rings, const Output& out) const override
@@ -141,46 +146,6 @@ private:
     Values values; // of the slots
   };
 
-  void divide(std::size_t number_of_pieces)
-  {
-    const Level_connectivity& level = base_.level();
-    const Face_division division(level, number_of_pieces, [&](Index v) {
-      const Value value = base_.values()[v];
-      const auto& p = point_of(value);
-      return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
-                                   CGAL::to_double(p[2])};
-    });
-    list_faces(division, number_of_pieces);
-    first_face_.assign(level.number_of_vertices(), Level_connectivity::null);
-    for (Index h = 0; h < level.number_of_halfedges(); ++h)
-      if (!level.is_border(h)) {
-        Index& first = first_face_[level.target(h)];
-        first = (std::min)(first, level.face(h));
-      }
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      if (level.is_isolated(v)) isolated_vertices_.push_back(v);
-    // where sqrt(3) refines the border other faces lose the vertex to their neighbors
-    for (Index h = 0; h < level.number_of_halfedges(); ++h)
-      if (level.is_border(h))
-        first_face_[level.target(h)] = level.face(Level_connectivity::opposite(h));
-  }
-
-  // once for all pieces, none of which then looks through the level
-  void list_faces(const Face_division& division, std::size_t number_of_pieces)
-  {
-    const Index faces = base_.level().number_of_faces();
-    piece_of_face_.resize(faces);
-    first_of_piece_.assign(number_of_pieces + 1, 0);
-    for (Index f = 0; f < faces; ++f) {
-      piece_of_face_[f] = division.piece_of_face(f);
-      ++first_of_piece_[piece_of_face_[f] + 1];
-    }
-    std::partial_sum(first_of_piece_.begin(), first_of_piece_.end(), first_of_piece_.begin());
-    std::vector<Index> next(first_of_piece_.begin(), first_of_piece_.end() - 1);
-    faces_by_piece_.resize(faces);
-    for (Index f = 0; f < faces; ++f) faces_by_piece_[next[piece_of_face_[f]]++] = f;
-  }
-
   // Elements of the level that is divided, which keep their numbers.
   template <class Is_owned>
   struct Base_elements
@@ -197,25 +162,20 @@ private:
   Part first_part(std::size_t piece, bool has_isolated) const
   {
     Candidate_tables::Table table = tables_.take(base_.level());
-    const Index* const faces = faces_by_piece_.data();
-    table->list(faces + first_of_piece_[piece], faces + first_of_piece_[piece + 1], rings_,
-                has_isolated ? isolated_vertices_ : std::vector<Index>());
+    table->list(division_->begin(piece), division_->end(piece), rings_,
+                has_isolated ? division_->isolated_vertices() : std::vector<Index>());
     Part part = first_part(piece, has_isolated, *table);
     tables_.give_back(std::move(table));
     return part;
   }
   Part first_part(std::size_t piece, bool has_isolated, const Listed_candidates& candidates) const
   {
-    const Level_connectivity& level = base_.level();
-    Piece_extraction<Listed_candidates> extraction(level, candidates, has_isolated);
-    const auto owns = [&](Index f) { return piece_of_face_[f] == piece; };
-    const auto vertices = base_elements(
-      [&](Index v) { return level.is_isolated(v) ? piece == 0 : owns(first_face_[v]); });
-    const auto edges = base_elements([&](Index e) { // null is the greatest number
-      return owns((std::min)(level.face(2 * e), level.face(2 * e + 1)));
-    });
-    Piece_elements elements{extraction.vertices(vertices), extraction.edges(edges),
-                            extraction.faces(base_elements(owns))};
+    Piece_extraction<Listed_candidates> extraction(base_.level(), candidates, has_isolated);
+    const Divided_level& all = *division_;
+    Piece_elements elements{
+      extraction.vertices(base_elements([&](Index v) { return all.owns_vertex(piece, v); })),
+      extraction.edges(base_elements([&](Index e) { return all.owns_edge(piece, e); })),
+      extraction.faces(base_elements([&](Index f) { return all.owns_face(piece, f); }))};
     return part_of(base_, extraction, std::move(elements), base_slots_);
   }
 
@@ -370,11 +330,8 @@ private:
   std::optional<Whole_levels<Host>> wholes_;
   // of the level that is divided
   Slots base_slots_;
-  std::vector<std::size_t> piece_of_face_;
-  std::vector<Index> faces_by_piece_, first_of_piece_; // in increasing order for each piece
+  std::optional<Divided_level> division_;
   mutable Candidate_tables tables_;
-  std::vector<Index> isolated_vertices_;
-  std::vector<Index> first_face_; // the face that decides on the piece of each of its vertices
 };
 
 } // namespace internal
