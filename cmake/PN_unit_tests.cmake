@@ -90,6 +90,7 @@ endif()
 set(pn_computing_tests
     test_creases_shapes test_curvature_fit test_estimate_curvature test_exact_schemes test_extraordinary_curvature
     test_extraordinary_measure test_failures test_interpolation test_limit_masks test_limit_points test_pieces
+    test_pieces_creases
     test_reproduction test_scheme_properties)
 if(PN_TEST_OPTIMIZATION STREQUAL "-O0" AND NOT PN_TEST_PART STREQUAL "others")
   pn_precompile(pn_computing_test_headers ${pn_headers_of_tests})

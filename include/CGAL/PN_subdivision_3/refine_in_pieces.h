@@ -10,7 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
 
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
@@ -103,14 +105,53 @@ public:
     }
   }
 
+  /// \name Corners
+  /// A corner of a face is named by its half-edge, at whose target it is. Where sharp edges divide the faces around a
+  /// vertex into several wedges it has one of several normals.
+  /// @{
+
+  /// which of the wedges of its vertex a corner belongs to: a number, 0 where there is one wedge.
+  Index corner_wedge(Index h) const
+  {
+    const Corner* corner = corner_at(h);
+    return corner == nullptr ? 0 : corner->wedge;
+  }
+  /// the control normal of a corner, of which `normals()` has the mean.
+  /// \pre the scheme is not linear
+  Vector_3 corner_normal(Index h) const
+  {
+    const Corner* corner = corner_at(h);
+    return corner == nullptr ? normals_[connectivity_.target(h)] : corner->normal;
+  }
+  /// a corner of a vertex with several wedges.
+  struct Corner
+  {
+    Index halfedge;  ///< the half-edge.
+    Index wedge;     ///< see `corner_wedge()`.
+    Vector_3 normal; ///< see `corner_normal()`.
+  };
+  /// all such corners, in the order of the half-edges.
+  const std::vector<Corner>& corners_of_several_wedges() const& { return corners_; }
+  const std::vector<Corner>&
+  corners_of_several_wedges() const&& = delete; // of a piece that is gone
+  /// @}
+
 private:
   template <class Scheme, class Traits, class Concurrency_tag>
   friend class Surface_pieces;
+
+  const Corner* corner_at(Index h) const
+  {
+    const auto it = std::lower_bound(corners_.begin(), corners_.end(), h,
+                                     [](const Corner& c, Index i) { return c.halfedge < i; });
+    return it != corners_.end() && it->halfedge == h ? &*it : nullptr;
+  }
 
   Level_connectivity connectivity_;
   internal::Numbered_elements vertices_, faces_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
+  std::vector<Corner> corners_; // of vertices with several wedges
 };
 
 /*!
@@ -134,8 +175,12 @@ for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
 
 The control mesh is refined until there are at least 16 faces for each piece. These are divided, by planes,
 into pieces with about equally many corners. A piece is refined together with `Scheme::ghost_rings` rings of
-faces around it: as many as the scheme needs so that a round leaves as many right. The last level's are cut
-off.
+faces around it: as many as the scheme needs so that a round leaves as many right, and one more if there are
+creases. The last level's are cut off.
+
+<b>Creases.</b> Sharp edges and vertices, `with_border()`, `with_crease_tangents()` and normals of half-edges are
+those of `subdivide()`. `Surface_piece::normals()` has the mean normal of the wedges of a vertex, as a vertex
+normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` tells that of each wedge.
 
 <b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
@@ -144,7 +189,7 @@ bytes for each border edge of all levels.
 
 <b>Exceptions.</b> All members have the strong guarantee.
 
-Sharp edges and vertices, `with_border()` and attributes are not supported. The object keeps no reference to
+Attributes are not supported. The object keeps no reference to
 the mesh. Its members may be called by several threads at the same time.
 
 \tparam Scheme a model of `PNSubdivisionScheme_3` that has a static constant `ghost_rings`, or its `linear()`
@@ -182,7 +227,8 @@ public:
   \param number_of_pieces how many pieces there are; if there are fewer faces, some are empty
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), and `geom_traits`, as in `subdivide()`; the maps are read only
+    they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
+    `subdivide()`; the maps are read only
 
   \throws std::invalid_argument if there are to be no pieces
   \throws std::invalid_argument, std::length_error, std::domain_error as `subdivide()` does; the limit of the
@@ -194,7 +240,7 @@ public:
     : number_of_pieces_(number_of_pieces)
   {
     if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Number_call<FT>>(
+      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
         scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
     else
       read_mesh(mesh, scheme, np);
@@ -256,7 +302,11 @@ public:
       if (is_pn) piece.normals_.resize(piece.vertices_.size());
     };
     const auto put = [&](Index v, const Value& value) { this->put(piece, v, value); };
-    refiner_->refine(i, rings, {begin, put});
+    const auto put_corner = [&](Index h, Index wedge, [[maybe_unused]] const Value& value) {
+      piece.corners_.push_back({h, wedge, {}});
+      if constexpr (is_pn) piece.corners_.back().normal = normal_of(value);
+    };
+    refiner_->refine(i, rings, {begin, put, put_corner});
     return piece;
   }
 
@@ -276,34 +326,51 @@ private:
         throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");
       const unsigned rounds = Parameters::number_of_iterations(np);
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        read(access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np),
-             rounds);
+        const auto read = [&](const auto& normals) {
+          this->read(access, scheme, Parameters::const_point_map(mesh, np), normals,
+                     Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
+                     rounds);
+        };
+        if constexpr (is_pn)
+          read(Parameters::normal_map(np));
+        else
+          read(internal::No_normal_map());
       });
     }
   }
 
-  template <class Access, class Hosted_scheme, class Point_map, class Normal_map>
+  template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
+            class Vertex_map>
   void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
-            unsigned rounds)
+            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds)
   {
     using Host = typename Hosted_scheme::Host;
-    using Refiner = internal::Piece_refiner<Hosted_scheme, Average>;
+    if constexpr (!internal::check_corner_normals<Hosted_scheme, Access, Normal_map>()) return;
+    internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
+    const internal::Mesh_creases_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map,
+                                         Vertex_map>
+      of_mesh(scheme, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
+    using Level_creases = decltype(creases);
+    using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases>;
+    of_mesh.read_tangents(creases);
+    if (rounds == 0) creases = Level_creases(level.number_of_vertices());
     rounds_ = internal::number_of_rounds(level, rounds);
     constexpr std::uint64_t limit = std::uint64_t(1) << 60;
     internal::checked_refined_size<Host>(level.size(), rounds_, limit);
     const unsigned base_round =
       internal::dividing_round<Host>(level.size(), rounds_, number_of_pieces_);
     internal::checked_refined_size<Host>(level.size(), base_round, Level_connectivity::null);
-    const auto values = internal::read_values<Average>(access, level, points, normals,
-                                                       internal::normal_estimate(scheme));
+    const auto values = of_mesh.values(level, points, normals, creases);
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(internal::point_of(v));
     });
-    refiner_ = std::make_unique<Refiner>(
-      scheme, std::move(level), typename Refiner::Values(values.begin(), values.end()), rounds_,
-      number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
+    refiner_ = std::make_unique<Refiner>(scheme, std::move(level), std::move(creases),
+                                         typename Refiner::Values(values.begin(), values.end()),
+                                         rounds_, number_of_pieces_, ghost_rings_,
+                                         internal::For_chunks::with(Concurrency_tag()));
   }
 
   void put(Piece& piece, Index v, const Value& value) const
@@ -313,9 +380,12 @@ private:
       internal::check_in_range(
         p, [&] { return "the point of the new vertex " + std::to_string(piece.vertex_number(v)); });
     piece.points_[v] = typename GeomTraits::Point_3(p[0], p[1], p[2]);
-    if constexpr (is_pn)
-      piece.normals_[v] =
-        typename GeomTraits::Vector_3(value.normal[0], value.normal[1], value.normal[2]);
+    if constexpr (is_pn) piece.normals_[v] = normal_of(value);
+  }
+  static typename GeomTraits::Vector_3 normal_of(const Value& value)
+  {
+    const auto& n = value.normal;
+    return typename GeomTraits::Vector_3(n[0], n[1], n[2]);
   }
 
   std::size_t number_of_pieces_;

@@ -10,6 +10,7 @@
 #define PN_SUBDIVIDE_ANY_PIECES_H
 
 #include "surface/Surface.h"
+#include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace pn_subdivide {
 
@@ -36,9 +38,11 @@ public:
   virtual Piece piece(std::size_t i, unsigned rings) const = 0;
 };
 
-// The surface is not needed afterwards. Its normals are refined if it has some.
-std::unique_ptr<Any_pieces> make_pieces(const Surface& surface, const Scheme_choice& choice,
-                                        unsigned levels, std::size_t number);
+// The surface is not needed afterwards. Its normals are refined if it has some; with creases those of corners are
+// removed.
+std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& choice,
+                                        unsigned levels, std::size_t number,
+                                        const std::optional<Crease_maps>& creases);
 
 // The bytes that so many pieces take in a process, about.
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,

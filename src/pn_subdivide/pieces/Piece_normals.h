@@ -13,7 +13,10 @@
 #include "surface/Area_normals.h"
 #include "surface/Output_normals.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace pn_subdivide {
@@ -37,8 +40,61 @@ struct Piece_normals
 
   // so many a vertex
   unsigned number() const { return (are_written ? 1 : 0) + (with_control ? 1 : 0); }
-  // of faces around a piece that its own normals depend on
+  // of faces around a piece that its own normals depend on; with creases control normals are not written
   unsigned rings() const { return are_of_faces ? 1 : 0; }
+};
+
+// The wedges of vertices that have several: at a vertex in the order of their least half-edges, as Several_wedges has
+// them in the whole surface.
+class Wedges_of_piece
+{
+public:
+  using Piece = Any_pieces::Piece;
+  using Index = Piece::Index;
+
+  // The piece must stay.
+  explicit Wedges_of_piece(const Piece& piece)
+    : corners_(piece.corners_of_several_wedges())
+    , has_several_(corners_.empty() ? 0 : piece.number_of_vertices(), false)
+  {
+    std::unordered_map<std::uint64_t, std::size_t> number;
+    for (const Piece::Corner& c : corners_) {
+      const Index v = piece.connectivity().target(c.halfedge);
+      has_several_[v] = true;
+      const auto [it, is_new] =
+        number.try_emplace((std::uint64_t(v) << 32) + c.wedge, vertex_.size());
+      if (is_new) vertex_.push_back(v);
+      of_corner_.push_back(it->second);
+    }
+  }
+
+  std::size_t number() const { return vertex_.size(); }
+  bool at(Index v) const { return !has_several_.empty() && has_several_[v]; }
+  // \pre at(the target)
+  std::size_t of(Index h) const
+  {
+    const auto it =
+      std::lower_bound(corners_.begin(), corners_.end(), h,
+                       [](const Piece::Corner& c, Index other) { return c.halfedge < other; });
+    return of_corner_[std::size_t(it - corners_.begin())];
+  }
+
+  // Those of the vertices, which are zero, become the sums of those of the wedges, which are behind them and go.
+  void add_to_vertices(std::vector<Triple>& normals) const
+  {
+    const std::size_t vertices = normals.size() - vertex_.size();
+    for (std::size_t w = 0; w < vertex_.size(); ++w)
+      for (std::size_t k = 0; k < 3; ++k) normals[vertex_[w]][k] += normals[vertices + w][k];
+    normals.resize(vertices);
+    for (std::size_t v = 0; v < has_several_.size(); ++v)
+      if (has_several_[v]) normals[v] = normalized(normals[v]);
+  }
+
+private:
+  const std::vector<Piece::Corner>& corners_;
+  std::vector<bool> has_several_;
+  std::vector<Index> vertex_;          // of each wedge
+  std::vector<std::size_t> of_corner_; // by their places in corners_
 };
 
 // The normals of a piece with its rings.
@@ -53,21 +109,27 @@ public:
   {
     if (!normals.are_of_faces) return;
     const auto& level = piece.connectivity();
-    Area_normals sums(piece.number_of_vertices(), normals.scale);
+    const std::size_t vertices = piece.number_of_vertices();
+    const Wedges_of_piece wedges(piece);
+    Area_normals sums(vertices + wedges.number(), normals.scale);
     std::vector<Piece::Index> corners;
+    std::vector<std::size_t> places;
     for (Piece::Index f = 0; f < piece.number_of_faces(); ++f) {
       corners.clear();
+      places.clear();
       const Piece::Index first = level.halfedge_of_face(f);
       Piece::Index h = first;
       do {
         corners.push_back(level.target(h));
+        places.push_back(wedges.at(corners.back()) ? vertices + wedges.of(h) : corners.back());
         h = level.next(h);
       } while (h != first);
       sums.add_face(
         corners.size(), [&](std::size_t i) { return to_triple(piece.points()[corners[i]]); },
-        [&](std::size_t i) { return corners[i]; });
+        [&](std::size_t i) { return places[i]; });
     }
     of_faces_ = sums.take();
+    wedges.add_to_vertices(of_faces_);
   }
 
   Triple operator[](Piece::Index v) const { return of_faces_.empty() ? control(v) : of_faces_[v]; }

@@ -7,9 +7,12 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "pieces/Any_pieces.h"
+#include "surface/Control_corner_normals.h"
 #include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3.h>
+
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
@@ -47,11 +50,33 @@ std::unique_ptr<Any_pieces> pieces_of_scheme(const Surface& surface, const S& sc
   return std::make_unique<Pieces_of_scheme<S>>(surface, scheme, number, np);
 }
 
+std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_choice& choice,
+                                                unsigned levels, std::size_t number,
+                                                const Crease_maps& creases)
+{
+  const auto np = CGAL::parameters::number_of_iterations(levels)
+                    .edge_is_constrained_map(creases.edges)
+                    .vertex_is_constrained_map(creases.vertices);
+  if (!normals_of(surface)) {
+    const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+    return pieces_of_scheme(surface, PN::linear(PN::with_border(scheme, creases.border)), number,
+                            np);
+  }
+  const std::vector<Vector_3> of_corners = take_corner_normals(surface);
+  return with_scheme(choice, [&](const auto& scheme) {
+    return pieces_of_scheme(
+      surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
+      number, np.vertex_normal_map(Control_corner_normals{&of_corners}));
+  });
+}
+
 } // namespace
 
-std::unique_ptr<Any_pieces> make_pieces(const Surface& surface, const Scheme_choice& choice,
-                                        unsigned levels, std::size_t number)
+std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& choice,
+                                        unsigned levels, std::size_t number,
+                                        const std::optional<Crease_maps>& creases)
 {
+  if (creases) return pieces_with_creases(surface, choice, levels, number, *creases);
   const auto rounds = CGAL::parameters::number_of_iterations(levels);
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals)

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <new>
+#include <optional>
 #include <sstream>
 
 namespace pn_subdivide {
@@ -30,8 +31,21 @@ void refuse(bool is_given, const std::string& option)
                                ".pvtp, mpirun): leave one of the two out");
 }
 
+bool is_creased(const Creases& creases)
+{
+  return creases.any() || creases.border != Border::surface;
+}
+
+// An edge that is still sharp has vertices with a normal on either side.
+bool has_inner_creases(const Surface& surface, const Creases& creases, unsigned levels)
+{
+  for (const Surface::Edge_index e : surface.edges())
+    if (creases.is_sharp(e) && !surface.is_border(e) && creases.edges[e] > levels) return true;
+  return false;
+}
+
 // Of the same data and options the same word.
-std::string name_of(const Mesh_data& mesh, const Surface_options& options,
+std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface_options& options,
                     const Scheme_choice& scheme, const Output_normals& normals, std::size_t pieces)
 {
   Checksum crc;
@@ -40,6 +54,10 @@ std::string name_of(const Mesh_data& mesh, const Surface_options& options,
   };
   add(mesh.points);
   add(mesh.normals);
+  add(mesh.corner_normals);
+  add(creases.edges);
+  add(creases.vertices);
+  for (const Vector_3& t : creases.tangents) add(to_triple(t));
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const std::uint64_t degree = mesh.face(f).size();
     crc.process_bytes(&degree, sizeof degree);
@@ -51,7 +69,7 @@ std::string name_of(const Mesh_data& mesh, const Surface_options& options,
        << scheme.normal_scheme.value_or("-");
   for (const auto& [parameter, value] : scheme.parameters) text << ' ' << parameter << ' ' << value;
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
-  text << ' ' << int(normals.choice) << ' ' << int(normals.kind);
+  text << ' ' << int(creases.border) << ' ' << int(normals.choice) << ' ' << int(normals.kind);
   text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();
   add(text.str());
   return text_of(crc) + " " + std::to_string(pieces);
@@ -92,17 +110,19 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.limit.points, "--limit");
   refuse(options.limit.normals, "--surface-normals");
   refuse(options.output_normals == "surface", "--output-normals surface");
-  refuse(options.creases.border && *options.creases.border != "surface",
-         "--border " + options.creases.border.value_or(""));
   refuse(options.ascii, "--ascii");
   refuse(options.write_tags.has_value(), "--write-tags");
 }
 
-void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases)
+void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
+                             const Output_normals& normals)
 {
-  if (creases.any())
-    throw Error("refinement in pieces has no rules for the sharp edges of this mesh: take --sharp "
-                "none, or refine it as a whole");
+  const bool has_control_normals = normals.choice == Output_normals::Choice::control ||
+                                   normals.choice == Output_normals::Choice::both;
+  if (is_creased(creases) && has_control_normals)
+    throw Error("refinement in pieces does not write what is sharp, which goes with control "
+                "normals: take --output-normals auto, or --sharp none and --border surface, or "
+                "refine it as a whole");
   const Attributes& attributes = mesh.attributes;
   if (!attributes.empty() || !attributes.texture_files.empty() ||
       !attributes.material_files.empty())
@@ -110,23 +130,29 @@ void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases)
                 "materials): take --drop-attributes, or refine the mesh as a whole");
 }
 
-Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
+Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& output,
                            const Output_normals& normals)
 {
   Surface surface = make_surface(mesh);
+  std::optional<Crease_maps> maps;
+  if (is_creased(creases) && options.levels > 0) maps = add_creases(surface, creases);
   const std::size_t number =
     piece_count(surface, scheme, options.levels, options.pieces, ranks().number());
   Pieces_job job;
-  job.name = name_of(mesh, options, scheme, normals, number);
+  job.name = name_of(mesh, creases, options, scheme, normals, number);
   job.has_normals = mesh.has_normals();
   job.normals = Piece_normals(normals, job.has_normals);
+  const bool has_several = options.levels == 0
+                             ? mesh.has_corner_normals()
+                             : maps && has_inner_creases(surface, creases, options.levels);
+  job.has_lost_normals = job.normals.are_written && has_several;
   job.is_resumable = options.pieces.resume;
   if (normals.with_control() && output.format == "ply")
     job.origin = origin_after(mesh, scheme.scheme, options.levels);
   mesh = Mesh_data();
   take_names(job, output);
-  job.pieces = make_pieces(surface, scheme, options.levels, number);
+  job.pieces = make_pieces(surface, scheme, options.levels, number, maps);
   return job;
 }
 

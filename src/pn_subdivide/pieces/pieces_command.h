@@ -31,14 +31,16 @@ bool is_in_pieces(const Surface_options& options, const Mesh_file& output);
 void require_options_for_pieces(const Surface_options& options, const Mesh_file& output);
 
 // Throws Error if the mesh has something that pieces do not carry.
-void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases);
+void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
+                             const Output_normals& normals);
 
 struct Pieces_job
 {
   std::unique_ptr<Any_pieces> pieces;
-  bool has_normals = false; // to refine with
-  Piece_normals normals;    // that are written
-  Mesh_origin origin;       // if it is written
+  bool has_normals = false;      // to refine with
+  Piece_normals normals;         // that are written
+  bool has_lost_normals = false; // vertices with several of them have one in the output
+  Mesh_origin origin;            // if it is written
   bool is_resumable = false;
   std::string name; // of data and options, the same for the same result
   Output_names names;
@@ -46,7 +48,7 @@ struct Pieces_job
 };
 
 // Takes the names in the file system first. Throws Output_error if they cannot be had.
-Pieces_job make_pieces_job(Mesh_data&& mesh, const Surface_options& options,
+Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& output,
                            const Output_normals& normals);
 

@@ -9,6 +9,7 @@
 #include "surface/refine_surface.h"
 
 #include "io/Error.h"
+#include "surface/Control_corner_normals.h"
 #include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3.h>
@@ -50,20 +51,6 @@ struct Round_visitor
   std::function<void(unsigned, std::size_t)> report;
 };
 
-// The normals that a mesh had at its corners before, for the time of a call.
-struct Control_corner_normals
-{
-  using key_type = Surface::Halfedge_index;
-  using value_type = Vector_3;
-  using reference = const Vector_3&;
-  using category = boost::readable_property_map_tag;
-
-  friend const Vector_3& get(const Control_corner_normals& n, key_type h)
-  {
-    return (*n.normals)[h];
-  }
-  const std::vector<Vector_3>* normals;
-};
 using Wedge_normals = PN::internal::Wedge_normals<Control_corner_normals, Normal_map>;
 
 // of vertices without faces, which have no corner to read them from

@@ -378,10 +378,9 @@ void require_interpolation_without_creases(const Creases& creases, const Plan& p
     throw Usage_error("--interpolate is known with --border surface only");
 }
 
-void warn_of_lost_normals(const Mesh_data& mesh, const Plan& plan, Report& report)
+void warn_of_lost_normals(bool has_corner_normals, const Plan& plan, Report& report)
 {
-  if (!mesh.has_corner_normals() || !holds_normals(plan.output) ||
-      holds_corner_normals(plan.output))
+  if (!has_corner_normals || !holds_normals(plan.output) || holds_corner_normals(plan.output))
     return;
   report.warn(plan.output.title("standard output") +
               ": vertices on creases have several normals, " + plan.output.format +
@@ -425,7 +424,8 @@ std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_
 }
 
 void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
-                     const Scheme_choice& scheme, const std::string& normals, Report& report)
+                     const Scheme_choice& scheme, const std::string& normals,
+                     const Creases& creases, Report& report)
 {
   const unsigned number = ranks().number();
   const std::string pieces =
@@ -435,11 +435,12 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
   if (size.faces >= faces_worth_a_report)
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
+  warn_of_lost_normals(job.has_lost_normals, plan, report);
   write_pieces(job, plan.output.name, plan.threads, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
-              rounds_of(plan, options, scheme, job.has_normals) + ", " + normals + ", " + pieces +
-              time_of(report));
+              rounds_of(plan, options, scheme, job.has_normals) + ", " + normals +
+              creases.description() + ", " + pieces + time_of(report));
   report.print_warnings();
   report.write_file({options.input, options.output, size.vertices, size.faces, options.levels});
   report.print_notes();
@@ -473,13 +474,14 @@ void run_surface_command(const Surface_options& options)
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
-    if (in_pieces) require_mesh_for_pieces(mesh, creases);
+    if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals);
     const bool has_file_normals = mesh.has_normals();
     normals = set_normals(mesh, plan, creases, report);
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
     if (in_pieces)
-      pieces = make_pieces_job(std::move(mesh), options, scheme, plan.output, plan.output_normals);
+      pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
+                               plan.output_normals);
     else {
       const Bounding_box control(mesh.points);
       process(mesh, plan, options, scheme, creases, has_file_normals, report);
@@ -497,11 +499,11 @@ void run_surface_command(const Surface_options& options)
     const std::string what = message_of(e);
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
-  if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, report);
+  if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, creases, report);
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
-  warn_of_lost_normals(mesh, plan, report);
+  warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
   warn_of_lost_attributes(mesh, plan, report);
   take_types_of_format(plan.output, mesh.attributes);
   move_file_references(mesh.attributes, plan.input, plan.output);

@@ -70,6 +70,56 @@ TEST_F(Pieces, OfEveryKindOfNormals)
   expect_whole("ct-catmull-clark", "--levels 3 --output-normals both", "--pieces 7 --resume");
 }
 
+// Also the warning is there that vertices have several normals; where all creases have run out it is not.
+TEST_F(Pieces, OfCreases)
+{
+  int with_warning = 0, without = 0;
+  const auto expect = [&](const std::string& scheme, const std::string& options,
+                          const std::vector<std::string>& numbers_of_pieces) {
+    const Outcome whole = run(in_out(scheme, "whole.ply") + options);
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    for (const std::string& pieces : numbers_of_pieces) {
+      const Outcome outcome = run(in_out(scheme, "out.ply") + options + " --pieces " + pieces);
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_TRUE(content("out.ply") == content("whole.ply")) << scheme << options << pieces;
+      const auto warns = [](const Outcome& o) {
+        return o.err.find("several normals") != std::string::npos;
+      };
+      EXPECT_EQ(warns(outcome), warns(whole)) << scheme << options;
+      ++(warns(outcome) ? with_warning : without);
+    }
+  };
+  for (const std::string scheme : {"catmull-clark", "loop", "modified-loop", "ct-catmull-clark"})
+    for (const char* const sharp : {"", "--sharp angle:25 ", "--sharp angle:25 --sharpness 1.5 ",
+                                    "--sharp angle:25 --linear "})
+      for (const char* const border : {"surface", "curve", "corners", "fixed"})
+        expect(scheme, std::string(sharp) + "--levels 3 --border " + border, {"7"});
+  for (const char* const levels : {"0", "1", "2", "4"})
+    for (const char* const normals : {"auto", "none"})
+      expect("catmull-clark",
+             std::string("--sharp angle:25 --sharpness 2.3 --levels ") + levels +
+               " --output-normals " + normals,
+             {"1", "2", "64"});
+  expect("loop", "--sharp angle:25 --levels 3 --normal-scheme modified-loop --threads 2", {"7"});
+  EXPECT_GT(with_warning, 0);
+  EXPECT_GT(without, 0);
+}
+
+// Normals of corners and tags of a file that a first call has written.
+TEST_F(Pieces, OfCreasesOfTheFile)
+{
+  const std::string first = "--levels 1 --sharp angle:25 --sharpness 2.5 --output-normals both";
+  const std::string input = "surface '" + folder.file("first.ply") + "' '";
+  ASSERT_EQ(run(in_out("catmull-clark", "first.ply") + first).code, 0);
+  for (const char* const levels : {"1", "2", "3"}) {
+    const std::string options =
+      "' --quiet --scheme catmull-clark --levels " + std::string(levels) + " ";
+    ASSERT_EQ(run(input + folder.file("whole.ply") + options).code, 0);
+    ASSERT_EQ(run(input + folder.file("out.ply") + options + "--pieces 7").code, 0);
+    EXPECT_TRUE(content("out.ply") == content("whole.ply")) << levels;
+  }
+}
+
 // Areas whose squares are no numbers.
 TEST_F(Pieces, OfEverySize)
 {
@@ -120,9 +170,10 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   expect_refusal("--pieces 2", 2, ".ply or .pvtp", "out.obj");
   for (const std::string option :
        {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide", "--limit",
-        "--surface-normals", "--output-normals surface", "--border curve", "--ascii"})
+        "--surface-normals", "--output-normals surface", "--ascii"})
     expect_refusal("--pieces 2 " + option, 2, option.substr(0, option.find(' ')));
-  expect_refusal("--pieces 2 --sharp angle:5", 1, "--sharp none");
+  expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
+  expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
   folder.write("quads.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
   std::string off = content("quads.off");
   off.replace(0, 3, "COFF");
@@ -153,8 +204,10 @@ std::vector<T> raw_array(const std::string& vtp, const std::string& name)
 TEST_F(Pieces, PvtpHasTheNormalsOfTheWhole)
 {
   for (const std::string& scheme : schemes)
-    for (const char* const normals : {"auto", "control", "both", "none"}) {
-      const std::string options = std::string("--levels 2 --output-normals ") + normals;
+    for (const std::string normals : {"auto", "control", "both", "none", "auto --sharp angle:25"}) {
+      const bool is_creased = normals.size() > 7;
+      if (is_creased && scheme != "catmull-clark" && scheme != "loop") continue;
+      const std::string options = "--levels 2 --output-normals " + normals;
       ASSERT_EQ(run(in_out(scheme, "whole.vtp") + options).code, 0);
       ASSERT_EQ(run(in_out(scheme, "out.pvtp") + options + " --pieces 5").code, 0);
       const std::string whole = content("whole.vtp");

@@ -125,8 +125,11 @@ protected:
 TEST_F(Pieces, ResumeAfterAFullDisk)
 {
   for (const std::string scheme : {"catmull-clark", "doo-sabin"}) {
-    const std::string expected = whole(scheme, "--levels 6");
-    const std::string arguments = in_out(scheme, "out.ply") + "--levels 6 --pieces 40 --resume";
+    const bool is_creased = scheme == "catmull-clark";
+    const std::string sharp = is_creased ? " --sharp angle:25 --border fixed" : "";
+    const std::string expected = whole(scheme, "--levels 6" + sharp);
+    const std::string job = in_out(scheme, "out.ply") + "--levels 6 --pieces 40 --resume";
+    const std::string arguments = job + sharp;
     kill_in_the_middle(arguments, folder.file("out.ply.part.done"));
     const std::string half = std::to_string(expected.size() / 1024);
     expect_one_line(run(arguments, "ulimit -f " + half + "; "), 1, "out.ply");
@@ -134,6 +137,10 @@ TEST_F(Pieces, ResumeAfterAFullDisk)
     // other options, and a run that does not know of it
     expect_one_line(run(in_out(scheme, "out.ply") + "--levels 4 --pieces 40 --resume"), 1,
                     "out.ply.part.done");
+    if (is_creased)
+      for (const char* const other : {"", " --sharp angle:25 --border curve",
+                                      " --sharp angle:25 --sharpness 3 --border fixed"})
+        expect_one_line(run(job + other), 1, "out.ply.part.done");
     expect_one_line(run(in_out(scheme, "out.ply") + "--levels 6 --pieces 40"), 1, "--resume");
     EXPECT_EQ(run(arguments).code, 0);
     EXPECT_TRUE(content("out.ply") == expected);

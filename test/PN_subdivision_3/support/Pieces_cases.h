@@ -266,7 +266,9 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
           typename Control<double>::Mesh::Vertex_index(static_cast<unsigned>(vertices.number(v)));
         other += mesh.point(place) != typename Control<double>::Point(p[0], p[1], p[2]);
       };
-      refiner.refine(i, 0, {begin, put});
+      using Index = PN::Level_connectivity::Index;
+      const auto put_corner = [](Index, Index, const typename Refiner::Value&) {};
+      refiner.refine(i, 0, {begin, put, put_corner});
     }
   });
   return other + (mesh.number_of_faces() - faces);

@@ -12,11 +12,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -36,17 +34,14 @@ public:
                     const std::vector<Value>& values, const std::vector<Index>& centers,
                     unsigned rings)
     : sub_(level, centers, rings, true)
-    , creases_(Make_creases<FT>(sub_.level(), Border::surface)(
-        [&](Index e) {
-          const Crease_edge<FT>* crease = crease_at(creases, sub_.edge_origin()[e]);
-          return crease == nullptr ? 0 : crease->sharpness;
-        },
-        [&](Index v) { return sharpness_at(creases, sub_.origin()[v]); }))
+    , creases_(creases_of_part(
+        creases, sub_.level(), [&](Index e) { return sub_.edge_origin()[e]; },
+        [&](Index v) { return sub_.origin()[v]; }))
+    , values_(creases_.number_of_slots)
   {
-    creases_.has_fixed_border = creases.has_fixed_border;
-    for (Crease_edge<FT>& e : creases_.edges)
-      e.tangent_from = crease_at(creases, sub_.edge_origin()[e.edge])->tangent_from;
-    take_values(Corner_slots<FT>(level, creases), values);
+    take_slot_values(
+      sub_.level(), creases_, [&](Index h) { return sub_.halfedge_origin(h); },
+      Corner_slots<FT>(level, creases), values, values_);
   }
 
   const Level_connectivity& level() const { return sub_.level(); }
@@ -56,38 +51,6 @@ public:
   const std::vector<Index>& centers() const { return sub_.centers(); }
 
 private:
-  static const Crease_edge<FT>* crease_at(const Creases<FT>& creases, Index edge)
-  {
-    const auto it = std::lower_bound(creases.edges.begin(), creases.edges.end(), edge,
-                                     [](const Crease_edge<FT>& c, Index e) { return c.edge < e; });
-    return it != creases.edges.end() && it->edge == edge ? &*it : nullptr;
-  }
-  static double sharpness_at(const Creases<FT>& creases, Index vertex)
-  {
-    const auto it = std::lower_bound(creases.stars.begin(), creases.stars.end(), vertex,
-                                     [](const Crease_star& s, Index v) { return s.vertex < v; });
-    return it != creases.stars.end() && it->vertex == vertex ? it->sharpness : 0;
-  }
-
-  // wedges that begin at a crease are told from the others by this
-  void take_values(const Corner_slots<FT>& slots, const std::vector<Value>& values)
-  {
-    const Level_connectivity& level = sub_.level();
-    values_.resize(creases_.number_of_slots);
-    for (Index v = 0; v < level.number_of_vertices(); ++v) {
-      const Index own = level.halfedge_of_vertex(v);
-      const Index h = level.is_border(own) ? level.next_around_target(own) : own;
-      values_[v] = values[slots(sub_.halfedge_origin(h))];
-    }
-    for (const Crease_star& star : creases_.stars)
-      for (Index i = 0; i < star.number_of_ends; ++i) {
-        const Crease_end& e = creases_.end(star, i);
-        if (creases_.edge(e).has_after(e.side))
-          values_[creases_.edge(e).after[e.side]] =
-            values[slots(sub_.halfedge_origin(creases_.halfedge(e)))];
-      }
-  }
-
   Sub_level sub_;
   Creases<FT> creases_;
   std::vector<Value> values_;

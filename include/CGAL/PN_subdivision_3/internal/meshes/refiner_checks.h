@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_REFINER_CHECKS_H
 
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -19,9 +18,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-using Pieces_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t>;
 using Refiner_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
@@ -30,7 +26,7 @@ using Build_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
 
 // the scheme and what is read of the mesh
-template <class Mesh, class Scheme, class NamedParameters, bool takes_corners = false>
+template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_control_arguments()
 {
   if constexpr (!check_is_point_map<Mesh, NamedParameters>())
@@ -44,7 +40,11 @@ constexpr bool check_control_arguments()
                            typename Parameters::FT>() &&
            check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
                             typename Parameters::Geom_traits, boost::readable_property_map_tag,
-                            takes_corners>();
+                            true>() &&
+           check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                                typename Parameters::Edge_constraint_map>() &&
+           check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                typename Parameters::Vertex_constraint_map>();
   }
 }
 
@@ -59,32 +59,26 @@ constexpr bool check_refiner_arguments()
   constexpr bool has_tangents = has_crease_tangents_v<Scheme>;
   static_assert(!has_tangents, "PN_subdivision_3: Surface_refiner makes the tangents of creases "
                                "from the control points: it takes no with_crease_tangents()");
-  if constexpr (!are_used || has_tangents ||
-                !check_control_arguments<Mesh, Scheme, NamedParameters, true>())
+  if constexpr (!are_used || has_tangents)
     return false;
-  else {
-    using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
-                                typename Parameters::Edge_constraint_map>() &&
-           check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                                typename Parameters::Vertex_constraint_map>();
-  }
+  else
+    return check_control_arguments<Mesh, Scheme, NamedParameters>();
 }
 
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_pieces_arguments()
 {
-  constexpr bool are_used = are_used_v<Pieces_parameters, NamedParameters>;
+  constexpr bool are_used = are_used_v<Refiner_parameters, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
-                          "vertex_normal_map, geom_traits");
-  constexpr bool has_border = Border_of<Scheme>::is_given;
-  static_assert(!has_border, "PN_subdivision_3: Surface_pieces has no rules for creases: it takes "
-                             "no with_border()");
-  if constexpr (!are_used || has_border)
+                          "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
+                          "geom_traits");
+  if constexpr (are_used && check_control_arguments<Mesh, Scheme, NamedParameters>()) {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    return check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                                 typename Parameters::Geom_traits>();
+  } else
     return false;
-  else
-    return check_control_arguments<Mesh, Scheme, NamedParameters>();
 }
 
 template <class Mesh, class NamedParameters, bool takes_corners = false>

@@ -28,11 +28,13 @@ public:
   using Index = Level_connectivity::Index;
 
   // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
-  // vertices from different threads
+  // vertices from different threads; at last (half-edge, wedge, value) for the corners of vertices with several
+  // wedges, in increasing order
   struct Output
   {
     Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
     Function_ref<void(Index, const Value&)> put;
+    Function_ref<void(Index, Index, const Value&)> put_corner;
   };
 
   Kept_pieces() = default;

@@ -56,6 +56,24 @@ public:
 
   Level_connectivity& piece() { return piece_; }
   const Old_vertices& old_vertices() const { return old_vertex_; }
+  // the same of edges
+  boost::container::vector<Index> old_edges() const
+  {
+    boost::container::vector<Index> old(size_.edges, boost::container::default_init);
+    for (Index i = 0; i < new_edge_.size(); ++i)
+      if (new_edge_[i] != null) old[new_edge_[i]] = candidates_.edge(i);
+    return old;
+  }
+
+  // of a half-edge of the whole level, whether its face is taken
+  bool is_inside(Index h) const
+  {
+    return !whole_.is_border(h) && candidates_.is_taken(whole_.face(h));
+  }
+  Index new_halfedge(Index h) const
+  {
+    return 2 * new_edge_[candidates_.place_of_edge(Level_connectivity::edge(h))] + (h & 1u);
+  }
 
   // of a vertex that is there several times the first one may be owned
   template <class Elements>
@@ -105,15 +123,6 @@ private:
 
   static constexpr Index null = Level_connectivity::null;
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
-
-  bool is_inside(Index h) const
-  {
-    return !whole_.is_border(h) && candidates_.is_taken(whole_.face(h));
-  }
-  Index new_halfedge(Index h) const
-  {
-    return 2 * new_edge_[candidates_.place_of_edge(Level_connectivity::edge(h))] + (h & 1u);
-  }
 
   void number_faces()
   {

@@ -10,9 +10,14 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
@@ -23,10 +28,11 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/number_type_basic.h>
 
+#include <boost/container/vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -53,34 +59,51 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 
 // Refines a control level piece by piece. A piece owns faces of the level where it is divided; it is refined
 // together with the rings of faces around these. The last of them go wrong in each round, since faces are
-// missing there, and are cut off.
-template <class Scheme, class Average>
+// missing there, and are cut off. The rules of creases, too, know only what is near: a part of a level has its part of
+// the creases.
+template <class Scheme, class Average, class Level_creases = No_creases>
 class Piece_refiner final : public Kept_pieces<typename Average::Value>
 {
 public:
   using Host = typename Scheme::Host;
   using Index = Level_connectivity::Index;
-  using Refiner = Level_refiner<Scheme, Average>;
+  using Refiner = Level_refiner<Scheme, Average, Level_creases>;
   using One_round = typename Refiner::One_round;
+  using FT = typename Average::FT;
   using Value = typename Refiner::Value;
   using Values = typename Refiner::Values;
 
   using Output = typename Kept_pieces<Value>::Output;
 
-  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
-                unsigned rounds, std::size_t number_of_pieces, unsigned rings,
+  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
+                Values&& values, unsigned rounds, std::size_t number_of_pieces, unsigned rings,
                 const For_chunks& for_chunks)
     : scheme_(scheme)
     , rings_(rings)
     , rounds_(rounds)
     , base_round_(dividing_round<Host>(control.size(), rounds, number_of_pieces))
     , for_chunks_(for_chunks)
-    , base_(scheme_, std::move(control), std::move(values), for_chunks)
+    , base_(scheme_, std::move(control), std::move(creases), std::move(values), for_chunks)
   {
     while (base_.rounds_done() < base_round_) base_.refine();
     wholes_.emplace(base_.level(), base_round_, rounds_);
-    divide(number_of_pieces);
+    division_.emplace(base_.level(), number_of_pieces, [this](Index v) {
+      const Value value = base_.values()[v];
+      const auto& p = point_of(value);
+      return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
+                                   CGAL::to_double(p[2])};
+    });
+    if constexpr (is_creased) {
+      if (!base_.creases().empty()) rings_ += more_rings;
+      base_slots_.emplace(base_.level(), base_.creases());
+    }
   }
+  Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
+                unsigned rounds, std::size_t number_of_pieces, unsigned rings,
+                const For_chunks& for_chunks)
+    : Piece_refiner(scheme, std::move(control), No_creases(control.number_of_vertices()),
+                    std::move(values), rounds, number_of_pieces, rings, for_chunks)
+  {}
 
   const Whole_level& result() const override { return wholes_->back(); }
   const Level_connectivity& base() const override { return base_.level(); }
@@ -89,8 +112,8 @@ public:
 
   bool is_empty(std::size_t piece) const override
   {
-    return first_of_piece_[piece] == first_of_piece_[piece + 1] &&
-           (piece != 0 || isolated_vertices_.empty());
+    return division_->begin(piece) == division_->end(piece) &&
+           (piece != 0 || division_->isolated_vertices().empty());
   }
 
   void refine(std::size_t piece, unsigned rings, const Output& out) const override
@@ -99,58 +122,29 @@ public:
     Part part = first_part(piece, has_isolated);
     for (unsigned k = base_round_ + 1; k < rounds_; ++k) part = refined(part, k, has_isolated);
     if (base_round_ == rounds_)
-      put(part.level, part.elements, has_isolated, rings, part.values, out);
+      put(part, has_isolated, rings, out);
     else
       put_last_round(part, has_isolated, rings, out);
   }
 
 private:
+  static constexpr bool is_creased = are_creases_v<Level_creases>;
+  // The rules of creases read what the mask does, but of each vertex all wedges where creases run out: with one ring
+  // more no vertex that is read misses faces.
+  static constexpr unsigned more_rings = 1;
+
+  struct Nothing
+  {};
+  using Kept = Kept_level<Average, Level_creases>;
+  using Slots = std::conditional_t<is_creased, std::optional<Corner_slots<FT>>, Nothing>;
+
   struct Part
   {
     Level_connectivity level;
     Piece_elements elements;
-    Values values;
+    Level_creases creases;
+    Values values; // of the slots
   };
-
-  void divide(std::size_t number_of_pieces)
-  {
-    const Level_connectivity& level = base_.level();
-    const Face_division division(level, number_of_pieces, [&](Index v) {
-      const Value value = base_.values()[v];
-      const auto& p = point_of(value);
-      return Face_division::Center{CGAL::to_double(p[0]), CGAL::to_double(p[1]),
-                                   CGAL::to_double(p[2])};
-    });
-    list_faces(division, number_of_pieces);
-    first_face_.assign(level.number_of_vertices(), Level_connectivity::null);
-    for (Index h = 0; h < level.number_of_halfedges(); ++h)
-      if (!level.is_border(h)) {
-        Index& first = first_face_[level.target(h)];
-        first = (std::min)(first, level.face(h));
-      }
-    for (Index v = 0; v < level.number_of_vertices(); ++v)
-      if (level.is_isolated(v)) isolated_vertices_.push_back(v);
-    // where sqrt(3) refines the border other faces lose the vertex to their neighbors
-    for (Index h = 0; h < level.number_of_halfedges(); ++h)
-      if (level.is_border(h))
-        first_face_[level.target(h)] = level.face(Level_connectivity::opposite(h));
-  }
-
-  // once for all pieces, none of which then looks through the level
-  void list_faces(const Face_division& division, std::size_t number_of_pieces)
-  {
-    const Index faces = base_.level().number_of_faces();
-    piece_of_face_.resize(faces);
-    first_of_piece_.assign(number_of_pieces + 1, 0);
-    for (Index f = 0; f < faces; ++f) {
-      piece_of_face_[f] = division.piece_of_face(f);
-      ++first_of_piece_[piece_of_face_[f] + 1];
-    }
-    std::partial_sum(first_of_piece_.begin(), first_of_piece_.end(), first_of_piece_.begin());
-    std::vector<Index> next(first_of_piece_.begin(), first_of_piece_.end() - 1);
-    faces_by_piece_.resize(faces);
-    for (Index f = 0; f < faces; ++f) faces_by_piece_[next[piece_of_face_[f]]++] = f;
-  }
 
   // Elements of the level that is divided, which keep their numbers.
   template <class Is_owned>
@@ -168,45 +162,55 @@ private:
   Part first_part(std::size_t piece, bool has_isolated) const
   {
     Candidate_tables::Table table = tables_.take(base_.level());
-    const Index* const faces = faces_by_piece_.data();
-    table->list(faces + first_of_piece_[piece], faces + first_of_piece_[piece + 1], rings_,
-                has_isolated ? isolated_vertices_ : std::vector<Index>());
+    table->list(division_->begin(piece), division_->end(piece), rings_,
+                has_isolated ? division_->isolated_vertices() : std::vector<Index>());
     Part part = first_part(piece, has_isolated, *table);
     tables_.give_back(std::move(table));
     return part;
   }
   Part first_part(std::size_t piece, bool has_isolated, const Listed_candidates& candidates) const
   {
-    const Level_connectivity& level = base_.level();
-    Piece_extraction<Listed_candidates> extraction(level, candidates, has_isolated);
-    const auto owns = [&](Index f) { return piece_of_face_[f] == piece; };
-    const auto vertices = base_elements(
-      [&](Index v) { return level.is_isolated(v) ? piece == 0 : owns(first_face_[v]); });
-    const auto edges = base_elements([&](Index e) { // null is the greatest number
-      return owns((std::min)(level.face(2 * e), level.face(2 * e + 1)));
-    });
-    Piece_elements elements{extraction.vertices(vertices), extraction.edges(edges),
-                            extraction.faces(base_elements(owns))};
-    return {std::move(extraction.piece()), std::move(elements), extraction.values(base_.values())};
+    Piece_extraction<Listed_candidates> extraction(base_.level(), candidates, has_isolated);
+    const Divided_level& all = *division_;
+    Piece_elements elements{
+      extraction.vertices(base_elements([&](Index v) { return all.owns_vertex(piece, v); })),
+      extraction.edges(base_elements([&](Index e) { return all.owns_edge(piece, e); })),
+      extraction.faces(base_elements([&](Index f) { return all.owns_face(piece, f); }))};
+    return part_of(base_, extraction, std::move(elements), base_slots_);
   }
 
-  static Face_marks marked(const Level_connectivity& level, const Piece_elements& elements,
-                           unsigned rings)
+  // `slots` are those of the level
+  template <class Candidates>
+  static Part part_of(const Refiner& level, Piece_extraction<Candidates>& extraction,
+                      Piece_elements&& elements, [[maybe_unused]] const Slots& slots)
   {
-    Face_marks marks = owned_faces(elements.faces);
-    for (unsigned i = 0; i < rings; ++i) add_ring(level, marks);
-    return marks;
+    Part part{std::move(extraction.piece()), std::move(elements),
+              Level_creases(static_cast<Index>(extraction.old_vertices().size())),
+              extraction.values(level.values())};
+    if constexpr (is_creased) {
+      if (level.creases().empty()) return part;
+      const auto edges = extraction.old_edges();
+      const auto& vertices = extraction.old_vertices();
+      part.creases = creases_of_part(
+        level.creases(), part.level, [&](Index e) { return edges[e]; },
+        [&](Index v) { return vertices[v]; });
+      part.values.resize(part.creases.number_of_slots, boost::container::default_init);
+      take_slot_values(
+        part.level, part.creases, [&](Index h) { return 2 * edges[h / 2] + (h & 1u); }, *slots,
+        level.values(), part.values);
+    }
+    return part;
   }
 
   // what is owned, and the rings around it
-  Part with_rings(const Level_connectivity& level, const Piece_elements& elements,
-                  const Values& values, bool has_isolated) const
+  Part with_rings(const Refiner& level, const Piece_elements& elements, bool has_isolated) const
   {
-    const Face_marks kept = marked(level, elements, rings_);
-    const All_candidates candidates(level, kept);
-    Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
-    return {std::move(extraction.piece()), extraction.elements(elements),
-            extraction.values(values)};
+    const Face_marks kept = owned_with_rings(level.level(), elements, rings_);
+    const All_candidates candidates(level.level(), kept);
+    Piece_extraction<All_candidates> extraction(level.level(), candidates, has_isolated);
+    Slots slots;
+    if constexpr (is_creased) slots.emplace(level.level(), level.creases());
+    return part_of(level, extraction, extraction.elements(elements), slots);
   }
 
   void close_rim_before(unsigned round, Part& part) const
@@ -223,76 +227,99 @@ private:
       throw std::length_error("PN_subdivision_3: a piece would have " +
                               std::to_string(size.halfedges()) +
                               " half-edges, more than can be numbered: ask for more pieces");
-    return Refiner(scheme_, std::move(part.level), std::move(part.values), for_chunks_, round - 1);
+    if constexpr (!is_creased) part.creases = No_creases(part.level.number_of_vertices());
+    return Refiner(scheme_, std::move(part.level), std::move(part.creases), std::move(part.values),
+                   for_chunks_, round - 1);
   }
 
   Part refined(Part& part, unsigned round, bool has_isolated) const
   {
     close_rim_before(round, part);
     Refiner level = refiner(part, round);
+    const auto children = [&](const Host& host) {
+      return Child_elements<Host>(level.level(), part.elements, host, (*wholes_)[round - 1],
+                                  for_chunks_)
+        .all(Host::refined_size(level.level().size(), round));
+    };
+    Piece_elements elements;
+    if constexpr (is_creased) elements = children(Host(level.level(), round)); // is cut open next
     One_round one = level.next_round();
-    const Piece_elements elements = Child_elements<Host>(level.level(), part.elements, one.host(),
-                                                         (*wholes_)[round - 1], for_chunks_)
-                                      .all(one.refined_size());
+    if constexpr (!is_creased) elements = children(one.host());
     part.elements = Piece_elements();
     level.refine(one);
-    return with_rings(level.level(), elements, level.values(), has_isolated);
+    return with_rings(level, elements, has_isolated);
   }
 
   void put_last_round(Part& part, bool has_isolated, unsigned rings, const Output& out) const
   {
     close_rim_before(rounds_, part);
     Refiner level = refiner(part, rounds_);
-    const One_round one = level.next_round();
-    const auto vertices = put_connectivity(level, one, part.elements, has_isolated, rings, out);
+    const auto put_connectivity = [&](const Host& host, const Level_creases& creases) {
+      return this->put_connectivity(level, host, part.elements, creases, has_isolated, rings, out);
+    };
+    if constexpr (is_creased) {
+      const Level_size size = Host::refined_size(level.level().size(), rounds_);
+      const auto vertices = static_cast<Index>(size.vertices);
+      const Kept kept =
+        put_connectivity(Host(level.level(), rounds_),
+                         Refined_creases<FT>(level.creases(), level.level(), vertices).creases);
+      One_round one = level.next_round();
+      put_values(level, one.round(), kept, out);
+      kept.put_on_creases(one.crease_values(for_chunks_), vertices, out);
+    } else {
+      One_round one = level.next_round();
+      put_values(level, one, put_connectivity(one.host(), one.refined_creases()), out);
+    }
+  }
+
+  void put_values(const Refiner& level, const typename Refiner::Rows& rows, const Kept& kept,
+                  const Output& out) const
+  {
+    const auto& vertices = kept.vertices();
     const auto put = [&](const Index* vertex, const Value* values, Index n) {
       for (Index i = 0; i < n; ++i)
         out.put(static_cast<Index>(vertex + i - vertices.data()), values[i]);
     };
-    const auto transfers = level.transfers(one);
+    const auto transfers = level.transfers(rows);
     if (!transfers.is_empty())
-      level.evaluate(one, transfers, 0, static_cast<Index>(one.refined_size().vertices),
+      level.evaluate(rows, transfers, 0, static_cast<Index>(rows.refined_size().vertices),
                      [&](Index first, const Value* values, Index n) {
                        auto it = std::lower_bound(vertices.begin(), vertices.end(), first);
                        for (; it != vertices.end() && *it - first < n; ++it)
                          put(&*it, values + (*it - first), 1);
                      });
     else
-      level.evaluate(one, vertices.data(), static_cast<Index>(vertices.size()), put);
+      level.evaluate(rows, vertices.data(), static_cast<Index>(vertices.size()), put);
   }
 
-  typename Piece_extraction<All_candidates>::Old_vertices
-  put_connectivity(const Refiner& level, const One_round& one, const Piece_elements& elements,
-                   bool has_isolated, unsigned rings, const Output& out) const
+  Kept put_connectivity(const Refiner& level, const Host& host, const Piece_elements& elements,
+                        const Level_creases& creases, bool has_isolated, unsigned rings,
+                        const Output& out) const
   {
-    const Child_elements<Host> children(level.level(), elements, one.host(),
-                                        (*wholes_)[rounds_ - 1], for_chunks_);
-    const Level_connectivity child = child_level(one, for_chunks_);
+    const Child_elements<Host> children(level.level(), elements, host, (*wholes_)[rounds_ - 1],
+                                        for_chunks_);
+    const Level_size size = Host::refined_size(level.level().size(), rounds_);
+    const Level_connectivity child = child_level(host, size, size, for_chunks_);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
                              children.faces(child.size().faces)};
-    return put(child, all, has_isolated, rings, out);
+    return Kept(child, all, creases, has_isolated, rings, out);
   }
 
-  static typename Piece_extraction<All_candidates>::Old_vertices
-  put(const Level_connectivity& level, const Piece_elements& elements, bool has_isolated,
-      unsigned rings, const Output& out)
+  // without a round
+  static void put(const Part& part, bool has_isolated, unsigned rings, const Output& out)
   {
-    const Face_marks kept = marked(level, elements, rings);
-    const All_candidates candidates(level, kept);
-    Piece_extraction<All_candidates> extraction(level, candidates, has_isolated);
-    Numbered_elements vertices = extraction.vertices(elements.vertices);
-    Numbered_elements faces = extraction.faces(elements.faces);
-    out.begin(extraction.piece(), vertices, faces);
-    return extraction.old_vertices();
-  }
-
-  static void put(const Level_connectivity& level, const Piece_elements& elements,
-                  bool has_isolated, unsigned rings, const Values& values, const Output& out)
-  {
-    const auto vertices = put(level, elements, has_isolated, rings, out);
+    const Kept kept(part.level, part.elements, part.creases, has_isolated, rings, out);
+    const auto& vertices = kept.vertices();
     for (Index v = 0; v < vertices.size(); ++v) {
-      const Value value = values[vertices[v]];
+      const Value value = part.values[vertices[v]];
       out.put(v, value);
+    }
+    if constexpr (is_creased) {
+      std::vector<typename Kept::Slot_value> on_creases;
+      for (const Crease_star& star : part.creases.stars)
+        for (Index w = 0; w < star.number_of_wedges; ++w)
+          on_creases.emplace_back(star.slot(w), part.values[star.slot(w)]);
+      kept.put_on_creases(std::move(on_creases), part.level.number_of_vertices(), out);
     }
   }
 
@@ -302,11 +329,9 @@ private:
   Refiner base_;
   std::optional<Whole_levels<Host>> wholes_;
   // of the level that is divided
-  std::vector<std::size_t> piece_of_face_;
-  std::vector<Index> faces_by_piece_, first_of_piece_; // in increasing order for each piece
+  Slots base_slots_;
+  std::optional<Divided_level> division_;
   mutable Candidate_tables tables_;
-  std::vector<Index> isolated_vertices_;
-  std::vector<Index> first_face_; // the face that decides on the piece of each of its vertices
 };
 
 } // namespace internal

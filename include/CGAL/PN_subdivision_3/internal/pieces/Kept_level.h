@@ -1,0 +1,125 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_KEPT_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_KEPT_LEVEL_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_elements& elements,
+                                   unsigned rings)
+{
+  Face_marks marks = owned_faces(elements.faces);
+  for (unsigned i = 0; i < rings; ++i) add_ring(level, marks);
+  return marks;
+}
+
+// What a piece keeps of its last level: faces, their vertices, and the corners of vertices with several wedges.
+template <class Average, class Level_creases>
+class Kept_level
+{
+public:
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  using Index = Level_connectivity::Index;
+  using Output = typename Kept_pieces<Value>::Output;
+  using Slot_value = std::pair<Index, Value>;
+
+  // Puts the connectivity of the faces that are owned and of the rings around them.
+  Kept_level(const Level_connectivity& level, const Piece_elements& elements,
+             [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
+             const Output& out)
+  {
+    const Face_marks kept = owned_with_rings(level, elements, rings);
+    const All_candidates candidates(level, kept);
+    Extraction extraction(level, candidates, has_isolated);
+    Numbered_elements vertices = extraction.vertices(elements.vertices);
+    Numbered_elements faces = extraction.faces(elements.faces);
+    out.begin(extraction.piece(), vertices, faces);
+    vertices_ = extraction.old_vertices();
+    if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);
+  }
+
+  // those of the level, in increasing order
+  const typename Piece_extraction<All_candidates>::Old_vertices& vertices() const
+  {
+    return vertices_;
+  }
+
+  // instead of what the rows have given there; the slots of a vertex follow one another
+  void put_on_creases(std::vector<Slot_value> values, Index number_of_vertices,
+                      const Output& out) const
+  {
+    for_each_crease_vertex<Average>(
+      values, number_of_vertices, [&](std::size_t, Index v, const Value& value) {
+        auto it = std::lower_bound(vertices_.begin(), vertices_.end(), v);
+        for (; it != vertices_.end() && *it == v; ++it)
+          out.put(static_cast<Index>(it - vertices_.begin()), value);
+      });
+    const auto is_before = [](const Slot_value& a, const Slot_value& b) {
+      return a.first < b.first;
+    };
+    std::sort(values.begin(), values.end(), is_before);
+    for (const Corner& c : corners_)
+      out.put_corner(
+        c.halfedge, c.wedge,
+        std::lower_bound(values.begin(), values.end(), Slot_value(c.slot, {}), is_before)->second);
+  }
+
+private:
+  using Extraction = Piece_extraction<All_candidates>;
+
+  struct Corner
+  {
+    Index halfedge; // of the piece
+    Index slot, wedge;
+  };
+
+  void list_corners(const Extraction& extraction, const Level_connectivity& level,
+                    const Creases<FT>& creases)
+  {
+    const Corner_slots<FT> slots(level, creases);
+    for (const Crease_star& star : creases.stars) {
+      if (star.number_of_wedges == 1) continue;
+      const Index first = level.halfedge_of_vertex(star.vertex);
+      Index h = first;
+      do {
+        if (extraction.is_inside(h))
+          corners_.push_back({extraction.new_halfedge(h), slots(h), star.wedge(slots(h))});
+        h = level.next_around_target(h);
+      } while (h != first);
+    }
+    std::sort(corners_.begin(), corners_.end(),
+              [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; });
+  }
+
+  typename Extraction::Old_vertices vertices_;
+  std::vector<Corner> corners_; // in the order of the half-edges
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_KEPT_LEVEL_H
