@@ -167,7 +167,7 @@ TEST(Crease_maps, AveragesOfTangentsAreNotTooShort)
   for (double angle = 1e-13; angle < 1; angle *= 1.1) { // off opposite
     const std::array<double, 3> t = {-std::cos(angle), std::sin(angle), 0};
     const Average::Entry entries[2] = {{0.5, {0, 0, 0}, {1, 0, 0}}, {0.5, {1, 0, 0}, t}};
-    const auto& tangent = Average(entries, entries + 2).tangent();
+    const auto tangent = Average(entries, entries + 2).tangent();
     const double length = std::hypot(tangent[0], tangent[1], tangent[2]);
     EXPECT_TRUE(length == 0 || length >= 1e-6) << angle << ' ' << length;
     zeros += length == 0;
