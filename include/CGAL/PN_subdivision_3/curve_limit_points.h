@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_limits.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
@@ -137,7 +138,7 @@ public:
       for (std::size_t c = 0; c < dimension; ++c) n[c] = close_double(result.value.normal[c]);
     } else {
       l.point = to<Point>(result.value);
-      l.control_normal = to<Vector>(Coordinates<FT, dimension>{});
+      l.control_normal = to<Vector>(internal::zero_vector<FT, dimension>());
     }
     l.error = result.error;
     l.tangent_error = result.tangent_error;

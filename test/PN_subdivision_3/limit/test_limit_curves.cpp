@@ -369,6 +369,9 @@ TEST(Curve_limits, OfOtherNumbersAreClose)
       EXPECT_NEAR(p.y(), CGAL::to_double(exact_limits[i].point.y()), 1e-13);
       EXPECT_LE(interval_limits[i].point.x().inf(), linear_limits[i].point.x() + 20 * ulp);
       EXPECT_GE(interval_limits[i].point.x().sup(), linear_limits[i].point.x() - 20 * ulp);
+      for (const auto& n :
+           {interval_limits[i].control_normal.x(), interval_limits[i].control_normal.y()})
+        EXPECT_TRUE(n.inf() == 0 && n.sup() == 0) << n.inf() << ' ' << n.sup();
     }
   }
 }

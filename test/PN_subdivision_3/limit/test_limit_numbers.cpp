@@ -21,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -192,9 +193,10 @@ TEST_F(Limit_precision, OfSchemesThatTransferCurvature)
   Mesh mesh;
   auto normals = mesh.add_property_map<Mesh::Vertex_index, K::Vector_3>("n").first;
   const auto limits = mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<K>>("limit").first;
-  const int triples[][4] = {{0, 0, 1, 1},  {3, 4, 0, 5},    {-7, 24, 0, 25}, {-12, -5, 0, 13},
-                            {0, -1, 0, 1}, {15, -8, 0, 17}, {0, 0, -1, 1}}; // x, y, z, length
-  for (const auto& t : triples) {
+  using Quadruple = std::array<int, 4>; // x, y, z, length
+  for (const Quadruple& t : {Quadruple{0, 0, 1, 1}, Quadruple{3, 4, 0, 5}, Quadruple{-7, 24, 0, 25},
+                             Quadruple{-12, -5, 0, 13}, Quadruple{0, -1, 0, 1},
+                             Quadruple{15, -8, 0, 17}, Quadruple{0, 0, -1, 1}}) {
     const K::Vector_3 n(FT(t[0]) / FT(t[3]), FT(t[1]) / FT(t[3]), FT(t[2]) / FT(t[3]));
     normals[mesh.add_vertex(CGAL::ORIGIN + n)] = n;
   }

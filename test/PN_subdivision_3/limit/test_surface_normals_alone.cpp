@@ -149,8 +149,10 @@ TEST(Surface_normals_alone, AreOnTheSideOfTheFaces)
       for (std::size_t i = 1; i + 1 < p.size(); ++i)
         area = area + CGAL::cross_product(p[i] - p[0], p[i + 1] - p[0]);
     }
-    for (const Limit& l : down.at)
-      if (l.has_surface_normal) EXPECT_GT(l.surface_normal * area, 0);
+    for (const Limit& l : down.at) {
+      if (!l.has_surface_normal) continue;
+      EXPECT_GT(l.surface_normal * area, 0);
+    }
   }
 }
 
