@@ -116,7 +116,7 @@ private:
     carried.begin_round(scheme_, refiner, last, Kind_of_round::last_put_later);
     Level refined = refined_level(refiner, last, carried.rows());
     refiner.release_values();
-    report_last_round(rounds, size);
+    report_last_round(round_done_, rounds, rounds_, size);
     auto limit_creases = last.refined_creases();
     const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
     auto limits =
@@ -167,13 +167,6 @@ private:
     refined.values.assign(values.begin(), values.end());
     refined.level = refiner.child(last, last.refined_creases());
     return refined;
-  }
-
-  // of the last round, and of those that change nothing
-  void report_last_round(unsigned rounds, const Level_size& size) const
-  {
-    round_done_(rounds, static_cast<std::size_t>(size.faces));
-    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
   }
 
   template <class Limits, class Writer>

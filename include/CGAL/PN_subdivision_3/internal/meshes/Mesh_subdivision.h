@@ -122,13 +122,6 @@ private:
     access.grow(size);
   }
 
-  // of the last round, and of those that change nothing
-  void report_last_round(unsigned rounds, const Level_size& size) const
-  {
-    round_done_(rounds, static_cast<std::size_t>(size.faces));
-    for (unsigned k = rounds; k < rounds_;) round_done_(++k, 0);
-  }
-
   template <class Refiner, class Writer>
   static void put_values(const Refiner& refiner, const One_round& last, Writer& writer,
                          const Rows_sink* rows = nullptr)
@@ -210,7 +203,7 @@ private:
     carried.put(refiner, last.round());
     of_mesh.put_sharpness(last.refined_creases(), size, rounds);
     of_mesh.put_tangents(last.refined_creases(), size);
-    report_last_round(rounds, size);
+    report_last_round(round_done_, rounds, rounds_, size);
     put_connectivity(last.round(), access, for_chunks_, [&] {
       writer.keep();
       corners.keep();

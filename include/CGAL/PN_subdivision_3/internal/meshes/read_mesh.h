@@ -50,6 +50,14 @@ inline unsigned number_of_rounds(const Level_connectivity& level, unsigned round
   return level.size().faces == 0 ? (std::min)(rounds, 1u) : rounds;
 }
 
+// of the last round, and of those of a call that change nothing
+template <class Round_done>
+void report_last_round(const Round_done& done, unsigned last, unsigned all, const Level_size& size)
+{
+  done(last, static_cast<std::size_t>(size.faces));
+  while (last < all) done(++last, 0);
+}
+
 // the size after some rounds
 template <class Host>
 Level_size checked_refined_size(Level_size size, unsigned rounds, std::uint64_t limit)
