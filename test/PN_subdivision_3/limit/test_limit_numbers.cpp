@@ -194,10 +194,11 @@ TEST_F(Limit_precision, OfSchemesThatTransferCurvature)
   auto normals = mesh.add_property_map<Mesh::Vertex_index, K::Vector_3>("n").first;
   const auto limits = mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<K>>("limit").first;
   using Quadruple = std::array<int, 4>; // x, y, z, length
-  for (const Quadruple& t : {Quadruple{0, 0, 1, 1}, Quadruple{3, 4, 0, 5}, Quadruple{-7, 24, 0, 25},
-                             Quadruple{-12, -5, 0, 13}, Quadruple{0, -1, 0, 1},
-                             Quadruple{15, -8, 0, 17}, Quadruple{0, 0, -1, 1}}) {
-    const K::Vector_3 n(FT(t[0]) / FT(t[3]), FT(t[1]) / FT(t[3]), FT(t[2]) / FT(t[3]));
+  for (const auto& [x, y, z, length] :
+       {Quadruple{0, 0, 1, 1}, Quadruple{3, 4, 0, 5}, Quadruple{-7, 24, 0, 25},
+        Quadruple{-12, -5, 0, 13}, Quadruple{0, -1, 0, 1}, Quadruple{15, -8, 0, 17},
+        Quadruple{0, 0, -1, 1}}) {
+    const K::Vector_3 n(FT(x) / FT(length), FT(y) / FT(length), FT(z) / FT(length));
     normals[mesh.add_vertex(CGAL::ORIGIN + n)] = n;
   }
   const auto v = [](int i) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(i)); };
