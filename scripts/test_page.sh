@@ -39,4 +39,4 @@ if [[ -z $command ]]; then
   scripts/build.sh pn_subdivide
   command=build/release/src/pn_subdivide/pn_subdivide
 fi
-PN_PAGE=$page PN_SUBDIVIDE=$command node --test $tests/test_page.mjs
+PN_PAGE=$page PN_SUBDIVIDE=$command node --test $tests/test_editing.mjs $tests/test_page.mjs

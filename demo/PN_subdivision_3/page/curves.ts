@@ -50,7 +50,10 @@ export function checkedCurve(given: Partial<CurveState>, usual: CurveState): Cur
 const space = "http://www.w3.org/2000/svg";
 const tipDistance = 34; // pixels
 
-type Hold = { kind: "point" | "normal"; vertex: number };
+type Hold = { kind: "point" | "normal"; vertex: number; pointer: number; x: number; y: number; before?: CurveState };
+
+/** A hand that does not want to move anything moves by so many pixels. */
+const stillness = 2;
 
 export class CurveEditor {
   state: CurveState = {
@@ -84,7 +87,7 @@ export class CurveEditor {
   ) {
     svg.addEventListener("pointerdown", (e) => this.down(e));
     svg.addEventListener("pointermove", (e) => this.move(e));
-    for (const name of ["pointerup", "pointercancel"] as const) svg.addEventListener(name, () => this.up());
+    for (const name of ["pointerup", "pointercancel"] as const) svg.addEventListener(name, (e) => this.up(e));
     svg.addEventListener("dblclick", (e) => this.doubleClick(e));
     svg.addEventListener("keydown", (e) => this.key(e));
     svg.addEventListener("wheel", (e) => this.wheel(e), { passive: false });
@@ -201,12 +204,12 @@ export class CurveEditor {
   }
 
   private down(event: PointerEvent): void {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || this.hold) return;
     const target = event.target as SVGElement;
     const vertex = Number(target.dataset.vertex);
     if (target.dataset.kind === "point" || target.dataset.kind === "normal") {
-      this.remember();
-      this.hold = { kind: target.dataset.kind, vertex };
+      const { pointerId: pointer, clientX: x, clientY: y } = event;
+      this.hold = { kind: target.dataset.kind, vertex, pointer, x, y, before: this.copy() };
       this.selected = vertex;
       this.svg.setPointerCapture(event.pointerId);
       this.requestDraw();
@@ -216,9 +219,14 @@ export class CurveEditor {
   }
 
   private move(event: PointerEvent): void {
-    if (!this.hold) return;
+    if (this.hold?.pointer !== event.pointerId) return;
+    const { kind, vertex, before } = this.hold;
+    if (before) {
+      if (Math.hypot(event.clientX - this.hold.x, event.clientY - this.hold.y) <= stillness) return;
+      this.history.remember(before);
+      this.hold.before = undefined;
+    }
     const [x, y] = this.toUnits(event);
-    const { kind, vertex } = this.hold;
     if (kind === "point") this.state.points.splice(2 * vertex, 2, x, y);
     else {
       const [dx, dy] = [x - this.state.points[2 * vertex], y - this.state.points[2 * vertex + 1]];
@@ -228,15 +236,17 @@ export class CurveEditor {
     this.requestDraw();
   }
 
-  private up(): void {
-    if (!this.hold) return;
+  private up(event: PointerEvent): void {
+    if (this.hold?.pointer !== event.pointerId) return;
+    const hasMoved = this.hold.before === undefined;
     this.hold = undefined;
-    this.changed();
+    if (hasMoved) this.changed();
   }
 
   private doubleClick(event: MouseEvent): void {
-    const target = event.target as SVGElement;
-    if (this.isDrawing) return;
+    // whoever holds a pointer gets its clicks: what was clicked is asked for
+    const target = document.elementFromPoint(event.clientX, event.clientY) as SVGElement | null;
+    if (this.isDrawing || !target) return;
     if (target.dataset.kind === "point") this.remove(Number(target.dataset.vertex));
     if (target.dataset.kind === "edge") {
       this.remember();

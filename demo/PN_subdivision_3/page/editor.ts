@@ -11,6 +11,7 @@
 import { History } from "./history";
 import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
 import { deviation, roundShapeThrough } from "./round_shapes";
+import { withCreases } from "./selection";
 import { endOfColors, type Shading } from "./shading";
 import type { Layout, Selection, Viewer } from "./viewer";
 
@@ -81,6 +82,8 @@ export class Editor {
   private cost = { limit: 0, curvature: 0 };
   private dragged = new Set<number>();
   private frame = 0;
+  private beforeDrag: Version | undefined; // until something is dragged
+  private hasDragged = false;
 
   constructor(
     private readonly modeler: Modeler,
@@ -125,13 +128,15 @@ export class Editor {
     return true;
   }
 
-  /** Reads a file as the command does: Loop subdivision for triangles, Catmull-Clark for other faces. */
-  open(content: Uint8Array, fileName: string): boolean {
+  /** Reads a file as the command does: Loop subdivision for triangles, Catmull-Clark for other faces.
+   * `selection`: the content of a selection file of CGAL, whose edges are the creases. */
+  open(content: Uint8Array, fileName: string, selection?: string): boolean {
     const format = fileName.split(".").pop()!.toLowerCase();
     let scheme = this.settings.scheme;
     return this.load(
       () => {
-        const mesh = this.modeler.readMesh(content, format);
+        let mesh = this.modeler.readMesh(content, format);
+        if (selection !== undefined) mesh = withCreases(this.modeler, mesh, selection);
         scheme = mesh.hasOnlyTriangles() ? "loop" : "catmull-clark";
         return mesh;
       },
@@ -142,6 +147,21 @@ export class Editor {
         },
       } as Partial<Settings>,
     );
+  }
+
+  /** The edges of a selection file become the creases of the mesh that is shown. */
+  openSelection(selection: string, fileName: string): void {
+    try {
+      const copy = this.modeler.restoreMesh(this.mesh.state());
+      const mesh = withCreases(this.modeler, copy, selection);
+      const before = this.version();
+      this.replace(mesh, this.settings);
+      this.history.remember(before);
+      this.say(`${mesh.numberOfSharpEdges()} edges are sharp.`, "note");
+    } catch (error) {
+      this.say(`${fileName}: ${messageOf(error)}`, "error");
+    }
+    this.changed();
   }
 
   set(change: Partial<Settings>): void {
@@ -182,8 +202,10 @@ export class Editor {
     this.changed();
   }
 
+  /** What moves nothing until endDrag() is no change. */
   beginDrag(): void {
-    this.history.remember(this.version());
+    this.beforeDrag = this.version();
+    this.hasDragged = false;
   }
 
   dragPoint(vertex: number, x: number, y: number, z: number): void {
@@ -199,6 +221,9 @@ export class Editor {
   }
 
   private drag(vertex: number): void {
+    if (this.beforeDrag) this.history.remember(this.beforeDrag);
+    this.beforeDrag = undefined;
+    this.hasDragged = true;
     this.dragged.add(vertex);
     if (this.frame === 0)
       this.frame = requestAnimationFrame(() => {
@@ -210,17 +235,22 @@ export class Editor {
   endDrag(): void {
     if (this.frame !== 0) cancelAnimationFrame(this.frame);
     this.frame = 0;
+    this.beforeDrag = undefined;
+    if (!this.hasDragged) return;
+    this.hasDragged = false;
     this.follow(true);
     this.changed();
   }
 
   /** A point that is entered or moved by a key. */
   setPoint(vertex: number, x: number, y: number, z: number): void {
+    if (isTriple(this.handles.points, vertex, [x, y, z])) return;
     this.beginDrag();
     this.dragPoint(vertex, x, y, z);
     this.endDrag();
   }
   setNormal(wedge: number, x: number, y: number, z: number): void {
+    if (isTriple(this.handles.normals, wedge, [x, y, z])) return;
     this.beginDrag();
     this.dragNormal(wedge, x, y, z);
     this.endDrag();
@@ -390,6 +420,10 @@ export class Editor {
   private showControlMesh(): void {
     this.viewer.showControlMesh(this.handles, this.normalLength, this.selection);
   }
+}
+
+function isTriple(values: Float64Array, i: number, triple: number[]): boolean {
+  return triple.every((x, k) => values[3 * i + k] === x);
 }
 
 function timeOf(work: () => void): number {

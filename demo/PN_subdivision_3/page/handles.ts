@@ -16,12 +16,18 @@ type Hold =
   | { kind: "point"; vertex: number; plane: THREE.Plane; offset: THREE.Vector3 }
   | { kind: "normal"; wedge: number; towardsEye: boolean; offset: THREE.Vector2 };
 
+type Found = { vertex?: number; wedge?: number };
+
+/** A hand that does not want to move anything moves by so many pixels. */
+const stillness = (event: PointerEvent): number => (event.pointerType === "touch" ? 5 : 2);
+
 export class Handles {
   /** Whether a click on an edge makes it a crease. */
   marksEdges = false;
   private hold: Hold | undefined;
   private pointer = -1;
   private pressed: { x: number; y: number } | undefined;
+  private hasMoved = false;
 
   constructor(
     private readonly viewer: Viewer,
@@ -39,21 +45,17 @@ export class Handles {
 
   // --- the nearest of what can be held ---
 
-  private nearest(x: number, y: number, reach: number): { vertex?: number; wedge?: number } | undefined {
+  private nearest(x: number, y: number, reach: number): Found | undefined {
     const { handles, normalLength, settings } = this.editor;
     const { ndc, isLinear } = this.viewer.toPane(x, y);
     const place = this.viewer.ndcToPixels(ndc);
-    let best: { vertex?: number; wedge?: number } | undefined;
-    let least = reach;
-    const consider = (p: THREE.Vector3, found: { vertex?: number; wedge?: number }): void => {
+    const candidates: { distance: number; p: THREE.Vector3; found: Found }[] = [];
+    const consider = (p: THREE.Vector3, found: Found): void => {
       const q = this.viewer.toPixels(p);
       if (q.depth < -1 || q.depth > 1) return;
       // what is in front is preferred
       const distance = Math.hypot(q.x - place.x, q.y - place.y) * (1 + 0.25 * q.depth);
-      if (distance < least) {
-        least = distance;
-        best = found;
-      }
+      if (distance < reach) candidates.push({ distance, p, found });
     };
     if (settings.showNormals && !isLinear)
       for (let w = 0; w < handles.vertices.length; ++w) {
@@ -62,15 +64,37 @@ export class Handles {
       }
     if (settings.showControl)
       for (let v = 0; v < handles.points.length / 3; ++v) consider(this.pointOf(v), { vertex: v });
-    return best;
+    candidates.sort((a, b) => a.distance - b.distance);
+    return candidates.find(({ p, found }) => {
+      const vertices = [found.vertex ?? handles.vertices[found.wedge!]];
+      return !this.viewer.isHidden(p, isLinear, this.slack(vertices));
+    })?.found;
+  }
+
+  /** Control points may be below a surface that looks towards the eye, but not far. */
+  private slack(vertices: number[]): number {
+    const { handles, normalLength } = this.editor;
+    const looksAway = vertices.every((v) => {
+      const toEye = this.viewer.camera.position.clone().sub(this.pointOf(v));
+      const normal = new THREE.Vector3();
+      const wedges = this.wedgesOf(v);
+      return wedges.every((w) => normal.fromArray(handles.normals, 3 * w).dot(toEye) < 0);
+    });
+    return (looksAway ? 0.25 : 2) * normalLength;
+  }
+
+  private wedgesOf(vertex: number): number[] {
+    const { vertices } = this.editor.handles;
+    const result: number[] = [];
+    for (let w = vertices.indexOf(vertex); w >= 0; w = vertices.indexOf(vertex, w + 1)) result.push(w);
+    return result;
   }
 
   private nearestEdge(x: number, y: number, reach: number): number | undefined {
     const { handles } = this.editor;
-    const { ndc } = this.viewer.toPane(x, y);
+    const { ndc, isLinear } = this.viewer.toPane(x, y);
     const place = this.viewer.ndcToPixels(ndc);
-    let best: number | undefined;
-    let least = reach;
+    const candidates: { distance: number; edge: number; s: number }[] = [];
     for (let e = 0; e < handles.sharp.length; ++e) {
       if (handles.border[e]) continue;
       const a = this.viewer.toPixels(this.pointOf(handles.edges[2 * e]));
@@ -82,12 +106,14 @@ export class Handles {
       // edges behind others are farther; near an end two edges are equally near
       const distance =
         Math.hypot(a.x + s * dx - place.x, a.y + s * dy - place.y) + 4 * depth + 3 * Math.abs(s - 0.5);
-      if (distance < least) {
-        least = distance;
-        best = e;
-      }
+      if (distance < reach) candidates.push({ distance, edge: e, s });
     }
-    return best;
+    candidates.sort((a, b) => a.distance - b.distance);
+    return candidates.find(({ edge, s }) => {
+      const ends = [handles.edges[2 * edge], handles.edges[2 * edge + 1]];
+      const p = this.pointOf(ends[0]).lerp(this.pointOf(ends[1]), s);
+      return !this.viewer.isHidden(p, isLinear, this.slack(ends));
+    })?.edge;
   }
 
   private pointOf(v: number): THREE.Vector3 {
@@ -97,7 +123,8 @@ export class Handles {
   // --- mouse and finger ---
 
   private down(event: PointerEvent): void {
-    if (event.button !== 0 || this.hold || !event.isPrimary) return;
+    if (this.hold) return event.stopImmediatePropagation(); // a second finger does not turn the view
+    if (event.button !== 0 || !event.isPrimary) return;
     const { offsetX: x, offsetY: y } = event;
     const reach = event.pointerType === "touch" ? 22 : 12;
     this.pressed = { x, y };
@@ -128,6 +155,7 @@ export class Handles {
       this.hold = { kind: "point", vertex, plane, offset: p.clone().sub(at) };
     }
     this.pointer = event.pointerId;
+    this.hasMoved = false;
     this.viewer.canvas.setPointerCapture(event.pointerId);
     this.editor.beginDrag();
   }
@@ -143,8 +171,11 @@ export class Handles {
       }
       return;
     }
-    if (event.pointerId !== this.pointer) return;
     event.stopImmediatePropagation();
+    if (event.pointerId !== this.pointer) return;
+    const { x, y } = this.pressed!;
+    this.hasMoved ||= Math.hypot(event.offsetX - x, event.offsetY - y) > stillness(event);
+    if (!this.hasMoved) return;
     const { ndc } = this.viewer.toPane(event.offsetX, event.offsetY);
     if (this.hold.kind === "normal") this.turn(this.hold, ndc);
     else this.shift(this.hold, ndc, event.shiftKey);
@@ -178,10 +209,11 @@ export class Handles {
   }
 
   private up(event: PointerEvent): void {
+    if (this.hold) event.stopImmediatePropagation();
+    if (this.hold && event.pointerId !== this.pointer) return;
     const pressed = this.pressed;
     this.pressed = undefined;
-    if (this.hold && event.pointerId === this.pointer) {
-      event.stopImmediatePropagation();
+    if (this.hold) {
       this.hold = undefined;
       this.editor.endDrag();
       return;

@@ -14,6 +14,7 @@ import { examples } from "./examples";
 import { objFile, plyFile, save } from "./files";
 import type { Handles } from "./handles";
 import type { Modeler } from "./modeler";
+import { selectionFile, withCreases } from "./selection";
 import type { Shading } from "./shading";
 import type { Layout, Viewer } from "./viewer";
 
@@ -29,6 +30,8 @@ const titles: Record<string, string> = {
   "ct-catmull-clark": "Catmull-Clark, curvature transfer",
   "ct-loop": "Loop, curvature transfer",
 };
+
+type Triple = [number, number, number];
 
 export class SurfacePanel {
   constructor(
@@ -68,16 +71,22 @@ export class SurfacePanel {
     const mesh = this.modeler.readMesh(new TextEncoder().encode(example.text), example.format);
     if (example.normals === "sphere") mesh.takeNormalsOfSphere();
     if (example.selection === undefined) return mesh;
-    const edges = example.selection.split("\n")[2].trim().split(/\s+/).map(Number);
-    const creased = this.modeler.restoreMesh({ ...mesh.state(), sharpEdges: Uint32Array.from(edges) });
-    mesh.delete();
-    return creased;
+    return withCreases(this.modeler, mesh, example.selection);
   }
 
-  async open(file: File): Promise<void> {
+  /** A mesh, a selection file with its creases beside it, or such a file for the mesh that is shown. */
+  async open(files: Iterable<File>): Promise<void> {
     silence();
+    const isSelection = (file: File): boolean => file.name.toLowerCase().endsWith(".txt");
+    const all = [...files];
+    const mesh = all.find((file) => !isSelection(file));
+    const creases = all.find(isSelection);
+    const file = mesh ?? creases;
+    if (!file) return;
     try {
-      this.editor.open(new Uint8Array(await file.arrayBuffer()), file.name);
+      const selection = await creases?.text();
+      if (mesh) this.editor.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name, selection);
+      else this.editor.openSelection(selection!, file.name);
     } catch {
       say(`${file.name}: the file cannot be read`, "error");
     }
@@ -86,8 +95,7 @@ export class SurfacePanel {
   private wireFiles(): void {
     button("open").addEventListener("click", () => input("file").click());
     input("file").addEventListener("change", () => {
-      const file = input("file").files?.[0];
-      if (file) void this.open(file);
+      void this.open(input("file").files ?? []);
       input("file").value = "";
     });
     const drop = element("drop");
@@ -103,8 +111,7 @@ export class SurfacePanel {
     window.addEventListener("drop", (event) => {
       event.preventDefault();
       show(-depth);
-      const file = event.dataTransfer?.files[0];
-      if (file) void this.open(file);
+      void this.open(event.dataTransfer?.files ?? []);
     });
   }
 
@@ -125,10 +132,7 @@ export class SurfacePanel {
     onClick("normals-zero", () => editor.change((mesh) => mesh.dropNormals()));
     onClick("normals-estimate", () => editor.change((mesh) => mesh.estimateNormals()));
     onClick("normals-sphere", () => editor.change((mesh) => mesh.takeNormalsOfSphere()));
-    onClick("mark", () => {
-      this.handles.marksEdges = !this.handles.marksEdges;
-      button("mark").setAttribute("aria-pressed", String(this.handles.marksEdges));
-    });
+    onClick("mark", () => this.markEdges(!this.handles.marksEdges));
     onClick("creases-clear", () => editor.change((mesh) => void mesh.detectCreases(180)));
     onClick("detect", () => {
       const angle = Number(input("angle").value);
@@ -139,28 +143,37 @@ export class SurfacePanel {
     });
   }
 
+  private markEdges(marks: boolean): void {
+    this.handles.marksEdges = marks;
+    button("mark").setAttribute("aria-pressed", String(marks));
+  }
+
   private wireSelection(): void {
     const { editor } = this;
-    const numbers = (names: string[]): number[] | undefined => {
-      const values = names.map((name) => Number(input(name).value.replace(",", ".")));
-      return values.every(Number.isFinite) ? values : undefined;
+    // the fields show fewer digits than the numbers have: only what is entered is taken
+    const onNumber = (name: string, k: number, act: (change: (values: Float64Array, i: number) => Triple) => void): void => {
+      const field = input(name);
+      field.addEventListener("change", () => {
+        const text = field.value.trim().replace(",", ".");
+        const x = Number(text);
+        if (text !== "" && Number.isFinite(x))
+          act((values, i) => {
+            const triple: Triple = [values[3 * i], values[3 * i + 1], values[3 * i + 2]];
+            triple[k] = x;
+            return triple;
+          });
+        this.refresh();
+        this.showSelected(true);
+      });
     };
-    const onNumbers = (names: string[], act: (x: number, y: number, z: number) => void): void => {
-      for (const name of names)
-        input(name).addEventListener("change", () => {
-          const values = numbers(names);
-          if (values) act(values[0], values[1], values[2]);
-          else this.refresh();
-        });
-    };
-    onNumbers(["px", "py", "pz"], (x, y, z) => {
+    ["px", "py", "pz"].forEach((name, k) => onNumber(name, k, (change) => {
       const { vertex } = editor.selection;
-      if (vertex !== undefined) editor.setPoint(vertex, x, y, z);
-    });
-    onNumbers(["nx", "ny", "nz"], (x, y, z) => {
+      if (vertex !== undefined) editor.setPoint(vertex, ...change(editor.handles.points, vertex));
+    }));
+    ["nx", "ny", "nz"].forEach((name, k) => onNumber(name, k, (change) => {
       const { wedge } = editor.selection;
-      if (wedge !== undefined) editor.setNormal(wedge, x, y, z);
-    });
+      if (wedge !== undefined) editor.setNormal(wedge, ...change(editor.handles.normals, wedge));
+    }));
     button("normal-zero").addEventListener("click", () => {
       const { wedge } = editor.selection;
       if (wedge !== undefined) editor.setNormal(wedge, 0, 0, 0);
@@ -180,12 +193,15 @@ export class SurfacePanel {
     button("copy-link").addEventListener("click", this.onLink);
   }
 
-  /** PLY holds one normal for each vertex: with creases it is OBJ. */
+  /** PLY holds one normal for each vertex: with creases it is OBJ, and a selection file for creases of which normals
+   * do not tell. */
   private saveControlMesh(name: string): void {
     const { mesh, handles } = this.editor;
     const state = mesh.state();
-    if (mesh.numberOfSharpEdges() > 0)
-      return save(objFile(state.points, state.cornerNormals!, state), "model/obj", `${name}_control.obj`);
+    if (mesh.numberOfSharpEdges() > 0) {
+      save(objFile(state.points, state.cornerNormals!, state), "model/obj", `${name}_control.obj`);
+      return save(selectionFile(state), "text/plain", `${name}_control.selection.txt`);
+    }
     const normals = new Float64Array(state.points.length);
     handles.vertices.forEach((v, w) => normals.set(handles.normals.subarray(3 * w, 3 * w + 3), 3 * v));
     save(plyFile(state.points, normals, state) as BlobPart, "model/ply", `${name}_control.ply`);
@@ -194,7 +210,7 @@ export class SurfacePanel {
   /** Shows what holds now. */
   refresh(): void {
     const { editor } = this;
-    const { settings, selection, handles } = editor;
+    const { settings } = editor;
     const example = examples[editor.name];
     this.showName();
     element("about").textContent = example ? example.about : `${format(editor.mesh.numberOfFaces())} faces`;
@@ -209,21 +225,34 @@ export class SurfacePanel {
     input("show-control").checked = settings.showControl;
     input("show-normals").checked = settings.showNormals;
     for (const id of ["mark", "detect", "creases-clear"]) button(id).disabled = !editor.scheme.hasCreaseRules;
+    if (!editor.scheme.hasCreaseRules) this.markEdges(false);
     element("status").textContent = editor.status;
     this.showScale();
 
-    const { vertex, wedge } = selection;
-    element("selection-title").textContent = vertex === undefined ? "Vertex" : `Vertex ${vertex}`;
-    element("selection-hint").hidden = vertex !== undefined;
-    element("selection-values").hidden = vertex === undefined;
-    if (vertex !== undefined) showTriple(["px", "py", "pz"], handles.points, vertex);
-    if (wedge !== undefined) showTriple(["nx", "ny", "nz"], handles.normals, wedge);
+    this.showSelected(false);
 
     const picture = this.viewer.canvas.parentElement!;
     picture.classList.toggle("both", settings.layout === "both");
     picture.classList.toggle("stacked", this.viewer.isStacked());
     element("label-linear").hidden = settings.layout === "pn";
     element("label-pn").hidden = settings.layout === "linear";
+  }
+
+  /** A field in which somebody types is left alone, unless its number has just been taken. */
+  private showSelected(evenIfTyping: boolean): void {
+    const { selection, handles } = this.editor;
+    const { vertex, wedge } = selection;
+    element("selection-title").textContent = vertex === undefined ? "Vertex" : `Vertex ${vertex}`;
+    element("selection-hint").hidden = vertex !== undefined;
+    element("selection-values").hidden = vertex === undefined;
+    const show = (names: string[], values: Float64Array, i: number): void =>
+      names.forEach((name, k) => {
+        const field = input(name);
+        if (evenIfTyping || document.activeElement !== field)
+          field.value = String(Number(values[3 * i + k].toPrecision(6)));
+      });
+    if (vertex !== undefined) show(["px", "py", "pz"], handles.points, vertex);
+    if (wedge !== undefined) show(["nx", "ny", "nz"], handles.normals, wedge);
   }
 
   private showName(): void {
@@ -245,11 +274,4 @@ export class SurfacePanel {
     element("scale-low").textContent = `−${colorEnd.toPrecision(2)}`;
     element("scale-high").textContent = colorEnd.toPrecision(2);
   }
-}
-
-function showTriple(names: string[], values: Float64Array, i: number): void {
-  names.forEach((name, k) => {
-    const field = input(name);
-    if (document.activeElement !== field) field.value = String(Number(values[3 * i + k].toPrecision(6)));
-  });
 }

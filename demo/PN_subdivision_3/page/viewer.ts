@@ -10,6 +10,7 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { DistancePicture } from "./distance_picture";
 import type { Handles } from "./modeler";
 import { makeMaterial, setShading, setTheme, type Shading, type Theme } from "./shading";
 
@@ -17,11 +18,18 @@ import { makeMaterial, setShading, setTheme, type Shading, type Theme } from "./
 class Pane {
   readonly scene = new THREE.Scene();
   readonly material = makeMaterial();
-  private readonly mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+  private readonly mesh = new THREE.Mesh<THREE.BufferGeometry, THREE.Material>(new THREE.BufferGeometry(), this.material);
 
   constructor(controlMesh: THREE.Object3D) {
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh, controlMesh);
+  }
+
+  /** The surface alone, drawn by another material. */
+  drawSurface(renderer: THREE.WebGLRenderer, camera: THREE.Camera, material: THREE.Material): void {
+    this.mesh.material = material;
+    renderer.render(this.mesh, camera);
+    this.mesh.material = this.material;
   }
 
   setTriangles(triangles: Uint32Array): void {
@@ -203,6 +211,8 @@ export class Viewer {
   private normalLength = 1;
   private frame = 0;
   private theme: Theme | undefined;
+  private readonly distances = new Map<boolean, DistancePicture>(); // by whether the pane is linear; since the last picture
+  private readonly spareDistances = [new DistancePicture(), new DistancePicture()];
   /** Called after each picture. */
   onDraw: (() => void) | undefined;
 
@@ -350,6 +360,23 @@ export class Viewer {
     return caster.ray;
   }
 
+  /** Whether the surface of a pane is in front of a point, nearer to the eye by more than `slack`. */
+  isHidden(p: THREE.Vector3, isLinear: boolean, slack: number): boolean {
+    if (this.frame !== 0) {
+      cancelAnimationFrame(this.frame);
+      this.frame = 0;
+      this.draw();
+    }
+    let picture = this.distances.get(isLinear);
+    if (!picture) {
+      picture = this.spareDistances[Number(isLinear)];
+      picture.draw(this.renderer, this.camera, this.paneSize(), (material) =>
+        this.pane(isLinear).drawSurface(this.renderer, this.camera, material));
+      this.distances.set(isLinear, picture);
+    }
+    return picture.at(p.clone().project(this.camera)) < -p.clone().applyMatrix4(this.camera.matrixWorldInverse).z - slack;
+  }
+
   requestDraw(): void {
     if (this.frame === 0)
       this.frame = requestAnimationFrame(() => {
@@ -359,6 +386,7 @@ export class Viewer {
   }
 
   draw(): void {
+    this.distances.clear();
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
     const ratio = this.renderer.getPixelRatio();

@@ -17,6 +17,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
+import { download as downloadTo, drop, frontWedge, largestDifference, message, points, readPly, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 const command = path.resolve(process.env.PN_SUBDIVIDE);
@@ -28,31 +29,7 @@ after(() => {
   return rm(folder, { recursive: true });
 });
 
-// --- what the tests share ---
-
-/** Binary PLY as the page and the command write it: double coordinates, then faces. */
-function readPly(bytes) {
-  const end = bytes.indexOf("end_header\n") + "end_header\n".length;
-  const header = bytes.subarray(0, end).toString("latin1");
-  const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
-  const hasNormals = /double nx/.test(header);
-  const points = [];
-  for (let v = 0; v < vertices; ++v)
-    for (let k = 0; k < 3; ++k) points.push(bytes.readDoubleLE(end + v * (hasNormals ? 48 : 24) + 8 * k));
-  return { vertices, points, faces: Number(/element face (\d+)/.exec(header)[1]), hasNormals };
-}
-
-async function download(page, button) {
-  const [item] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
-  const name = path.join(folder, item.suggestedFilename());
-  await item.saveAs(name);
-  return name;
-}
-
-function largestDifference(a, b) {
-  assert.equal(a.length, b.length);
-  return a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i])), 0);
-}
+const download = (page, button) => downloadTo(page, button, folder);
 
 /** The surface of the page and that of the command, from the control mesh that the page exports. */
 async function compareWithCommand(page, options) {
@@ -68,57 +45,6 @@ async function compareWithCommand(page, options) {
   assert.ok(difference < 1e-12, `vertices differ by ${difference}`);
   return ours;
 }
-
-const points = (page) => page.evaluate(() => Array.from(window.page.editor.shownSurface.points()));
-
-/** Where the tip of a normal is on the screen. */
-function tipOf(page, wedge) {
-  return page.evaluate((w) => {
-    const { editor } = window.page;
-    const { viewer } = editor;
-    const { vertices, normals, points } = editor.handles;
-    const v = vertices[w];
-    const n = normals.slice(3 * w, 3 * w + 3);
-    const length = Math.hypot(...n);
-    const p = viewer.camera.position.clone();
-    p.fromArray([0, 1, 2].map((k) => points[3 * v + k] + (editor.normalLength * n[k]) / length));
-    const pixels = viewer.toPixels(p);
-    const box = viewer.canvas.getBoundingClientRect();
-    const half = editor.settings.layout === "both" ? 0.75 : 0.5;
-    return { x: box.left + half * box.width + pixels.x, y: box.top + box.height / 2 + pixels.y };
-  }, wedge);
-}
-
-/** The normal that is nearest to the eye. */
-const frontWedge = (page) =>
-  page.evaluate(() => {
-    const { handles, viewer } = window.page.editor;
-    const p = viewer.camera.position.clone();
-    let best = 0;
-    let least = Infinity;
-    handles.vertices.forEach((v, w) => {
-      p.fromArray(handles.points, 3 * v);
-      const { depth } = viewer.toPixels(p);
-      if (depth < least) [best, least] = [w, depth];
-    });
-    return best;
-  });
-
-async function drop(page, name, content) {
-  await page.evaluate(
-    ([name, bytes]) => {
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([Uint8Array.from(bytes)], name));
-      window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true }));
-    },
-    [name, [...Buffer.from(content)]],
-  );
-}
-
-const message = async (page) => {
-  await page.waitForSelector("#message:not([hidden])");
-  return page.textContent("#message span");
-};
 
 // --- the tests ---
 

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What the tests do with the page, and what they see on it.
+import assert from "node:assert/strict";
+import path from "node:path";
+
+/** Binary PLY as the page and the command write it: double coordinates, then faces. */
+export function readPly(bytes) {
+  const end = bytes.indexOf("end_header\n") + "end_header\n".length;
+  const header = bytes.subarray(0, end).toString("latin1");
+  const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
+  const hasNormals = /double nx/.test(header);
+  const points = [];
+  for (let v = 0; v < vertices; ++v)
+    for (let k = 0; k < 3; ++k) points.push(bytes.readDoubleLE(end + v * (hasNormals ? 48 : 24) + 8 * k));
+  return { vertices, points, faces: Number(/element face (\d+)/.exec(header)[1]), hasNormals };
+}
+
+export async function download(page, button, folder) {
+  const [item] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+  const name = path.join(folder, item.suggestedFilename());
+  await item.saveAs(name);
+  return name;
+}
+
+export function largestDifference(a, b) {
+  assert.equal(a.length, b.length);
+  return a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i])), 0);
+}
+
+export const points = (page) => page.evaluate(() => Array.from(window.page.editor.shownSurface.points()));
+
+/** Where the tip of a normal is on the screen. */
+export function tipOf(page, wedge) {
+  return page.evaluate((w) => {
+    const { editor } = window.page;
+    const { viewer } = editor;
+    const { vertices, normals, points } = editor.handles;
+    const v = vertices[w];
+    const n = normals.slice(3 * w, 3 * w + 3);
+    const length = Math.hypot(...n);
+    const p = viewer.camera.position.clone();
+    p.fromArray([0, 1, 2].map((k) => points[3 * v + k] + (editor.normalLength * n[k]) / length));
+    const pixels = viewer.toPixels(p);
+    const box = viewer.canvas.getBoundingClientRect();
+    const half = editor.settings.layout === "both" ? 0.75 : 0.5;
+    return { x: box.left + half * box.width + pixels.x, y: box.top + box.height / 2 + pixels.y };
+  }, wedge);
+}
+
+/** The normal that is nearest to the eye. */
+export const frontWedge = (page) =>
+  page.evaluate(() => {
+    const { handles, viewer } = window.page.editor;
+    const p = viewer.camera.position.clone();
+    let best = 0;
+    let least = Infinity;
+    handles.vertices.forEach((v, w) => {
+      p.fromArray(handles.points, 3 * v);
+      const { depth } = viewer.toPixels(p);
+      if (depth < least) [best, least] = [w, depth];
+    });
+    return best;
+  });
+
+export const drop = (page, name, content) => dropAll(page, [[name, content]]);
+
+export async function dropAll(page, files) {
+  await page.evaluate((all) => {
+    const transfer = new DataTransfer();
+    for (const [name, bytes] of all) transfer.items.add(new File([Uint8Array.from(bytes)], name));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true }));
+  }, files.map(([name, content]) => [name, [...Buffer.from(content)]]));
+}
+
+export const message = async (page) => {
+  await page.waitForSelector("#message:not([hidden])");
+  return page.textContent("#message span");
+};

@@ -1,0 +1,256 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// That editing in the page does no harm: with real clicks, double clicks and fingers.
+//   node --test test_editing.mjs      with PN_PAGE, the HTML file, in the environment
+import assert from "node:assert/strict";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { withPage } from "./browser.mjs";
+import { drop, dropAll, frontWedge, largestDifference, message, points, tipOf } from "./page_actions.mjs";
+
+const file = path.resolve(process.env.PN_PAGE);
+let folder;
+before(async () => (folder = await mkdtemp(path.join(tmpdir(), "pn-page-test-"))));
+after(() => rm(folder, { recursive: true }));
+
+/** Tips of normals on the screen. Whether each is behind the surface, and how deep, is found by rays through all triangles. */
+const tipsAndDepths = (page) =>
+  page.evaluate(() => {
+    const { editor } = window.page;
+    const { viewer, handles, normalLength } = editor;
+    const surface = editor.shownSurface;
+    const p = surface.points();
+    const { degrees, corners } = surface.faces();
+    const triangles = [];
+    let first = 0;
+    for (const degree of degrees) {
+      for (let c = 2; c < degree; ++c) triangles.push([corners[first], corners[first + c - 1], corners[first + c]]);
+      first += degree;
+    }
+    const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const at = (v) => [p[3 * v], p[3 * v + 1], p[3 * v + 2]];
+    const eye = viewer.camera.position.toArray();
+    const place = viewer.camera.position.clone();
+    const result = [];
+    for (let w = 0; w < handles.vertices.length; ++w) {
+      const v = handles.vertices[w];
+      const n = Array.from(handles.normals.slice(3 * w, 3 * w + 3));
+      const length = Math.hypot(...n);
+      const base = Array.from(handles.points.slice(3 * v, 3 * v + 3));
+      const tip = base.map((x, k) => x + (normalLength * n[k]) / length);
+      const ray = sub(tip, eye);
+      let covered = 0; // how far the surface is before the tip, in lengths of normals
+      for (const [i, j, k] of triangles) {
+        const [a, b, c] = [at(i), at(j), at(k)];
+        const [e, f] = [sub(b, a), sub(c, a)];
+        const h = cross(ray, f);
+        const determinant = dot(e, h);
+        if (determinant === 0) continue;
+        const s = sub(eye, a);
+        const u = dot(s, h) / determinant;
+        const q = cross(s, e);
+        const t = dot(ray, q) / determinant;
+        if (u < 0 || u > 1 || t < 0 || u + t > 1) continue;
+        const distance = dot(f, q) / determinant;
+        if (distance > 0 && distance < 1) covered = Math.max(covered, ((1 - distance) * Math.hypot(...ray)) / normalLength);
+      }
+      const pixels = viewer.toPixels(place.fromArray(tip));
+      const box = viewer.canvas.getBoundingClientRect();
+      result.push({ wedge: w, vertex: v, covered, looksAway: dot(n, sub(eye, base)) < 0,
+        x: box.left + box.width / 2 + pixels.x, y: box.top + box.height / 2 + pixels.y });
+    }
+    return result;
+  });
+
+test("what is behind the surface is not taken hold of", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    await page.fill("#rounds", "2");
+    await page.check("#show-normals");
+    const tips = await tipsAndDepths(page);
+    const byWedge = new Map(tips.map((tip) => [tip.wedge, tip]));
+    const behind = tips.filter((tip) => tip.looksAway && tip.covered > 1);
+    const before = tips.filter((tip) => !tip.looksAway && tip.covered === 0);
+    assert.ok(behind.length > 40 && before.length > 40, `${behind.length} behind, ${before.length} before`);
+    const click = async (tip) => {
+      await page.evaluate(() => window.page.editor.select({}));
+      await page.mouse.click(tip.x, tip.y);
+      return page.evaluate(() => window.page.editor.selection);
+    };
+    for (const tip of behind) {
+      const { wedge, vertex } = await click(tip);
+      assert.ok(vertex !== tip.vertex, `the vertex ${vertex} is behind the surface`);
+      // what is taken instead is not covered either
+      if (wedge !== undefined) assert.ok(!(byWedge.get(wedge).looksAway && byWedge.get(wedge).covered > 1));
+    }
+    let taken = 0;
+    for (const tip of before) if ((await click(tip)).vertex === tip.vertex) ++taken;
+    assert.ok(taken > 0.9 * before.length, `${taken} of ${before.length}`);
+    assert.ok(await page.isDisabled("#undo"), "clicks are no changes");
+  });
+});
+
+test("a click that moves nothing is no change", async () => {
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    const start = await points(page);
+    const tip = await tipOf(page, await frontWedge(page));
+    await page.mouse.click(tip.x, tip.y);
+    assert.notEqual(await page.evaluate(() => window.page.editor.selection.wedge), undefined);
+    await page.mouse.move(tip.x, tip.y);
+    await page.mouse.down();
+    await page.mouse.move(tip.x + 1, tip.y); // a hand that shakes
+    await page.mouse.up();
+    assert.ok(await page.isDisabled("#undo"));
+    assert.equal(largestDifference(await points(page), start), 0);
+    await page.click("#tab-curve");
+    const hold = await page.locator("#drawing .hold[data-kind=point]").first().boundingBox();
+    await page.mouse.click(hold.x + hold.width / 2, hold.y + hold.height / 2);
+    assert.ok(await page.isDisabled("#undo"));
+    await page.mouse.move(hold.x + hold.width / 2, hold.y + hold.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(hold.x + hold.width / 2 + 20, hold.y + hold.height / 2, { steps: 3 });
+    await page.mouse.up();
+    assert.ok(await page.isEnabled("#undo"));
+  });
+});
+
+test("a coordinate that is entered leaves the others alone", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    await page.focus("#canvas");
+    await page.keyboard.press("n");
+    const triples = () => page.evaluate(() => {
+      const { handles, selection } = window.page.editor;
+      return [...handles.points.slice(3 * selection.vertex, 3 * selection.vertex + 3),
+        ...handles.normals.slice(3 * selection.wedge, 3 * selection.wedge + 3)];
+    });
+    const start = await triples();
+    assert.ok(start.some((x) => x !== Number(x.toPrecision(6))), "there are more than six digits to lose");
+    const enter = async (id, text) => {
+      await page.fill(id, text);
+      await page.press(id, "Enter");
+      return triples();
+    };
+    assert.deepEqual(await enter("#py", "0.25"), start.with(1, 0.25));
+    assert.deepEqual(await enter("#nz", "0,5"), start.with(1, 0.25).with(5, 0.5));
+    for (const text of ["", "  ", "x", "1e999"]) {
+      assert.deepEqual(await enter("#px", text), start.with(1, 0.25).with(5, 0.5));
+      assert.equal(Number(await page.inputValue("#px")), Number(start[0].toPrecision(6)));
+    }
+    for (let i = 0; i < 2; ++i) await page.click("#undo");
+    assert.deepEqual(await triples(), start);
+    assert.ok(await page.isDisabled("#undo"));
+  });
+});
+
+test("tangent creases survive export and opening", async () => {
+  await withPage(file, { hash: "#bolt" }, async (page) => {
+    const sharp = () => page.evaluate(() => window.page.editor.mesh.numberOfSharpEdges());
+    const all = await sharp();
+    const start = await points(page);
+    const downloads = [];
+    page.on("download", (item) => downloads.push(item));
+    await page.click("#save-control");
+    while (downloads.length < 2) await page.waitForTimeout(50);
+    const files = await Promise.all(downloads.map(async (item) => {
+      const name = path.join(folder, item.suggestedFilename());
+      await item.saveAs(name);
+      return [item.suggestedFilename(), await readFile(name)];
+    }));
+    const [mesh, selection] = files;
+    assert.match(selection[0], /\.selection\.txt$/);
+    await drop(page, "alone.obj", mesh[1]);
+    await page.waitForFunction(() => window.page.editor.name === "alone.obj");
+    assert.ok((await sharp()) < all, "normals alone do not tell of tangent creases");
+    await drop(page, ...selection);
+    assert.equal(await message(page), `${all} edges are sharp.`);
+    assert.equal(await sharp(), all);
+    await page.selectOption("#example", "cube");
+    await dropAll(page, [selection, mesh]);
+    await page.waitForFunction((name) => window.page.editor.name === name, mesh[0]);
+    assert.equal(await sharp(), all);
+    await page.fill("#rounds", "4");
+    assert.equal(largestDifference(await points(page), start), 0);
+    for (const [content, expected] of [
+      ["\n\n0 99999\n", /wrong\.txt: the mesh has no edge from vertex 0 to vertex 99999/],
+      ["\n\n0 1 2\n", /wrong\.txt: line 3: the last edge has one vertex only/],
+      ["\n\n0 -1\n", /wrong\.txt: line 3: -1 is no number of a vertex/],
+    ]) {
+      await drop(page, "wrong.txt", content);
+      assert.match(await message(page), expected);
+      assert.equal(await sharp(), all);
+    }
+  });
+});
+
+test("a double click removes a point of a curve, and adds one", async () => {
+  await withPage(file, {}, async (page) => {
+    await page.click("#tab-curve");
+    const number = () => page.evaluate(() => window.page.curve.state.points.length / 2);
+    const start = await number();
+    const middle = async (selector) => {
+      const box = await page.locator(selector).first().boundingBox();
+      return [box.x + box.width / 2, box.y + box.height / 2];
+    };
+    await page.mouse.dblclick(...(await middle("#drawing .hold[data-kind=point]")));
+    assert.equal(await number(), start - 1);
+    await page.mouse.dblclick(...(await middle("#drawing .edge-hold[data-vertex='3']")));
+    assert.equal(await number(), start);
+    for (let i = 0; i < 2; ++i) await page.click("#undo");
+    assert.equal(await number(), start);
+    assert.ok(await page.isDisabled("#undo"));
+  });
+});
+
+test("edges are not marked where the scheme has no creases", async () => {
+  await withPage(file, { hash: "#tetrahedron" }, async (page) => {
+    await page.click("#mark");
+    assert.equal(await page.getAttribute("#mark", "aria-pressed"), "true");
+    await page.selectOption("#scheme", "sqrt3");
+    assert.ok(await page.isDisabled("#mark"));
+    assert.equal(await page.getAttribute("#mark", "aria-pressed"), "false");
+    const tip = await tipOf(page, await frontWedge(page));
+    await page.mouse.click(tip.x, tip.y);
+    assert.notEqual(await page.evaluate(() => window.page.editor.selection.wedge), undefined);
+  });
+});
+
+test("a second finger does not turn the view under what the first one holds", async () => {
+  const options = { hash: "#ring", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+  await withPage(file, options, async (page, context) => {
+    await page.check("input[name=layout][value=pn]");
+    await page.evaluate(() => window.scrollTo(0, 0));
+    const camera = () => page.evaluate(() => window.page.editor.viewer.camera.position.toArray());
+    const before = await camera();
+    const start = await points(page);
+    const tip = await tipOf(page, await frontWedge(page));
+    const client = await context.newCDPSession(page);
+    const touch = (type, ...touchPoints) => client.send("Input.dispatchTouchEvent",
+      { type, touchPoints: touchPoints.map(([dx, dy], id) => ({ x: tip.x + dx, y: tip.y + dy, id })) });
+    await touch("touchStart", [0, 0]);
+    await touch("touchMove", [8, -14]);
+    await touch("touchStart", [8, -14], [60, 50]);
+    await touch("touchMove", [12, -20], [90, 90]);
+    await touch("touchMove", [14, -24], [30, 120]);
+    await touch("touchEnd", [14, -24]);
+    await touch("touchEnd");
+    assert.deepEqual(await camera(), before);
+    assert.ok(largestDifference(await points(page), start) > 1e-3);
+    await page.click("#undo");
+    assert.equal(largestDifference(await points(page), start), 0);
+    // two fingers that hold nothing still zoom and turn
+    await touch("touchStart", [-80, 150], [80, 150]);
+    await touch("touchMove", [-120, 150], [120, 150]);
+    await touch("touchEnd");
+    assert.notDeepEqual(await camera(), before);
+  });
+});
