@@ -29,8 +29,9 @@ void sort_by_key(std::size_t number, std::size_t keys, const Key_of& key_of,
 } // namespace
 
 Display_mesh::Display_mesh(const Faces& faces, const std::vector<Index>& vertices,
-                           std::size_t points)
+                           std::size_t points, const Point_3& origin)
   : faces_(faces)
+  , origin_(origin)
   , vertices_(vertices)
 {
   sort_by_key(
@@ -116,7 +117,7 @@ void Display_mesh::sum_normals(Index v)
 
 void Display_mesh::put_position(Index v, const Point_3& p)
 {
-  for (int k = 0; k < 3; ++k) positions_[3 * v + Index(k)] = static_cast<float>(p[k]);
+  for (int k = 0; k < 3; ++k) positions_[3 * v + Index(k)] = static_cast<float>(p[k] - origin_[k]);
 }
 
 } // namespace pn_demo

@@ -20,8 +20,10 @@ namespace pn_demo {
 class Display_mesh
 {
 public:
-  // `vertices`: for each vertex of the faces its number in the points.
-  Display_mesh(const Faces& faces, const std::vector<Index>& vertices, std::size_t points);
+  // `vertices`: for each vertex of the faces its number in the points. Positions are relative to `origin`: numbers of 24
+  // bits say little of a small mesh that is far away.
+  Display_mesh(const Faces& faces, const std::vector<Index>& vertices, std::size_t points,
+               const Point_3& origin);
 
   // The points of these numbers have moved.
   void update(const std::vector<Index>& moved, const std::vector<Point_3>& points);
@@ -42,6 +44,7 @@ private:
   Index first_corner(Index f) const { return f == 0 ? 0 : faces_.end[f - 1]; }
 
   Faces faces_;
+  Point_3 origin_;
   std::vector<Index> vertices_;
   std::vector<Index> copies_end_, copies_;     // the vertices of each point
   std::vector<Index> incident_end_, incident_; // the faces of each vertex

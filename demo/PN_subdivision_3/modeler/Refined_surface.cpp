@@ -29,11 +29,11 @@ Scheme make_scheme(const std::string& name)
   return pn_subdivide::make_scheme("scheme", name, {});
 }
 
-Display_mesh make_display(const Refinement& refinement)
+Display_mesh make_display(const Refinement& refinement, const Point_3& origin)
 {
   const Faces* const cut = refinement.cut_faces();
   return Display_mesh(cut ? *cut : refinement.faces(), refinement.cut_vertices(),
-                      refinement.points().size());
+                      refinement.points().size(), origin);
 }
 
 Surface make_surface(const Faces& faces, const std::vector<Index>& vertices,
@@ -65,12 +65,12 @@ std::vector<Scheme_traits> scheme_traits()
 }
 
 Refined_surface::Refined_surface(const Control_mesh& mesh, const std::string& scheme,
-                                 unsigned rounds, bool is_linear)
+                                 unsigned rounds, bool is_linear, const Point_3& origin)
   : scheme_(make_scheme(scheme))
   , is_linear_(is_linear)
   , rounds_(rounds)
   , refinement_(make_refinement(mesh, scheme_, rounds, is_linear))
-  , display_(make_display(*refinement_))
+  , display_(make_display(*refinement_, origin))
 {
   show_all();
 }

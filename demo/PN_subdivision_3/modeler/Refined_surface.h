@@ -32,8 +32,9 @@ std::vector<Scheme_traits> scheme_traits();
 class Refined_surface
 {
 public:
+  // `origin`: what the display's positions are relative to.
   Refined_surface(const Control_mesh& mesh, const std::string& scheme, unsigned rounds,
-                  bool is_linear);
+                  bool is_linear, const Point_3& origin);
 
   // A control vertex has moved or its normal has turned. To be called before update().
   void follow(const Control_mesh& mesh, std::size_t vertex);

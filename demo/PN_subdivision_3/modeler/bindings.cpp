@@ -199,9 +199,10 @@ val scheme_list()
 }
 
 Refined_surface* refine(const Control_mesh& mesh, const std::string& scheme, unsigned rounds,
-                        bool is_linear)
+                        bool is_linear, double x, double y, double z)
 {
-  return guarded([&] { return new Refined_surface(mesh, scheme, rounds, is_linear); });
+  return guarded(
+    [&] { return new Refined_surface(mesh, scheme, rounds, is_linear, Point_3(x, y, z)); });
 }
 
 void follow(Refined_surface& surface, const Control_mesh& mesh, unsigned vertex)

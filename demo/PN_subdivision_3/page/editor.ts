@@ -25,6 +25,7 @@ export interface Settings {
   showNormals: boolean;
 }
 
+export type Triple = [number, number, number];
 export type Say = (text: string, kind: "error" | "note") => void;
 
 /** More faces than this would be slow to draw. */
@@ -56,6 +57,10 @@ export class Editor {
   readonly schemes: Map<string, SchemeTraits>;
   mesh!: ControlMesh;
   handles!: Handles;
+  /** The same with points relative to the origin of the picture. */
+  shownHandles!: Handles;
+  /** Of the picture: a small mesh that is far away is shown near 0, where numbers of 24 bits suffice. */
+  origin: Triple = [0, 0, 0];
   selection: Selection = {};
   /** What the mesh is called; it is changed if it differs from its example. */
   name = "";
@@ -183,7 +188,7 @@ export class Editor {
   }
 
   frameAll(keepDirection = false): void {
-    this.viewer.frameAll([this.handles.points, this.shownSurface.positionsView()], keepDirection);
+    this.viewer.frameAll([this.shownHandles.points, this.shownSurface.positionsView()], keepDirection);
   }
 
   // --- changes of the mesh ---
@@ -211,6 +216,7 @@ export class Editor {
   dragPoint(vertex: number, x: number, y: number, z: number): void {
     this.mesh.setPoint(vertex, x, y, z);
     this.handles.points.set([x, y, z], 3 * vertex);
+    this.shownHandles.points.set([x, y, z].map((c, k) => c - this.origin[k]), 3 * vertex);
     this.drag(vertex);
   }
 
@@ -300,10 +306,11 @@ export class Editor {
     const most = this.mostRounds(split, wanted.scheme);
     const rounds = Math.min(wanted.rounds, most);
     const made = new Map<boolean, RefinedSurface>();
+    const origin = this.originFor(split);
     try {
       for (const isLinear of [false, true])
         if (wanted.layout === "both" || (wanted.layout === "linear") === isLinear)
-          made.set(isLinear, this.modeler.refine(split, wanted.scheme, rounds, isLinear));
+          made.set(isLinear, this.modeler.refine(split, wanted.scheme, rounds, isLinear, ...origin));
     } catch (error) {
       for (const surface of made.values()) surface.delete();
       if (split !== mesh) split.delete();
@@ -316,11 +323,19 @@ export class Editor {
     if (split !== mesh && mesh !== this.mesh) mesh.delete();
     this.surfaces = made;
     this.mesh = split;
+    this.origin = origin;
     this.settings = { ...wanted, rounds };
     this.greatestRounds = most;
     this.readHandles();
     for (const [isLinear, surface] of made) this.viewer.pane(isLinear).setTriangles(surface.triangles());
     this.show(true, performance.now() - started);
+  }
+
+  /** 0 for what is near it; otherwise the center, which stays while the mesh does not go far away. */
+  private originFor(mesh: ControlMesh): Triple {
+    const { center, size } = boxOf(mesh.state().points);
+    const isNear = (origin: Triple): boolean => Math.hypot(...center.map((x, k) => x - origin[k])) <= 10 * size;
+    return ([[0, 0, 0], this.origin] as Triple[]).find(isNear) ?? center;
   }
 
   private mostRounds(mesh: ControlMesh, scheme: string): number {
@@ -341,13 +356,8 @@ export class Editor {
       const [a, b] = [3 * edges[2 * e], 3 * edges[2 * e + 1]];
       length += Math.hypot(points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]);
     }
-    const low = [Infinity, Infinity, Infinity];
-    const high = [-Infinity, -Infinity, -Infinity];
-    points.forEach((x, i) => {
-      low[i % 3] = Math.min(low[i % 3], x);
-      high[i % 3] = Math.max(high[i % 3], x);
-    });
-    this.size = Math.hypot(...low.map((x, k) => high[k] - x)) || 1;
+    this.shownHandles = { ...this.handles, points: points.map((x, i) => x - this.origin[i % 3]) };
+    this.size = boxOf(points).size || 1;
     this.normalLength = Math.min((0.5 * length) / Math.max(1, sharp.length), 0.14 * this.size);
     const { wedge, vertex } = this.selection;
     if (wedge !== undefined && (wedge >= this.handles.vertices.length || this.handles.vertices[wedge] !== vertex))
@@ -418,8 +428,19 @@ export class Editor {
   }
 
   private showControlMesh(): void {
-    this.viewer.showControlMesh(this.handles, this.normalLength, this.selection);
+    this.viewer.showControlMesh(this.shownHandles, this.normalLength, this.selection);
   }
+}
+
+function boxOf(points: Float64Array): { center: Triple; size: number } {
+  const low: Triple = [Infinity, Infinity, Infinity];
+  const high: Triple = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  if (points.length === 0) return { center: [0, 0, 0], size: 0 };
+  return { center: low.map((x, k) => x + (high[k] - x) / 2) as Triple, size: Math.hypot(...low.map((x, k) => high[k] - x)) };
 }
 
 function isTriple(values: Float64Array, i: number, triple: number[]): boolean {

@@ -9,7 +9,7 @@
 // Taking hold of control points, normals and edges with a mouse, a finger or keys.
 
 import * as THREE from "three";
-import type { Editor } from "./editor";
+import type { Editor, Triple } from "./editor";
 import { normalTip, type Viewer } from "./viewer";
 
 type Hold =
@@ -46,7 +46,7 @@ export class Handles {
   // --- the nearest of what can be held ---
 
   private nearest(x: number, y: number, reach: number): Found | undefined {
-    const { handles, normalLength, settings } = this.editor;
+    const { shownHandles: handles, normalLength, settings } = this.editor;
     const { ndc, isLinear } = this.viewer.toPane(x, y);
     const place = this.viewer.ndcToPixels(ndc);
     const candidates: { distance: number; p: THREE.Vector3; found: Found }[] = [];
@@ -117,7 +117,10 @@ export class Handles {
   }
 
   private pointOf(v: number): THREE.Vector3 {
-    return new THREE.Vector3().fromArray(this.editor.handles.points, 3 * v);
+    return new THREE.Vector3().fromArray(this.editor.shownHandles.points, 3 * v);
+  }
+  private toWorld(p: THREE.Vector3): Triple {
+    return p.toArray().map((x, k) => x + this.editor.origin[k]) as Triple;
   }
 
   // --- mouse and finger ---
@@ -139,7 +142,7 @@ export class Handles {
     this.editor.select({ vertex, wedge: wedge < 0 ? undefined : wedge });
     const p = this.pointOf(vertex);
     if (found.wedge !== undefined) {
-      const tip = new THREE.Vector3(...normalTip(this.editor.handles, wedge, this.editor.normalLength)!);
+      const tip = new THREE.Vector3(...normalTip(this.editor.shownHandles, wedge, this.editor.normalLength)!);
       const eye = this.viewer.camera.position.clone().sub(p);
       const onScreen = tip.clone().project(this.viewer.camera);
       this.hold = {
@@ -205,7 +208,7 @@ export class Handles {
       const old = this.pointOf(hold.vertex);
       p.copy(old).addScaledVector(n, n.dot(at.clone().sub(old)));
     }
-    this.editor.dragPoint(hold.vertex, p.x, p.y, p.z);
+    this.editor.dragPoint(hold.vertex, ...this.toWorld(p));
   }
 
   private up(event: PointerEvent): void {
@@ -299,7 +302,7 @@ export class Handles {
     const { vertex } = this.editor.selection;
     if (vertex === undefined) return this.selectNext(1);
     const p = this.pointOf(vertex).addScaledVector(this.axis(axis), share * 2 * this.editor.normalLength);
-    this.editor.setPoint(vertex, p.x, p.y, p.z);
+    this.editor.setPoint(vertex, ...this.toWorld(p));
     this.announceSelected();
   }
 

@@ -64,7 +64,7 @@ export interface RefinedSurface {
   showLimit(): void;
   hideLimit(): void;
   curvature(isGaussian: boolean): Float32Array;
-  /** Views are valid until the next call of anything. */
+  /** Relative to the origin that refine() was given. Views are valid until the next call of anything. */
   positionsView(): Float32Array;
   normalsView(): Float32Array;
   triangles(): Uint32Array;
@@ -93,7 +93,8 @@ export interface PlaneCurve {
 export interface Modeler {
   readMesh(content: Uint8Array, format: string): ControlMesh;
   restoreMesh(state: MeshState): ControlMesh;
-  refine(mesh: ControlMesh, scheme: string, rounds: number, isLinear: boolean): RefinedSurface;
+  /** What is shown is relative to x, y, z. */
+  refine(mesh: ControlMesh, scheme: string, rounds: number, isLinear: boolean, x: number, y: number, z: number): RefinedSurface;
   schemes(): SchemeTraits[];
   refineCurve(points: Float64Array, normals: Float64Array, mask: string, isLinear: boolean, isClosed: boolean,
     rounds: number): PlaneCurve;

@@ -9,7 +9,7 @@
 // The panel beside the surface.
 
 import { button, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
-import { format, type Editor, type Settings } from "./editor";
+import { format, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
 import { objFile, plyFile, save } from "./files";
 import type { Handles } from "./handles";
@@ -30,8 +30,6 @@ const titles: Record<string, string> = {
   "ct-catmull-clark": "Catmull-Clark, curvature transfer",
   "ct-loop": "Loop, curvature transfer",
 };
-
-type Triple = [number, number, number];
 
 export class SurfacePanel {
   constructor(

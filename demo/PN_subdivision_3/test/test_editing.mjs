@@ -254,3 +254,63 @@ test("a second finger does not turn the view under what the first one holds", as
     assert.notDeepEqual(await camera(), before);
   });
 });
+
+test("what is far from the origin is shown as if it were near", async () => {
+  await withPage(file, { hash: "#cube" }, async (page) => {
+    const picture = () => page.evaluate(() => {
+      const { editor } = window.page;
+      return { positions: [...editor.shownSurface.positionsView()], points: [...editor.handles.points],
+        pixels: [...editor.handles.vertices].map((v) => editor.viewer.toPixels(
+          editor.viewer.camera.position.clone().fromArray(editor.shownHandles.points, 3 * v))) };
+    });
+    const cube = (x, y, z) => `OFF\n8 6 0\n${[0, 1, 2, 3, 4, 5, 6, 7].map((i) =>
+      `${x + (i & 1)} ${y + ((i >> 1) & 1)} ${z + (i >> 2)}`).join("\n")}\n` +
+      "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+    const open = async (name, content) => {
+      await drop(page, name, content);
+      await page.waitForFunction((n) => window.page.editor.name === n, name);
+      return picture();
+    };
+    const near = await open("near.off", cube(0, 0, 0));
+    // powers of 2, so that no coordinate is rounded
+    const [x, y, z] = [2 ** 24, -(2 ** 26), 2 ** 22];
+    const far = await open("far.off", cube(x, y, z));
+    const shift = [0, 1, 2].map((k) => near.positions[k] - far.positions[k]);
+    const difference = near.positions.reduce((most, p, i) => Math.max(most, Math.abs(p - far.positions[i] - shift[i % 3])), 0);
+    assert.ok(difference < 1e-6, `${difference}`);
+    far.pixels.forEach((pixel, i) => assert.ok(Math.hypot(pixel.x - near.pixels[i].x, pixel.y - near.pixels[i].y) < 0.01));
+    assert.deepEqual(far.points.slice(0, 3), [x, y, z]);
+    // a point that is dragged stays where the pointer is, and keeps its place in the world
+    await page.check("input[name=layout][value=pn]");
+    const box = await page.locator("#canvas").boundingBox();
+    const front = (await picture()).pixels.reduce((best, pixel) => (pixel.depth < best.depth ? pixel : best));
+    const at = [box.x + box.width / 2 + front.x, box.y + box.height / 2 + front.y];
+    await page.mouse.move(...at);
+    await page.mouse.down();
+    await page.mouse.move(at[0] + 10, at[1] - 20, { steps: 5 });
+    await page.mouse.up();
+    const moved = (await picture()).points.map((p, i) => p - far.points[i]);
+    const length = Math.hypot(...moved);
+    assert.ok(length > 0.01 && length < 1, `moved by ${length}`);
+  });
+});
+
+test("numbers that do not fit into 32 bits are out of range, not small", async () => {
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    const triangle = "0 0 0\n1 0 0\n0 1 0\n";
+    for (const [name, content, expected] of [
+      ["index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n", /4294967299 is out of range/],
+      ["index.off", `OFF\n3 1 0\n${triangle}3 0 1 4294967298\n`, /4294967298 is out of range/],
+      ["vertices.off", `OFF\n4294967299 1 0\n${triangle}3 0 1 2\n`, /the number of vertices is too large: 4294967299/],
+      ["faces.off", `OFF\n3 4294967297 0\n${triangle}3 0 1 2\n`, /the number of faces is too large: 4294967297/],
+      ["count.ply", "ply\nformat ascii 1.0\nelement vertex 4294967299\nproperty double x\nproperty double y\n" +
+        "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+        `${triangle}3 0 1 2\n`, /the number of elements is too large: 4294967299/],
+    ]) {
+      await page.evaluate(() => (document.getElementById("message").hidden = true));
+      await drop(page, name, content);
+      assert.match(await message(page), expected);
+      assert.notEqual(await page.evaluate(() => window.page.editor.name), name);
+    }
+  });
+});

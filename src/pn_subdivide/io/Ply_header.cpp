@@ -38,9 +38,7 @@ Ply_element read_element(Text_reader& in, std::unordered_set<std::string>& names
   element.name = in.word();
   if (!names.insert(element.name).second)
     in.fail("a second element '" + Text_reader::printable(element.name) + "'");
-  const std::int64_t size = in.integer("the number of elements");
-  if (size < 0) in.fail("the number of elements is negative");
-  element.size = static_cast<std::size_t>(size);
+  element.size = in.count("the number of elements");
   return element;
 }
 

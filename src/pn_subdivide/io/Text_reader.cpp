@@ -151,6 +151,11 @@ std::int64_t Text_reader::integer(const char* what)
   return to_integer(required_word(what), what);
 }
 
+std::size_t Text_reader::count(const char* what)
+{
+  return to_count(required_word(what), what);
+}
+
 double Text_reader::to_number(std::string_view w, const char* what) const
 {
   // strtod() and not from_chars(): it rounds numbers out of range to 0 and infinity, takes a '+',
@@ -161,6 +166,16 @@ double Text_reader::to_number(std::string_view w, const char* what) const
   if (w.empty() || end != w.data() + w.size())
     fail("'" + printable(w) + "' stands where " + what + " is expected");
   return x;
+}
+
+std::size_t Text_reader::to_count(std::string_view w, const char* what) const
+{
+  const std::int64_t n = to_integer(w, what);
+  if (n < 0) fail(std::string(what) + " is negative");
+  const auto count = static_cast<std::size_t>(n);
+  if (static_cast<std::int64_t>(count) != n)
+    fail(std::string(what) + " is too large: " + printable(w));
+  return count;
 }
 
 std::int64_t Text_reader::to_integer(std::string_view w, const char* what) const

@@ -45,10 +45,13 @@ public:
   // The next word of this line as a number; `what` names what is expected there.
   double number(const char* what);
   std::int64_t integer(const char* what);
+  std::size_t count(const char* what);
 
   // Of any word.
   double to_number(std::string_view word, const char* what) const;
   std::int64_t to_integer(std::string_view word, const char* what) const;
+  // A number of things: not negative, and none that this machine cannot count, which may have 32 bits.
+  std::size_t to_count(std::string_view word, const char* what) const;
 
   std::size_t line() const { return line_; } // counted from 1
   // Where the next word is looked for in the text.

@@ -16,6 +16,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pn_subdivide {
 namespace {
@@ -78,7 +79,7 @@ private:
   {
     const std::int64_t n = in_.to_integer(word, what);
     const std::int64_t i = n < 0 ? static_cast<std::int64_t>(so_far) + n : n - 1;
-    if (i < 0 || static_cast<std::size_t>(i) >= Mesh_data::max_number_of_points)
+    if (i < 0 || static_cast<std::uint64_t>(i) >= Mesh_data::max_number_of_points)
       in_.fail(std::string(what) + " " + std::to_string(n) + " is out of range");
     return i;
   }

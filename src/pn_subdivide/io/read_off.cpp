@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pn_subdivide {
 namespace {
@@ -53,13 +54,6 @@ std::string_view read_keyword(Text_reader& in, Off_header& header)
   return word;
 }
 
-std::size_t to_count(const Text_reader& in, std::string_view word, const char* what)
-{
-  const std::int64_t n = in.to_integer(word, what);
-  if (n < 0) in.fail(std::string(what) + " is negative");
-  return static_cast<std::size_t>(n);
-}
-
 Off_header read_header(Text_reader& in)
 {
   Off_header header;
@@ -69,8 +63,8 @@ Off_header read_header(Text_reader& in)
   if (word == "BINARY")
     in.fail("binary OFF files are not supported; PLY is a good exchange format");
 
-  header.points = to_count(in, word, "the number of vertices");
-  header.faces = to_count(in, in.word_across_lines(), "the number of faces");
+  header.points = in.to_count(word, "the number of vertices");
+  header.faces = in.to_count(in.word_across_lines(), "the number of faces");
   if (header.points > Mesh_data::max_number_of_points) in.fail("too many vertices");
   return header; // the number of edges, where it is given, says nothing new
 }
@@ -150,7 +144,7 @@ void read_face(Text_reader& in, std::size_t number_of_points, std::vector<Mesh_d
   face.clear();
   for (std::int64_t i = 0; i < n; ++i) {
     const std::int64_t v = in.integer("a vertex index");
-    if (v < 0 || static_cast<std::size_t>(v) >= number_of_points)
+    if (v < 0 || static_cast<std::uint64_t>(v) >= number_of_points)
       in.fail("the face's vertex index " + std::to_string(v) + " is out of range, there are " +
               std::to_string(number_of_points) + " vertices");
     face.push_back(static_cast<Mesh_data::Index>(v));

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string_view>
 
@@ -37,8 +38,8 @@ std::size_t announced_facets(const std::string& content)
 
 bool is_binary(const std::string& content)
 {
-  return content.size() >= header_size &&
-         content.size() == header_size + facet_size * announced_facets(content);
+  return content.size() >= header_size && (content.size() - header_size) % facet_size == 0 &&
+         (content.size() - header_size) / facet_size == announced_facets(content);
 }
 
 // The first word, perhaps behind a byte order mark.
@@ -61,7 +62,7 @@ std::string first_word(const std::string& content)
   throw Error("not an STL file or truncated: it is no text that begins with 'solid', and a binary "
               "file with the " +
               std::to_string(announced_facets(content)) + " triangles it announces has " +
-              std::to_string(header_size + facet_size * announced_facets(content)) +
+              std::to_string(header_size + std::uint64_t(facet_size) * announced_facets(content)) +
               " bytes, not " + std::to_string(content.size()));
 }
 
