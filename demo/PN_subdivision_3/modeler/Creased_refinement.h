@@ -12,7 +12,7 @@
 #include "Refinement.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
 namespace pn_demo {

@@ -10,9 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_PN_MASK_3_H
 
 #include <CGAL/PN_subdivision_3/cgal_masks/Zipped_point_normal_map.h>
-#include <CGAL/PN_subdivision_3/internal/cgal_masks/Mask_checks.h>
 #include <CGAL/PN_subdivision_3/internal/cgal_masks/Mask_mesh_view.h>
-#include <CGAL/PN_subdivision_3/internal/cgal_masks/Mask_on_view.h>
 
 #include <array>
 #include <cstddef>

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_limits.h>
-#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 #include <CGAL/number_type_basic.h>
 

@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CURVATURE_H
 
-#include <CGAL/PN_subdivision_3/internal/curvature/Corner_normals.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimations.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Face_neighbors.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -14,7 +14,6 @@
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Zoom_level.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/number_type_basic.h>
 

@@ -10,14 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_LIMIT_POINTS_H
 
 #include <CGAL/PN_subdivision_3/internal/limit/Face_limits.h>
-#include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/vertex_limits.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
-#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>

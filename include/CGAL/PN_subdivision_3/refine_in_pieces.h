@@ -12,10 +12,9 @@
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>

@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
-#include <CGAL/PN_subdivision_3/internal/curves/Curve_maps.h>
+#include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
 
 namespace CGAL {

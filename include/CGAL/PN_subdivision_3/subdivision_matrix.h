@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 

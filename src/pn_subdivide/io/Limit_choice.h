@@ -11,7 +11,7 @@
 
 #include "io/Report.h"
 
-#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <cstddef>
 #include <optional>

@@ -12,7 +12,7 @@
 #include "io/corner_normals.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
 #include <algorithm>
 #include <limits>

@@ -13,7 +13,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

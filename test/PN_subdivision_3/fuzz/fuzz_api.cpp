@@ -10,7 +10,7 @@
 // mesh is as it was. Sanitizers watch the rest.
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -11,7 +11,7 @@
 
 #include "Interpolation_cases.h"
 
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 // Property maps of a Surface_mesh by name, with CGAL 5 and with CGAL 6.
 
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -9,7 +9,7 @@
 // No library is linked, so that it can be cross compiled: scripts/check_portability.sh.
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

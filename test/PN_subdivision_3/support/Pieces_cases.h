@@ -12,7 +12,7 @@
 #include "Mesh_cases.h"
 #include "Random_meshes.h"
 
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>

@@ -12,7 +12,7 @@
 #include "Mesh_cases.h"
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/find_property_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_EXACT_DEVIATION_H
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/internal/exact/Scaled_interval.h>
 #include <CGAL/PN_subdivision_3/internal/exact/measure_number.h>
 #include <CGAL/Uncertain.h>
 

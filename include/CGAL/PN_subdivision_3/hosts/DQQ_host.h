@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/DQQ_numbering.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 
 #include <boost/container/vector.hpp>
 

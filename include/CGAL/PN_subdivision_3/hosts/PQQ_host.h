@@ -12,8 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/Face_corners.h>
-#include <CGAL/PN_subdivision_3/internal/hosts/PQQ_numbering.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/numberings.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_LIMIT_LIMIT_POINT_H
 #define CGAL_PN_SUBDIVISION_3_LIMIT_LIMIT_POINT_H
 
+#include <cstddef>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 
@@ -72,6 +74,27 @@ struct Limit_options
   /// how many rounds the call has done that made the mesh: the borders of \f$ \sqrt{3} \f$ depend on
   /// whether that is even, and modified schemes on whether it is before their first round; others do not.
   unsigned rounds_done = 0;
+};
+
+/// \ingroup PkgPNSubdivision3Limit
+/// What `limit_points()` and `curve_limit_points()` have reached.
+struct Limit_report
+{
+  /// the largest estimated error of a limit point, in the unit of the coordinates.
+  double error = 0;
+  /// the largest estimated error of a surface normal or a tangent, in radians.
+  double normal_error = 0;
+  /// the largest error that the options allow, in the unit of the coordinates.
+  double tolerance = 0;
+  /// how many limit points, surface normals or tangents are estimated not to meet their tolerances.
+  std::size_t number_of_misses = 0;
+  /// at how many vertices the control normal stands in for the normal of the surface or curve.
+  std::size_t number_of_stand_ins = 0;
+  /// the most rounds of refinement that were done about a vertex or an edge.
+  unsigned depth = 0;
+
+  /// whether the estimated error is within the tolerance.
+  bool is_within_tolerance() const { return number_of_misses == 0; }
 };
 
 } // namespace PN_subdivision_3

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Long_rings.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Tuned_Loop_frequencies.h>

@@ -12,23 +12,95 @@
 #include <CGAL/PN_subdivision_3/Control_element.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
+#include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
+
 #include <CGAL/number_type_basic.h>
 
 #include <boost/container/vector.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+inline Control_element control_element(const Origin& origin)
+{
+  using Kind = Control_element::Kind;
+  const Kind kind = origin.kind == Origin::Kind::vertex ? Kind::vertex
+                    : origin.kind == Origin::Kind::edge ? Kind::edge
+                                                        : Kind::face;
+  return {kind, origin.index};
+}
+
+// What is put for the elements of the refined mesh by where they come from; `face` is the first control face
+// there.
+class Origin_values
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Origin_values() = default;
+  Origin_values(const Origin_values&) = delete;
+  Origin_values& operator=(const Origin_values&) = delete;
+  virtual ~Origin_values() = default;
+
+  virtual void begin(std::size_t number_of_elements) = 0;
+  virtual void set(Index element, const Control_element& origin, Index face) = 0;
+  virtual void keep() noexcept = 0;
+};
+
+template <class FT>
+struct Corner_attribute_values
+{
+  std::unique_ptr<Row_values<FT>> values;
+  Corner_rule rule;
+};
+
+// What a call carries, read from the mesh and its maps before the first round.
+template <class FT>
+struct Carried_attributes
+{
+  template <class T>
+  using List = std::vector<std::unique_ptr<T>>;
+
+  List<Row_values<FT>> vertices;
+  std::vector<Corner_attribute_values<FT>> corners;
+  List<Copied_values> edges, faces;
+  List<Origin_values> vertex_origins, edge_origins, face_origins;
+
+  Level_origins::Kinds needed_origins() const
+  {
+    return {!vertex_origins.empty(), !edge_origins.empty() || !edges.empty(),
+            !face_origins.empty() || !faces.empty()};
+  }
+
+  void keep() noexcept
+  {
+    const auto keep_all = [](auto& list) {
+      for (auto& values : list) values->keep();
+    };
+    keep_all(vertices);
+    for (Corner_attribute_values<FT>& corner : corners) corner.values->keep();
+    keep_all(edges);
+    keep_all(faces);
+    keep_all(vertex_origins);
+    keep_all(edge_origins);
+    keep_all(face_origins);
+  }
+};
 
 // refuses an array that does not fit its elements
 inline void check_array(const Attribute_array& array, std::size_t number, const char* kind)
@@ -166,6 +238,32 @@ public:
 private:
   std::vector<std::uint32_t>& parents_;
   std::vector<std::uint32_t> result_;
+};
+
+// A map that gets where elements come from: a Control_element, or the number of the first control face. What it
+// had is put back if it can be read.
+template <class Access, class Map, class Keys>
+class Origin_map : public Origin_values
+{
+public:
+  Origin_map(const Access& access, Map map, std::size_t number)
+    : map_(access, map, first_indices(number))
+  {}
+
+  void begin(std::size_t) override { map_.begin(); }
+  void set(Index element, const Control_element& origin, [[maybe_unused]] Index face) override
+  {
+    if constexpr (std::is_same_v<Value, Control_element>)
+      map_.set(element, origin);
+    else
+      map_.set(element, static_cast<Value>(face));
+  }
+  void keep() noexcept override { map_.keep(); }
+
+private:
+  using Value = std::decay_t<typename boost::property_traits<Map>::value_type>;
+
+  Restored_map<Access, Map, Keys> map_;
 };
 
 } // namespace internal

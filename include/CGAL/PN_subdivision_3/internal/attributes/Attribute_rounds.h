@@ -11,19 +11,16 @@
 
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Control_faces.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Linear_corners.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Smooth_corners.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 
 #include <cstddef>
 #include <vector>

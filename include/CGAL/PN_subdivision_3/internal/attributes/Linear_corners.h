@@ -12,14 +12,20 @@
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Chart_rules.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -123,6 +129,99 @@ private:
   const Level_connectivity& child_;
   const internal::Edge_split split_;
   Row_values<FT>& values_;
+};
+
+// The values of corners in charts that are cut: a value for every slot, by the rows of the level cut open.
+template <class FT>
+class Smooth_corners
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Smooth_corners(Row_values<FT>& values, Charts<FT>&& charts)
+    : values_(values)
+    , creases_(std::move(charts.creases()))
+    , rules_(std::move(charts.rules()))
+  {}
+
+  // Takes the rows of the level, as long as they are those of its vertices, and finds out where the charts need
+  // others: where a row reads a vertex on a seam or crease.
+  void begin_round(const Level_connectivity& level, Index number_of_new_vertices, bool takes_rows)
+  {
+    is_special_.assign(level.number_of_vertices(), takes_rows ? 0 : 1);
+    for (const Crease_star& star : creases_.stars) is_special_[star.vertex] = 1;
+    needs_own_row_.assign(number_of_new_vertices, takes_rows ? 0 : 1);
+    refined_.emplace(creases_, level, number_of_new_vertices);
+    values_.begin_round(refined_->creases.number_of_slots);
+  }
+  void evaluate(Index first, const Stencil_block<FT>& rows)
+  {
+    values_.evaluate(first, rows);
+    for (std::size_t r = 0; r < rows.number_of_rows(); ++r) {
+      char special = 0;
+      for (const auto* e = rows.begin(r); e != rows.end(r); ++e) special |= is_special_[e->vertex];
+      needs_own_row_[first + r] = special;
+    }
+  }
+
+  // Ends a round. `smooth_mask` is that of the uncut level; null if nothing there is less than infinitely sharp.
+  template <class Scheme, class One_round, class Mask>
+  void end_round(const Scheme& scheme, const One_round& round, const Level_connectivity& level,
+                 const Mask* smooth_mask, const For_chunks& for_chunks)
+  {
+    const Cut_level<FT> cut(level, creases_);
+    const Mask mask = scheme.template mask<FT>(cut.connectivity(), round.number());
+    evaluate_own_rows(round.host(), mask, for_chunks);
+    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, &rules_);
+    rows.for_each([&](Index slot, const Entry_row<FT>& row) {
+      values_.evaluate(slot, row.begin(), row.end());
+    });
+    values_.end_round();
+    creases_ = std::move(refined_->creases);
+  }
+
+  // of the half-edges of the refined level with a face whose slot is not their target
+  template <class Function>
+  void for_each_extra_corner(const Level_connectivity& refined, const Function& f) const
+  {
+    internal::for_each_extra_corner(refined, creases_, f);
+  }
+
+  static void keep_values(Row_values<FT>& values, const std::vector<Index>& vertices)
+  {
+    Entry_row<FT> row;
+    for (const Index v : vertices) {
+      row.clear();
+      row.add(v, FT(1));
+      values.evaluate(v, row.begin(), row.end());
+    }
+  }
+
+private:
+  template <class Host, class Mask>
+  void evaluate_own_rows(const Host& host, const Mask& mask, const For_chunks& for_chunks) const
+  {
+    const Caller_precision<FT> precision;
+    for_chunks(static_cast<Index>(needs_own_row_.size()), [&](Index begin, Index end) {
+      const typename Caller_precision<FT>::In_this_thread scope(precision);
+      Stencil_block<FT> row;
+      for (Index v = begin; v < end; ++v) {
+        if (needs_own_row_[v] == 0) continue;
+        row.clear();
+        host.stencil(mask, v, row.row());
+        row.close_row();
+        values_.evaluate(v, row);
+      }
+    });
+  }
+
+  Row_values<FT>& values_;
+  Creases<FT> creases_;
+  Chart_rules rules_;
+  // of a round
+  std::vector<char> is_special_;    // of the old vertices
+  std::vector<char> needs_own_row_; // of the new ones
+  std::optional<Refined_creases<FT>> refined_;
 };
 
 } // namespace internal

@@ -14,16 +14,16 @@
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Origin_map.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <tuple>
@@ -238,6 +238,37 @@ bool has_seam(const Access&, const Level_connectivity& level, const Attribute_ar
                         [&](auto h, auto g) { return values.are_equal(h, g); })
     .has_seams();
 }
+
+// The first control face at an origin, that is the one with the least number at an edge or a vertex. Where
+// faces come from faces only, nothing is stored.
+class Control_faces
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Control_faces() = default;
+  explicit Control_faces(const Level_connectivity& level)
+    : of_edge_(level.number_of_edges(), Level_connectivity::null)
+    , of_vertex_(level.number_of_vertices(), Level_connectivity::null)
+  {
+    for (Index h = 0; h < level.number_of_halfedges(); ++h) {
+      if (level.is_border(h)) continue;
+      const Index f = level.face(h);
+      for (Index* first : {&of_edge_[Level_connectivity::edge(h)], &of_vertex_[level.target(h)]})
+        *first = (std::min)(*first, f); // null is the largest
+    }
+  }
+
+  Index operator()(const Origin& origin) const
+  {
+    if (origin.kind == Origin::Kind::face) return origin.index;
+    const std::vector<Index>& faces = origin.kind == Origin::Kind::edge ? of_edge_ : of_vertex_;
+    return faces.empty() ? Level_connectivity::null : faces[origin.index];
+  }
+
+private:
+  std::vector<Index> of_edge_, of_vertex_;
+};
 
 } // namespace internal
 } // namespace PN_subdivision_3

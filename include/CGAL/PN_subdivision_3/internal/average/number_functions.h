@@ -11,9 +11,13 @@
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+
 #include <CGAL/number_type_basic.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -57,6 +61,27 @@ using Rooted_number = std::conditional_t<std::is_same_v<FT, long double> ||
                                            (!std::is_floating_point_v<FT> && !is_exact_v<FT> &&
                                             !is_interval_v<FT> && has_sqrt_v<FT>),
                                          FT, double>;
+
+template <class FT>
+FT times_power_of_two(const FT& x, int exponent)
+{
+  const int half = exponent / 2; // 2^1074 is no double
+  return x * FT(std::ldexp(1., half)) * FT(std::ldexp(1., exponent - half));
+}
+
+// Multiplies by the power of two that makes the squares of components harmless, and returns its exponent. Of intervals
+// it is not asked which component is the largest, which they need not decide.
+template <class FT, std::size_t dimension>
+int scale_harmlessly(std::array<FT, dimension>& v)
+{
+  double largest = 0;
+  for (const FT& x : v)
+    largest = (std::max)(largest, std::abs(static_cast<double>(CGAL::to_double(x))));
+  if (!(largest > 0) || !std::isfinite(largest)) return 0;
+  const int exponent = -std::ilogb(largest);
+  for (FT& x : v) x = times_power_of_two(x, exponent);
+  return exponent;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_RATIONAL_UNIT_VECTOR_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/internal/average/harmless_scale.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/number_type_basic.h>
 
 #include <array>

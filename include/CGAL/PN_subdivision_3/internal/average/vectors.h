@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/internal/average/harmless_scale.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/utils.h>

@@ -12,11 +12,16 @@
 #include <CGAL/PN_subdivision_3/internal/cgal_masks/Mask_probe.h>
 
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -152,5 +157,72 @@ struct property_map<CGAL::PN_subdivision_3::internal::Mask_mesh_view<PolygonMesh
 };
 
 } // namespace boost
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The user's mask template on the view: Mask<View>, or Mask<View, point map> if that is needed.
+template <class View, template <class...> class Mask, class = void>
+struct Mask_on_view
+{
+  using type = Mask<View, typename View::Point_map>;
+};
+
+template <class View, template <class...> class Mask>
+struct Mask_on_view<View, Mask, std::void_t<Mask<View>>>
+{
+  using type = Mask<View>;
+};
+
+// CGAL's masks take a pointer to the mesh, the manual's a reference; not all take a point map.
+template <class Mask, class View, class PointMap, class... Args>
+Mask make_mask_on_view(View& view, const PointMap& points, const Args&... args)
+{
+  if constexpr (std::is_constructible_v<Mask, View*, PointMap, const Args&...>)
+    return Mask(&view, points, args...);
+  else if constexpr (std::is_constructible_v<Mask, View&, PointMap, const Args&...>)
+    return Mask(view, points, args...);
+  else if constexpr (std::is_constructible_v<Mask, View*, const Args&...>)
+    return Mask(&view, args...);
+  else {
+    static_assert(std::is_constructible_v<Mask, View&, const Args&...>,
+                  "The mask must be constructible from a pointer or a reference to the mesh, then "
+                  "the vertex point map (if it takes one), then the arguments given here.");
+    return Mask(view, args...);
+  }
+}
+
+template <class Coordinates>
+bool has_finite_coordinates(const Coordinates& c)
+{
+  return CGAL::is_finite(c.x()) && CGAL::is_finite(c.y()) && CGAL::is_finite(c.z());
+}
+
+// Once, before CGAL's hosts begin, since they do not check and leak when a mask throws.
+template <class PolygonMesh, class PointNormalMap>
+void check_mask_input(const PolygonMesh& mesh, const PointNormalMap& point_normals)
+{
+  std::size_t index = 0;
+  const auto require = [&index](bool holds, const char* otherwise) {
+    if (!holds)
+      throw std::invalid_argument("PN_mask_3: vertex " + std::to_string(index) +
+                                  " (counting from 0 in vertices(mesh)) " + otherwise);
+  };
+  for (auto v : vertices(mesh)) {
+    require(halfedge(v, mesh) != boost::graph_traits<PolygonMesh>::null_halfedge(),
+            "has no edge, which CGAL's hosts cannot treat; remove it");
+    const auto point_normal = get(point_normals, v);
+    require(has_finite_coordinates(point_normal.first),
+            "has a point with an infinite or NaN coordinate; mend or remove it");
+    require(has_finite_coordinates(point_normal.second),
+            "has a normal with an infinite or NaN coordinate; give a unit or a zero normal");
+    ++index;
+  }
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_MESH_VIEW_H

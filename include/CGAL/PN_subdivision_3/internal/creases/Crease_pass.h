@@ -11,14 +11,12 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_tangents.h>
-#include <CGAL/PN_subdivision_3/internal/creases/crease_blend.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>
@@ -29,6 +27,33 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// a dart has the smooth rule
+inline bool is_same_rule(Vertex_rule a, Vertex_rule b)
+{
+  const auto smooth = [](Vertex_rule r) {
+    return r == Vertex_rule::dart ? Vertex_rule::smooth : r;
+  };
+  return smooth(a) == smooth(b);
+}
+
+// the weight of a vertex's rule before the round beside that after it: the mean sharpness of what is sharp no
+// more after the round, at most 1
+template <class FT>
+double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star)
+{
+  double sum = 0;
+  int number = 0;
+  const auto add = [&](double s) {
+    if (!(s > 0) || refined_sharpness(s) > 0) return;
+    sum += s;
+    ++number;
+  };
+  add(star.sharpness);
+  for (Level_connectivity::Index i = 0; i < star.number_of_ends; ++i)
+    add(creases.edge(creases.end(star, i)).sharpness);
+  return number == 0 ? 1 : sum / number;
+}
 
 // The new values on the creases of a round, for all slots of a new vertex together, and the tangents
 // of the refined creases.

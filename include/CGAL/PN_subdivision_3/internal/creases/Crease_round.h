@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
-#include <CGAL/PN_subdivision_3/internal/creases/soften_normals.h>
+#include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 

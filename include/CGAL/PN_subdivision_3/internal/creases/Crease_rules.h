@@ -14,7 +14,6 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>

@@ -11,12 +11,16 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
 
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -233,6 +237,60 @@ private:
     creases.add_star({split.edge_vertex(2 * e.edge), is_corner ? infinite_sharpness : 0, is_border},
                      first_end);
   }
+};
+
+// Calls f(position, vertex, value) for the vertices among slots with values, of which those of a vertex
+// follow one another. With several of them it has their mean normal.
+template <class Average, class Function>
+void for_each_crease_vertex(
+  const std::vector<std::pair<Level_connectivity::Index, typename Average::Value>>& slots,
+  Level_connectivity::Index number_of_vertices, const Function& f)
+{
+  using FT = typename Average::FT;
+  using Value = typename Average::Value;
+  constexpr bool has_normals = std::is_same_v<Value, Point_normal<FT, 3>>;
+  for (std::size_t i = 0; i < slots.size();) {
+    const std::size_t first = i;
+    const auto v = slots[i].first;
+    Value value = slots[i].second;
+    int wedges = 1;
+    for (++i; i < slots.size() && slots[i].first >= number_of_vertices; ++i, ++wedges)
+      if constexpr (has_normals) add_multiple<FT, 3>(value.normal, FT(1), slots[i].second.normal);
+    if constexpr (has_normals)
+      if (wedges > 1)
+        decided<FT>([&] { value.normal = unit_or_zero<FT, 3>(value.normal, FT(wedges)); },
+                    [&] { return "the mean normal of vertex " + std::to_string(v); });
+    f(first, v, value);
+  }
+}
+
+// A single row that a mask writes, to be read and changed.
+template <class FT>
+class Entry_row
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  struct Entry
+  {
+    Index vertex;
+    FT weight;
+  };
+
+  void add(Index vertex, const FT& weight) { entries_.push_back({vertex, weight}); }
+  void add_rest(Index vertex)
+  {
+    FT sum(0);
+    for (const Entry& e : entries_) sum += e.weight;
+    add(vertex, FT(1) - sum);
+  }
+  void clear() { entries_.clear(); }
+
+  const Entry* begin() const { return entries_.data(); }
+  const Entry* end() const { return entries_.data() + entries_.size(); }
+
+private:
+  std::vector<Entry> entries_;
 };
 
 } // namespace internal

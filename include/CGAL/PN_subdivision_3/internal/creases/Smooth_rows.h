@@ -10,9 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_SMOOTH_ROWS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
 
 #include <cstddef>

@@ -11,9 +11,9 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 
 #include <array>
 #include <cmath>

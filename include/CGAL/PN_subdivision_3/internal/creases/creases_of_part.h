@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASES_OF_PART_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
 
 #include <algorithm>

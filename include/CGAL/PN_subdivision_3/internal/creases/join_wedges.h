@@ -15,6 +15,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -98,6 +99,106 @@ std::vector<Coordinates<FT, 3>> join_normals(const std::vector<Coordinates<FT, 3
   for (std::size_t w = 0; w < result.size(); ++w)
     if (count[w] > 1) result[w] = unit_or_zero<FT, 3>(result[w], FT(count[w]));
   return result;
+}
+
+// The normals of the wedges of one vertex as a round reads them, where creases run out in this round.
+//
+// Crease edge e couples its wedges by c_e = 1 - min(1, s_e). The normal of wedge w becomes the unit
+// vector of the sum of kappa_wx n_x over all wedges x, kappa_wx = 1 - (1 - P)(1 - P'), P and P' the
+// products of the couplings passed on the way from w to x going one and the other way round. The
+// border passes nothing.
+//
+// Since P P' is the product of all couplings, kappa_wx = P + P' - P P', and the sums over the P and
+// those over the P' follow from wedge to wedge: linear in the number of wedges.
+template <class FT>
+class Soften_normals
+{
+public:
+  using Vector = Coordinates<FT, 3>;
+
+  // normals[w] of wedge w; coupling[w] between wedge w - 1, cyclically, and wedge w
+  void operator()(std::vector<Vector>& normals, const std::vector<FT>& coupling)
+  {
+    const std::size_t m = normals.size();
+    sum_.assign(m, zero_vector<FT, 3>());
+    FT all(1);
+    Vector total = zero_vector<FT, 3>();
+    for (std::size_t w = 0; w < m; ++w) {
+      all *= coupling[w];
+      add_multiple<FT, 3>(total, FT(1), normals[w]);
+    }
+    add_one_way(
+      normals, [&](std::size_t w) { return (w + 1) % m; },
+      [&](std::size_t w) { return coupling[(w + 1) % m]; }, all);
+    add_one_way(
+      normals, [&](std::size_t w) { return (w + m - 1) % m; },
+      [&](std::size_t w) { return coupling[w]; }, all);
+    for (std::size_t w = 0; w < m; ++w) {
+      // P P' belongs to all other wedges
+      add_multiple<FT, 3>(sum_[w], FT(-all), total);
+      add_multiple<FT, 3>(sum_[w], FT(FT(1) + all), normals[w]);
+    }
+    for (std::size_t w = 0; w < m; ++w) normals[w] = unit_or_zero<FT, 3>(sum_[w], FT(int(m)));
+  }
+
+private:
+  // adds to every sum those of P n_x over the others, where `passed(w)` is between w and next(w)
+  template <class Next, class Passed>
+  void add_one_way(const std::vector<Vector>& normals, const Next& next, const Passed& passed,
+                   const FT& all)
+  {
+    // that of wedge 0 first: c_0 (n_1 + c_1 (n_2 + ...))
+    Vector f = zero_vector<FT, 3>();
+    order_.clear();
+    for (std::size_t w = next(0); w != 0; w = next(w)) order_.push_back(w);
+    for (auto w = order_.rbegin(); w != order_.rend(); ++w) {
+      add_multiple<FT, 3>(f, FT(1), normals[*w]);
+      const std::size_t before = w + 1 == order_.rend() ? 0 : *(w + 1);
+      scale<FT, 3>(f, passed(before));
+    }
+    add_multiple<FT, 3>(sum_[0], FT(1), f);
+    // then backward: all of the way round leads to the wedge itself, which is no other one
+    std::size_t after = 0;
+    for (auto w = order_.rbegin(); w != order_.rend(); ++w) {
+      add_multiple<FT, 3>(f, FT(1), normals[after]);
+      scale<FT, 3>(f, passed(*w));
+      add_multiple<FT, 3>(f, FT(-all), normals[*w]);
+      add_multiple<FT, 3>(sum_[*w], FT(1), f);
+      after = *w;
+    }
+  }
+
+  std::vector<Vector> sum_;
+  std::vector<std::size_t> order_;
+};
+
+// whether a crease of the star runs out in this round with less than its full weight
+template <class FT>
+bool is_softened(const Creases<FT>& creases, const Crease_star& star)
+{
+  if (star.number_of_wedges == 1) return false;
+  for (Level_connectivity::Index i = 0; i < star.number_of_ends; ++i)
+    if (creases.edge(creases.end(star, i)).sharpness < 1) return true;
+  return false;
+}
+
+// calls set_normal(slot, n) for the slots of the star, given normal(slot)
+template <class FT, class Normal_of, class Set_normal>
+void soften_normals(const Creases<FT>& creases, const Crease_star& star, const Normal_of& normal,
+                    const Set_normal& set_normal)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<Coordinates<FT, 3>> normals;
+  for (Index w = 0; w < star.number_of_wedges; ++w) normals.push_back(normal(star.slot(w)));
+  std::vector<FT> coupling(star.number_of_wedges, FT(0));
+  for (Index i = 0; i < star.number_of_ends; ++i) {
+    const Crease_end& e = creases.end(star, i);
+    const Crease_edge<FT>& crease = creases.edge(e);
+    if (!crease.is_border() && crease.sharpness < 1)
+      coupling[star.wedge(crease.after[e.side])] = FT(1) - FT(crease.sharpness);
+  }
+  Soften_normals<FT>()(normals, coupling);
+  for (Index w = 0; w < star.number_of_wedges; ++w) set_normal(star.slot(w), normals[w]);
 }
 
 } // namespace internal

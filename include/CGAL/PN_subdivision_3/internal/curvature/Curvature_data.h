@@ -11,17 +11,86 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/Cell_order.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// Orders points by the cells of a grid over their box, along a curve that stays close to itself. In a refined mesh
+// the vertices of old vertices, edges and faces have numbers far apart: what looks at one vertex after the other
+// with those around it waits for memory most of the time.
+class Cell_order
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+  using Points = std::vector<Vector>;
+
+  explicit Cell_order(const Points& points)
+    : points_(points)
+  {
+    // about as many cells as points: a surface meets few of them
+    while (points.size() >> (3 * (bits_ + 1)) != 0 && bits_ < 10) ++bits_;
+  }
+
+  // the numbers of the points in this order
+  std::vector<Index> operator()() const
+  {
+    std::vector<std::uint32_t> cell(points_.size());
+    std::vector<Index> end((std::size_t(1) << (3 * bits_)) + 1, 0);
+    set_cells(cell);
+    for (const std::uint32_t c : cell) ++end[c + 1];
+    for (std::size_t c = 1; c < end.size(); ++c) end[c] += end[c - 1];
+    std::vector<Index> result(points_.size());
+    for (std::size_t v = 0; v < cell.size(); ++v) result[end[cell[v]]++] = static_cast<Index>(v);
+    return result;
+  }
+
+  // the least corner and the size of the box
+  static std::pair<Vector, Vector> span(const Points& points)
+  {
+    Vector least{0, 0, 0}, greatest{0, 0, 0};
+    if (!points.empty()) least = greatest = points.front();
+    for (const Vector& p : points)
+      for (std::size_t c = 0; c < 3; ++c) {
+        least[c] = (std::min)(least[c], p[c]);
+        greatest[c] = (std::max)(greatest[c], p[c]);
+      }
+    return {least, {greatest[0] - least[0], greatest[1] - least[1], greatest[2] - least[2]}};
+  }
+
+private:
+  void set_cells(std::vector<std::uint32_t>& cell) const
+  {
+    const auto [least, size] = span(points_);
+    const double last = std::ldexp(1., bits_) - 1;
+    for (std::size_t v = 0; v < points_.size(); ++v)
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (!(size[c] > 0) || !std::isfinite(size[c])) continue;
+        const double place = (points_[v][c] - least[c]) / size[c] * (last + 1);
+        cell[v] |= spread(static_cast<std::uint32_t>((std::min)(place, last))) << c;
+      }
+  }
+
+  // two zeros behind each of the last ten bits
+  static std::uint32_t spread(std::uint32_t x)
+  {
+    x = (x | x << 16) & 0x030000ff;
+    x = (x | x << 8) & 0x0300f00f;
+    x = (x | x << 4) & 0x030c30c3;
+    return (x | x << 2) & 0x09249249;
+  }
+
+  const Points& points_;
+  int bits_ = 0; // of a coordinate of a cell
+};
 
 // What is known of the vertices of a mesh, which are numbered anew, so that near ones have near numbers. A normal
 // is a unit vector or zero; it takes part in the fit if `fits_normals`, and otherwise only tells the sides of the

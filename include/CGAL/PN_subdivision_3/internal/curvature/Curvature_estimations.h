@@ -12,9 +12,9 @@
 #include <CGAL/PN_subdivision_3/internal/curvature/Cubic_lanes.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_fit.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Face_neighbors.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Near_vertices.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/principal_curvatures.h>
 
 #include <algorithm>
 #include <array>

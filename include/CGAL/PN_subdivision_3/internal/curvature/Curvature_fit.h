@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_FIT_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVATURE_CURVATURE_FIT_H
 
-#include <CGAL/PN_subdivision_3/internal/curvature/principal_curvatures.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -17,12 +17,73 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The derivatives of the unit normal in an orthonormal basis of eigenvectors.
+struct Principal_curvatures
+{
+  double minimal = 0, maximal = 0, gaussian = 0, mean = 0;
+  Eigen::Vector3d minimal_direction{0, 0, 0}, maximal_direction{0, 0, 0};
+  bool is_estimated = false;
+};
+
+// What is known of a graph z = f(u) at u = 0; z is along the last column of the frame.
+struct Graph_derivatives
+{
+  Eigen::Matrix3d frame;
+  Eigen::Vector2d gradient;
+  Eigen::Matrix2d hessian;
+};
+
+// The unit vector at half the angle of (x, y), which has the given length.
+inline Eigen::Vector2d half_angle(double x, double y, double length)
+{
+  if (!(length > 0)) return {1, 0};
+  const double larger = std::sqrt((1 + std::abs(x) / length) / 2);
+  const double smaller = std::abs(y) / (2 * length * larger);
+  return x < 0 ? Eigen::Vector2d(smaller, std::copysign(larger, y))
+               : Eigen::Vector2d(larger, std::copysign(smaller, y));
+}
+
+// The curvatures of the graph, whose lengths have been divided by `scale`. The shape operator is that of
+// the derivative of the normal (-grad f, 1)/W, so that a sphere with outward normals has positive curvatures.
+inline Principal_curvatures principal_curvatures(const Graph_derivatives& f, double scale)
+{
+  const double a = f.gradient[0], b = f.gradient[1], w = std::sqrt(1 + a * a + b * b);
+  // the columns of `basis` are the projections of an orthonormal basis of the tangent plane
+  const double l = std::sqrt(1 + a * a);
+  Eigen::Matrix2d basis;
+  basis << 1 / l, -a * b / (l * w), 0, l / w;
+  const Eigen::Matrix2d shape = -basis.transpose() * f.hessian * basis / w;
+
+  Principal_curvatures c;
+  const double difference = (shape(0, 0) - shape(1, 1)) / 2;
+  const double size = (std::max)(std::abs(difference), std::abs(shape(0, 1)));
+  const double x = size > 0 ? difference / size : 0, y = size > 0 ? shape(0, 1) / size : 0;
+  const double length = std::sqrt(x * x + y * y), radius = size * length / scale;
+  c.mean = (shape(0, 0) + shape(1, 1)) / 2 / scale;
+  c.minimal = c.mean - radius;
+  c.maximal = c.mean + radius;
+  c.gaussian =
+    shape(0, 0) / scale * (shape(1, 1) / scale) - shape(0, 1) / scale * (shape(0, 1) / scale);
+  const Eigen::Vector2d along = half_angle(x, y, length), across(along[1], -along[0]);
+  const auto in_space = [&](const Eigen::Vector2d& t) -> Eigen::Vector3d {
+    const Eigen::Vector2d u = basis * t;
+    return (f.frame * Eigen::Vector3d(u[0], u[1], f.gradient.dot(u))).normalized();
+  };
+  c.minimal_direction = in_space(across);
+  c.maximal_direction = in_space(along);
+  c.is_estimated = std::isfinite(c.gaussian) && std::isfinite(c.mean) && std::isfinite(radius);
+  return c.is_estimated ? c : Principal_curvatures();
+}
 
 // A point of the neighborhood, relative to the vertex, and its normal, zero if it has none to fit.
 struct Curvature_sample
@@ -162,6 +223,55 @@ private:
   Eigen::Index rows_ = 0;
   Eigen::HouseholderQR<Matrix> qr_;
 };
+
+template <class FT>
+using Triple_of = std::array<FT, 3>;
+
+template <class FT>
+FT dot_of_triples(const Triple_of<FT>& a, const Triple_of<FT>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// The shortest x with A x = b, for the columns of a 3x3 matrix A. Singular values below 1e-8 of the
+// largest count as 0. By rotations of pairs of columns until all are perpendicular (one-sided Jacobi
+// method), always in the same order.
+template <class FT>
+Triple_of<FT> least_norm_solution(std::array<Triple_of<FT>, 3> columns, const Triple_of<FT>& b)
+{
+  std::array<Triple_of<FT>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  constexpr std::size_t pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  for (int sweep = 0; sweep < 12; ++sweep)
+    for (const auto& [i, j] : pairs) {
+      const FT product = dot_of_triples(columns[i], columns[j]);
+      if (product == FT(0)) continue;
+      const FT difference =
+        dot_of_triples(columns[j], columns[j]) - dot_of_triples(columns[i], columns[i]);
+      // tan of the smaller angle that makes them perpendicular
+      const FT zeta = difference / (2 * product);
+      const FT t = sign_of(zeta) / (absolute_value(zeta) + square_root_of<FT>(1 + zeta * zeta));
+      const FT c = 1 / square_root_of<FT>(1 + t * t), s = c * t;
+      for (auto* m : {&columns, &axes})
+        for (std::size_t r = 0; r < 3; ++r) {
+          const FT x = (*m)[i][r], y = (*m)[j][r];
+          (*m)[i][r] = c * x - s * y;
+          (*m)[j][r] = s * x + c * y;
+        }
+    }
+  FT largest(0);
+  for (const auto& column : columns) {
+    const FT square = dot_of_triples(column, column);
+    if (square > largest) largest = square;
+  }
+  Triple_of<FT> x{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const FT square = dot_of_triples(columns[k], columns[k]);
+    if (!(square > FT(1e-16) * largest)) continue;
+    const FT share = dot_of_triples(columns[k], b) / square;
+    for (std::size_t r = 0; r < 3; ++r) x[r] += share * axes[k][r];
+  }
+  return x;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -11,12 +11,11 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
-#include <CGAL/PN_subdivision_3/internal/average/harmless_scale.h>
 #include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/curvature/Curvature_fit.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Ring_functionals.h>
-#include <CGAL/PN_subdivision_3/internal/curvature/least_norm_solution.h>
 
 #include <algorithm>
 #include <array>

@@ -14,7 +14,6 @@
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Window_functionals.h>
-#include <CGAL/PN_subdivision_3/internal/curves/exact_limit_row.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 

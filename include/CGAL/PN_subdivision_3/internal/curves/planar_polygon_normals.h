@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANAR_POLYGON_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
-#include <CGAL/PN_subdivision_3/internal/curves/distinct_neighbors.h>
+#include <CGAL/PN_subdivision_3/internal/curves/space_polygon_normals.h>
 
 #include <cstddef>
 #include <utility>

@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
-#include <CGAL/PN_subdivision_3/internal/curves/distinct_neighbors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +23,25 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// the points of a polygon without those that repeat their predecessor, and for each point of the
+// polygon its position among them
+template <class Point>
+std::pair<std::vector<Point>, std::vector<std::size_t>>
+distinct_neighbors(const std::vector<Point>& points, bool closed)
+{
+  std::vector<Point> distinct;
+  std::vector<std::size_t> position;
+  for (const Point& p : points) {
+    if (distinct.empty() || p != distinct.back()) distinct.push_back(p);
+    position.push_back(distinct.size() - 1);
+  }
+  if (closed && distinct.size() > 1 && distinct.front() == distinct.back()) {
+    distinct.pop_back();
+    for (std::size_t& i : position) i %= distinct.size();
+  }
+  return {std::move(distinct), std::move(position)};
+}
 
 // The smallest rotation of v that takes the unit vector a to b; v itself if a or b is zero or they
 // are opposite.

@@ -15,7 +15,6 @@
 #include <CGAL/Line_3.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/internal/exact/Scaled_interval.h>
 #include <CGAL/PN_subdivision_3/internal/exact/measure_number.h>
 #include <CGAL/Plane_3.h>
 #include <CGAL/Sphere_3.h>

@@ -10,9 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_FUNCTIONAL_TOWER_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/PN_row_blocks.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
-#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 #include <Eigen/Core>
@@ -27,6 +26,75 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+template <int dimension>
+using Eigen_vector = Eigen::Matrix<double, dimension, 1>;
+template <int dimension>
+using Vectors = std::vector<Eigen_vector<dimension>>;
+
+template <int dimension>
+Eigen_vector<dimension> to_eigen(const Coordinates<double, dimension>& c)
+{
+  return Eigen::Map<const Eigen_vector<dimension>>(c.data());
+}
+template <int dimension>
+Coordinates<double, dimension> to_coordinates(const Eigen_vector<dimension>& v)
+{
+  Coordinates<double, dimension> c;
+  for (int i = 0; i < dimension; ++i) c[static_cast<std::size_t>(i)] = v[i];
+  return c;
+}
+
+// The PN average of a row as what it is for fixed normals, a linear map of the points: its blocks are
+//   B_j = a_j (1 + n r_j^T),  r_j = v_j - v,  v_j = chi_j (n_j + n) / (W d_j),  v = sum a_j v_j
+// with n, chi_j, d_j and W of PN_average; W = 1 if nothing fades. Their sum is 1.
+template <int dimension>
+class PN_row_blocks
+{
+public:
+  using Vector = Eigen_vector<dimension>;
+  using Value = Point_normal<double, dimension>;
+
+  // The row over old values, of which the normals are read, and the normal that it gives.
+  template <class Entry, class Values>
+  void assign(const Entry* begin, const Entry* end, const Values& old,
+              const Coordinates<double, dimension>& normal)
+  {
+    const auto size = static_cast<std::size_t>(end - begin);
+    normal_ = to_eigen<dimension>(normal);
+    r_.assign(size, Vector::Zero());
+    if (size == 1 || PN_average<double, dimension>::is_zero(normal)) return;
+    double faded_weight = 0;
+    bool faded = false;
+    for (std::size_t j = 0; j < size; ++j) {
+      if (begin[j].weight == 0) continue;
+      const Vector sum = to_eigen<dimension>(old[begin[j].vertex].normal) + normal_;
+      const double d = sum.dot(normal_);
+      double chi = 1;
+      if (d < fade_begin<double>()) {
+        faded = true;
+        chi = fade(d);
+      }
+      if (chi == 0) continue;
+      faded_weight += begin[j].weight * chi;
+      r_[j] = chi / d * sum;
+    }
+    if (faded) {
+      const double scale = faded_weight < 1. / 64 ? 0. : 1 / faded_weight;
+      for (Vector& r : r_) r *= scale;
+    }
+    Vector mean = Vector::Zero();
+    for (std::size_t j = 0; j < size; ++j) mean += begin[j].weight * r_[j];
+    for (Vector& r : r_) r -= mean;
+  }
+
+  const Vector& normal() const { return normal_; }
+  const Vector& direction(std::size_t j) const { return r_[j]; }
+
+private:
+  Vector normal_ = Vector::Zero();
+  std::vector<Vector> r_;
+};
 
 // What is done to the rings of a kind in every round, in double.
 struct Ring_rule

@@ -10,14 +10,14 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_MESH_LIMIT_FUNCTIONALS_H
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Curvature_prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/second_form.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 

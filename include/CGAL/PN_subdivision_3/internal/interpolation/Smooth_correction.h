@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_INTERPOLATION_SMOOTH_CORRECTION_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/PN_row_blocks.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>

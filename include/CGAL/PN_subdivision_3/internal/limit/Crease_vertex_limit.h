@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/average/Crease_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 
 #include <boost/container/small_vector.hpp>

@@ -10,17 +10,16 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_CREASED_LIMITS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Crease_vertex_limit.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Creased_sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Dart_limit.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>

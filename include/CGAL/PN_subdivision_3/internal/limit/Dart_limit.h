@@ -12,17 +12,15 @@
 #include <CGAL/PN_subdivision_3/average/Crease_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Limit_steps.h>
+#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 
 #include <algorithm>
 #include <array>

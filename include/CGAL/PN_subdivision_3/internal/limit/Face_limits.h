@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>

@@ -11,10 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 

@@ -10,18 +10,17 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_EVALUATION_H
 
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Gathered_rings.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
-#include <CGAL/PN_subdivision_3/internal/limit/Vertex_ring.h>
 #include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Rim_closure.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 

@@ -10,10 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_ROW_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/internal/average/Interval_bounds.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
-#include <CGAL/PN_subdivision_3/internal/limit/as_fraction.h>
+
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 
@@ -21,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -28,6 +28,31 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The fraction of small terms that a weight is but for rounding, by its continued fraction.
+inline std::optional<std::pair<int, int>> as_fraction(long double x)
+{
+  const bool negative = x < 0;
+  long double rest = std::abs(x);
+  std::int64_t p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+  for (int k = 0; k < 12; ++k) {
+    const long double whole = std::floor(rest);
+    if (whole > 1e6L) break;
+    const auto a = static_cast<std::int64_t>(whole);
+    const std::int64_t p = a * p1 + p0, q = a * q1 + q0;
+    if (q > 100000) break;
+    p0 = p1;
+    q0 = q1;
+    p1 = p;
+    q1 = q;
+    const long double value = static_cast<long double>(p) / static_cast<long double>(q);
+    if (std::abs(value - std::abs(x)) <= 1e-15L)
+      return std::make_pair(static_cast<int>(negative ? -p : p), static_cast<int>(q));
+    if (rest - whole <= 0) break;
+    rest = 1 / (rest - whole);
+  }
+  return std::nullopt;
+}
 
 // The row l with l S = l and sum 1 as precisely as the number type is: that of double is corrected by what
 // it leaves, each time by some 40 bits more. Of intervals it contains the rows of all matrices in S.

@@ -15,21 +15,19 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
-#include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_planes.h>
-#include <CGAL/PN_subdivision_3/internal/limit/limit_error.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/number_type_basic.h>

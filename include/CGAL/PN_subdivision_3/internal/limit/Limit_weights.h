@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_row.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_masks.h>
-#include <CGAL/PN_subdivision_3/internal/limit/as_fraction.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 
 #include <algorithm>

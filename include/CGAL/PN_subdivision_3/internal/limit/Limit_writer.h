@@ -9,23 +9,101 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WRITER_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_WRITER_H
 
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
-#include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+inline bool asks_for_points(const Limit_options& options)
+{
+  return options.points || !options.surface_normals;
+}
+
+template <class FT>
+Limit_demand limit_demand(const Limit_options& options, double box)
+{
+  if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
+    throw std::invalid_argument(
+      "PN_subdivision_3: a tolerance must be a number that is not negative");
+  Limit_demand demand;
+  demand.tolerance = options.tolerance * box;
+  demand.normal_tolerance = options.normal_tolerance;
+  // exact numbers grow too long; the estimate needs one round
+  demand.max_depth = is_exact_v<FT> ? 1 : (std::max)(1u, options.max_depth);
+  demand.surface_normals = options.surface_normals;
+  demand.points = asks_for_points(options);
+  demand.curvatures = options.curvatures;
+  return demand;
+}
+
+template <class Limit, class Average>
+Limit to_limit_point(const Limit_result<Average>& result)
+{
+  using FT = typename Average::FT;
+  using Point = std::decay_t<decltype(std::declval<Limit>().point)>;
+  using Vector = std::decay_t<decltype(std::declval<Limit>().control_normal)>;
+  Limit l;
+  const Coordinates<FT, 3>& p = point_of(result.value);
+  l.point = Point(p[0], p[1], p[2]);
+  if constexpr (std::is_same_v<typename Average::Value, Point_normal<FT, 3>>) {
+    const Coordinates<FT, 3>& m = result.value.normal;
+    l.control_normal = Vector(m[0], m[1], m[2]);
+  }
+  const Coordinates<double, 3>& n = result.surface_normal;
+  l.surface_normal =
+    result.has_surface_normal ? Vector(FT(n[0]), FT(n[1]), FT(n[2])) : l.control_normal;
+  l.error = result.error;
+  l.normal_error = result.normal_error;
+  l.has_surface_normal = result.has_surface_normal;
+  l.gaussian = result.gaussian;
+  l.mean = result.mean;
+  l.has_curvature = result.has_curvature;
+  return l;
+}
+
+template <class Result>
+Limit_report limit_report(const std::vector<Result>& results, const Limit_demand& demand)
+{
+  Limit_report report;
+  report.tolerance = demand.tolerance;
+  for (const Result& r : results) {
+    const bool counts = demand.points || !r.has_surface_normal;
+    if (counts) report.error = (std::max)(report.error, r.error);
+    report.normal_error = (std::max)(report.normal_error, r.normal_error);
+    report.depth = (std::max)(report.depth, r.depth);
+    if ((counts && !(r.error <= demand.tolerance)) || !(r.normal_error <= demand.normal_tolerance))
+      ++report.number_of_misses;
+    if (demand.surface_normals && !r.has_surface_normal) ++report.number_of_stand_ins;
+  }
+  return report;
+}
+
+template <class FT, class Results, class Name>
+void check_limits(const Results& results, const Name& name)
+{
+  for (std::size_t i = 0; i < results.size(); ++i)
+    check_in_range<FT, 3>(point_of(results[i].value),
+                          [&] { return "the limit point of " + name(i); });
+}
 
 // what becomes the normal of a vertex: that of the surface, if it is asked for and exists, otherwise the
 // control normal; zero with a linear scheme

@@ -10,6 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SUB_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
+#include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
 
 #include <cstddef>
 #include <unordered_map>
@@ -215,6 +218,41 @@ private:
   std::vector<Index> face_, next_, prev_, vertex_; // of half-edges
   std::vector<Index> halfedge_of_vertex_;
   std::size_t corners_ = 0;
+};
+
+// The part of a level about some vertices, with its creases, their tangents and the values of its slots. At its rim,
+// but not at the border of the level, the rules are those of a smooth border.
+template <class FT, class Value>
+class Creased_sub_level
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // `level` is not cut open, `values` are those of its slots
+  Creased_sub_level(const Level_connectivity& level, const Creases<FT>& creases,
+                    const std::vector<Value>& values, const std::vector<Index>& centers,
+                    unsigned rings)
+    : sub_(level, centers, rings, true)
+    , creases_(creases_of_part(
+        creases, sub_.level(), [&](Index e) { return sub_.edge_origin()[e]; },
+        [&](Index v) { return sub_.origin()[v]; }))
+    , values_(creases_.number_of_slots)
+  {
+    take_slot_values(
+      sub_.level(), creases_, [&](Index h) { return sub_.halfedge_origin(h); },
+      Corner_slots<FT>(level, creases), values, values_);
+  }
+
+  const Level_connectivity& level() const { return sub_.level(); }
+  const Creases<FT>& creases() const { return creases_; }
+  const std::vector<Value>& values() const { return values_; }
+  // the centers' numbers in this level, in their order
+  const std::vector<Index>& centers() const { return sub_.centers(); }
+
+private:
+  Sub_level sub_;
+  Creases<FT> creases_;
+  std::vector<Value> values_;
 };
 
 } // namespace internal

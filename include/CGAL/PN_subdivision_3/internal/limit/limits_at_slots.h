@@ -11,14 +11,14 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Old_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 

@@ -10,8 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refuse_creases.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>

@@ -12,16 +12,14 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_subdivision_3/internal/limit/limit_results.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/limit/Limit_report.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <cstddef>
 #include <vector>

@@ -12,10 +12,10 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <algorithm>

@@ -14,19 +14,21 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/may_be_sharp.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/tangent_maps.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,6 +36,89 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+template <class Scheme, class Access, class Edge_map, class Vertex_map, class Refuse>
+void refuse_sharp_elements(const Scheme& scheme, const Access& access,
+                           const Level_connectivity& level, Edge_map edge_map,
+                           Vertex_map vertex_map, const Refuse& refuse)
+{
+  using Index = Level_connectivity::Index;
+  const Edge_constraints<Access, Edge_map> edges(access, edge_map, level.number_of_edges());
+  const Vertex_constraints<Access, Vertex_map> vertices(access, vertex_map,
+                                                        level.number_of_vertices());
+  const bool has_sharp_border = Border_of<Scheme>::get(scheme) != Border::surface;
+  for (Index e = 0; e < level.number_of_edges(); ++e)
+    if (edges.sharpness(e) > 0 || (has_sharp_border && level.is_border_edge(e)))
+      refuse(Edge_of_mesh::name(access, e));
+  for (Index v = 0; v < level.number_of_vertices(); ++v)
+    if (vertices.sharpness(v) > 0) refuse(access.vertex_name(v));
+}
+
+// for a scheme that has no rules for it
+template <class Scheme, class Access, class Edge_map, class Vertex_map>
+void refuse_creases(const Scheme& scheme, const Access& access, Edge_map edge_map,
+                    Vertex_map vertex_map)
+{
+  refuse_sharp_elements(
+    scheme, access, checked_level(access), edge_map, vertex_map, [&](const std::string& element) {
+      throw std::invalid_argument("PN_subdivision_3: " + element + " is sharp, but " +
+                                  name_in_message(scheme) +
+                                  " has no rules for creases: take Catmull-Clark or Loop, or their "
+                                  "modified forms");
+    });
+}
+
+// for what knows surfaces without creases only
+template <class Scheme, class Access>
+void refuse_crease_borders(const Scheme& scheme, const Access& access,
+                           const Level_connectivity& level, const std::string& what)
+{
+  refuse_sharp_elements(scheme, access, level, No_constraint_map(), No_constraint_map(),
+                        [&](const std::string& element) {
+                          throw std::invalid_argument("PN_subdivision_3: with_border() makes " +
+                                                      element + " a crease, for which " + what +
+                                                      ": take the scheme without it");
+                        });
+}
+
+// whether a call tells of anything that may be sharp, or of normals of wedges
+template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
+constexpr bool may_be_sharp_v =
+  is_constraint_map_v<Edge_map> || is_constraint_map_v<Vertex_map> || Border_of<Scheme>::is_given ||
+  has_crease_tangents_v<Scheme> || is_of_halfedges_v<Access, Normal_map>;
+
+// whether creases are looked for; the scheme refuses what is sharp if it has no rules for it
+template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
+constexpr bool may_have_creases_v = Has_crease_rules<Scheme>::value&&
+  may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>;
+
+template <class Scheme, class Access, class Normal_map>
+constexpr bool check_corner_normals()
+{
+  constexpr bool are_taken =
+    Has_crease_rules<Scheme>::value || !is_of_halfedges_v<Access, Normal_map>;
+  static_assert(are_taken, "PN_subdivision_3: the scheme has no rules for creases and takes a "
+                           "normal per vertex, not per half-edge");
+  return are_taken;
+}
+
+// Refuses what is sharp if the scheme has no rules for it.
+template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
+void require_crease_rules([[maybe_unused]] const Scheme& scheme,
+                          [[maybe_unused]] const Access& access, const Normal_map&,
+                          [[maybe_unused]] Edge_map edge_map,
+                          [[maybe_unused]] Vertex_map vertex_map)
+{
+  if constexpr (may_be_sharp_v<Scheme, Access, Normal_map, Edge_map, Vertex_map>) {
+    if (has_crease_rules(scheme)) return;
+    if constexpr (is_of_halfedges_v<Access, Normal_map>)
+      throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
+                                  " has no rules for creases and takes a normal per vertex, not "
+                                  "per half-edge");
+    else
+      refuse_creases(scheme, access, edge_map, vertex_map);
+  }
+}
 
 // What the maps of a mesh tell of its creases: read before the first round, written for the refined elements, and
 // put back unless that is kept. If nothing can be sharp, there are No_creases.

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_SURFACE_MESH_ACCESS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_CHECK_CONNECTIVITY_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -21,6 +20,24 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// What the elements of a control level are called in messages. Virtual, so that checks need not be
+// instantiated for every mesh.
+class Element_names
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  virtual std::string vertex_name(Index v) const = 0;
+  virtual std::string halfedge_name(Index h) const = 0;
+  virtual std::string face_name(Index f) const = 0;
+
+protected:
+  Element_names() = default;
+  Element_names(const Element_names&) = default;
+  Element_names& operator=(const Element_names&) = default;
+  ~Element_names() = default;
+};
 
 // Refuses whatever is not an oriented 2-manifold with border, by the name of the element, and
 // brings a valid level into the normal form of Level_connectivity: a border vertex stores a border

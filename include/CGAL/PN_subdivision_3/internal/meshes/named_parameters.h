@@ -9,23 +9,48 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/Default_visitor.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_constraint_map.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// stands for a map of constraints that the user has not given
+struct No_constraint_map
+{};
+
+template <class Map>
+constexpr bool is_constraint_map_v = !std::is_same_v<Map, No_constraint_map>;
+
+// stands for a normal map that the user has not given
+struct No_normal_map
+{};
+
+template <class Map>
+struct Key_of_map
+{
+  using type = typename boost::property_traits<Map>::key_type;
+};
+template <>
+struct Key_of_map<No_normal_map>
+{
+  using type = void;
+};
 
 template <class T>
 T& unwrapped(T& t)
@@ -105,6 +130,19 @@ struct Surface_call
                      typename Surface_parameters<PolygonMesh, NamedParameters>::Normal_map>::type,
                    typename boost::graph_traits<PolygonMesh>::halfedge_descriptor>;
 };
+
+// The property map of a CGAL::Surface_mesh that has this name and type, if it has one.
+// Surface_mesh::property_map() returns a pair before CGAL 6 and an optional since.
+template <class Element, class Value, class Mesh>
+auto find_property_map(const Mesh& mesh, const std::string& name)
+{
+  using Found = std::optional<typename Mesh::template Property_map<Element, Value>>;
+  auto found = mesh.template property_map<Element, Value>(name);
+  if constexpr (std::is_same_v<decltype(found), Found>)
+    return found;
+  else
+    return found.second ? Found(found.first) : Found();
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -12,8 +12,8 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 

@@ -12,11 +12,11 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/No_normal_map.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>

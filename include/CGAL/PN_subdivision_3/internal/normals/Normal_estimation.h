@@ -12,15 +12,10 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
-#include <CGAL/PN_subdivision_3/internal/creases/decided.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Face_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Inverted_fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Vertex_sectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
-#include <CGAL/PN_subdivision_3/internal/normals/arc_border_normals.h>
-#include <CGAL/PN_subdivision_3/internal/normals/blend_weight.h>
 #include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 

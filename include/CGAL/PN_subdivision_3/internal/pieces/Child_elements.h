@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_CHILD_ELEMENTS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_numbering.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 

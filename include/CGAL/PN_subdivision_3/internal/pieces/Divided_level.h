@@ -10,16 +10,125 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_DIVIDED_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
+#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Rim_closure.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Whole_level.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// Divides the faces of a level into pieces with about equally many corners, by planes across the longest
+// extent of what is divided. The same on all machines: ties go by the numbers of the faces.
+class Face_division
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Center = std::array<double, 3>;
+
+  // point(v): the coordinates of a vertex, as Center
+  template <class Point>
+  Face_division(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point)
+    : piece_(level.number_of_faces(), 0)
+  {
+    std::vector<Face> faces(level.number_of_faces());
+    for (Index f = 0; f < faces.size(); ++f) {
+      const Index first = level.halfedge_of_face(f);
+      const double m = level.degree(first);
+      Center center{0, 0, 0};
+      Index h = first;
+      do {
+        const Center p = point(level.target(h));
+        for (std::size_t i = 0; i < 3; ++i) center[i] += p[i] / m;
+        h = level.next(h);
+      } while (h != first);
+      faces[f] = {center, m, f};
+    }
+    const auto differs = [](const Face& f, const Face& g) { return f.corners != g.corners; };
+    is_uniform_ = std::adjacent_find(faces.begin(), faces.end(), differs) == faces.end();
+    divide(faces.data(), faces.data() + faces.size(), 0, number_of_pieces);
+  }
+
+  std::size_t piece_of_face(Index f) const { return piece_[f]; }
+
+private:
+  // moved as a whole: what is looked at lies in a row
+  struct Face
+  {
+    Center center;
+    double corners;
+    Index number;
+  };
+
+  // into pieces [first, first + number)
+  void divide(Face* begin, Face* end, std::size_t first, std::size_t number)
+  {
+    if (number == 1 || begin == end) {
+      for (const Face* f = begin; f != end; ++f) piece_[f->number] = first;
+      return;
+    }
+    const std::size_t axis = longest_axis(begin, end);
+    const auto is_before = [axis](const Face& f, const Face& g) {
+      return f.center[axis] != g.center[axis] ? f.center[axis] < g.center[axis]
+                                              : f.number < g.number;
+    };
+    if (!is_uniform_) std::sort(begin, end, is_before);
+    const std::size_t half = number / 2;
+    Face* const middle = end_of_share(begin, end, double(half) / double(number));
+    if (is_uniform_ && middle != end) std::nth_element(begin, middle, end, is_before);
+    divide(begin, middle, first, half);
+    divide(middle, end, first + half, number - half);
+  }
+
+  // The order matters only where the faces have different numbers of corners.
+  Face* end_of_share(Face* begin, Face* end, double share) const
+  {
+    if (is_uniform_) return end_of_uniform_share(begin, end, share);
+    double total = 0;
+    for (const Face* f = begin; f != end; ++f) total += f->corners;
+    Face* middle = begin;
+    for (double sum = middle->corners / 2; middle != end && sum < total * share;) {
+      sum += middle->corners / 2;
+      if (++middle != end) sum += middle->corners / 2;
+    }
+    return middle;
+  }
+  // the same sums, which are exact
+  static Face* end_of_uniform_share(Face* begin, Face* end, double share)
+  {
+    const double m = begin->corners, wanted = double(end - begin) * m * share;
+    auto i = static_cast<std::ptrdiff_t>(wanted / m - 0.5);
+    while (i > 0 && m / 2 + double(i - 1) * m >= wanted) --i;
+    while (begin + i != end && m / 2 + double(i) * m < wanted) ++i;
+    return begin + i;
+  }
+
+  static std::size_t longest_axis(const Face* begin, const Face* end)
+  {
+    Center low = begin->center, high = low;
+    for (const Face* f = begin; f != end; ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = (std::min)(low[i], f->center[i]);
+        high[i] = (std::max)(high[i], f->center[i]);
+      }
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
+    return axis;
+  }
+
+  std::vector<std::size_t> piece_;
+  bool is_uniform_ = false;
+};
 
 // Which elements of a level each piece owns: its faces, listed once, so that no piece looks through the level, and
 // what follows from them.
@@ -89,6 +198,36 @@ private:
   std::vector<Index> first_face_; // the face that decides on the piece of each vertex
   std::vector<Index> isolated_vertices_;
 };
+
+template <class Host>
+bool refines_border([[maybe_unused]] unsigned round)
+{
+  if constexpr (std::is_same_v<Host, Sqrt3_host>)
+    return Sqrt3_host::refines_border(round);
+  else
+    return false;
+}
+
+// Closes the rim of a piece before a round that refines the border. Before it there was a round that did
+// not, after which the first half-edge of a face at the border lies there. Returns for each vertex that was
+// added a neighbor in the piece.
+inline std::vector<Level_connectivity::Index>
+close_rim(Level_connectivity& level, Piece_elements& elements, const Whole_level& whole)
+{
+  using Index = Level_connectivity::Index;
+  const auto is_rim = [&](Index b) {
+    const Index h = Level_connectivity::opposite(b), f = level.face(h);
+    return level.halfedge_of_face(f) != h || !whole.border_faces.contains(elements.faces.number(f));
+  };
+  const Rim_closure closure(level, is_rim);
+  const auto add = [](Numbered_elements& of, std::uint64_t size) {
+    while (of.size() < size) of.push_back(Numbered_elements::no_number, false);
+  };
+  add(elements.vertices, level.size().vertices);
+  add(elements.edges, level.size().edges);
+  add(elements.faces, level.size().faces);
+  return closure.neighbors_of_new_vertices();
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -10,22 +10,18 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Corner_slots.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
 #include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Face_division.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Kept_pieces.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/number_type_basic.h>
 
 #include <boost/container/vector.hpp>

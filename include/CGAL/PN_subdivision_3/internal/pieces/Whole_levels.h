@@ -11,11 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Piece_elements.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_level.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/rim_of_sqrt3.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>

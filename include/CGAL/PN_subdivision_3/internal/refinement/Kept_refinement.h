@@ -11,8 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <cstddef>

@@ -16,11 +16,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/for_each_crease_vertex.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Dependents.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 

@@ -13,10 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/child_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <boost/container/vector.hpp>
@@ -27,6 +24,33 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The child that a host makes of its level: of this size, with room for what a cut adds to it.
+template <class Host>
+Level_connectivity child_level(const Host& host, const Level_size& size, const Level_size& room,
+                               const For_chunks& for_chunks)
+{
+  Level_connectivity child(size, room);
+  child.set_uniform_degree(Host::refined_degree);
+  host.connect(child, for_chunks);
+  return child;
+}
+
+// of a round
+template <class Round>
+Level_connectivity child_level(const Round& round, const For_chunks& for_chunks)
+{
+  return child_level(round.host(), round.refined_size(), round.refined_size(), for_chunks);
+}
+
+// without a round of its own
+template <class Host>
+Level_connectivity child_level(const Level_connectivity& level, unsigned round,
+                               const For_chunks& for_chunks)
+{
+  const Level_size size = Host::refined_size(level.size(), round);
+  return child_level(Host(level, round), size, size, for_chunks);
+}
 
 // A level with its creases, the values of its slots, which are its vertices if there are no creases, and the
 // rounds of a scheme on them. It knows neither a mesh nor its maps.

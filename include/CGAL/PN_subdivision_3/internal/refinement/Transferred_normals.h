@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Caller_precision.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <algorithm>

@@ -9,9 +9,45 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_FOR_CHUNKS_H
 
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/refinement/Function_ref.h>
+
 #include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Any function object by reference, for the time of a call. What takes it is instantiated once for
+// all of them. Used where a call does the work of many elements, so that the jump costs nothing.
+template <class Signature>
+class Function_ref;
+
+template <class... Arguments>
+class Function_ref<void(Arguments...)>
+{
+public:
+  template <class Function,
+            class = std::enable_if_t<!std::is_same_v<std::decay_t<Function>, Function_ref>>>
+  Function_ref(const Function& f)
+    : function_(&f)
+    , call_([](const void* function, Arguments... arguments) {
+      (*static_cast<const Function*>(function))(arguments...);
+    })
+  {}
+
+  void operator()(Arguments... arguments) const { call_(function_, arguments...); }
+
+private:
+  const void* function_;
+  void (*call_)(const void*, Arguments...);
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/blocked_range.h>
@@ -20,7 +56,6 @@
 #  include <tbb/task_group.h>
 #endif
 
-#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -110,6 +145,41 @@ void run_together(Function_ref<void()> f, Function_ref<void()> g)
   g();
   f();
 }
+
+// The precision that new numbers of a multiprecision type get is a setting of the thread: what
+// computes for a caller takes over the caller's, and gives the thread its own back.
+template <class FT, bool = Has_default_precision<FT>::value>
+class Caller_precision
+{
+public:
+  struct In_this_thread
+  {
+    explicit In_this_thread(const Caller_precision&) {}
+    ~In_this_thread() {} // NOLINT(modernize-use-equals-default): used, as far as compilers warn
+  };
+};
+
+template <class FT>
+class Caller_precision<FT, true>
+{
+public:
+  class In_this_thread
+  {
+  public:
+    explicit In_this_thread(const Caller_precision& caller)
+      : own_(FT::set_default_precision(caller.precision_))
+    {}
+    ~In_this_thread() { FT::set_default_precision(own_); }
+    In_this_thread(const In_this_thread&) = delete;
+    In_this_thread& operator=(const In_this_thread&) = delete;
+
+  private:
+    decltype(FT::get_default_precision()) own_;
+  };
+
+private:
+  decltype(FT::get_default_precision()) precision_ = FT::get_default_precision();
+};
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Entry_row.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 

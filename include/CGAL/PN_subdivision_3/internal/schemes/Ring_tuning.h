@@ -9,18 +9,45 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_RING_TUNING_H
 
-#include <CGAL/PN_subdivision_3/internal/schemes/eigenvalue_cap.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// x with its absolute value cut to the bound. Where intervals do not decide, both are nearly equal.
+template <class Number>
+Number capped(const Number& x, const Number& bound)
+{
+  const Number opposite = -bound;
+  if (CGAL::certainly(bound < x)) return bound;
+  if (CGAL::certainly(x < opposite)) return opposite;
+  if constexpr (is_interval_v<Number>) { // where it is not decided, what contains both
+    if (CGAL::possibly(bound < x)) return interval_around_both(x, bound);
+    if (CGAL::possibly(x < opposite)) return interval_around_both(x, opposite);
+  }
+  return x;
+}
+
+inline const Scheme_parameter& checked_cap(const Scheme_parameter& cap)
+{
+  if (!(cap.to_double() > 0 && cap.to_double() <= 1))
+    throw std::invalid_argument(
+      "PN_subdivision_3: the cap of a modified scheme must be greater than 0 and at most 1");
+  return cap;
+}
 
 // What becomes of the eigenvalues of the ring matrix of a separated vertex, and when.
 struct Ring_tuning
@@ -53,6 +80,33 @@ struct Ring_tuning
   Tuned_valences valences = Tuned_valences::all;
   bool keeps_quadratic = false;
 };
+
+// what the valence of v counts as, null if that is the valence itself
+inline const Level_connectivity::Counted_valence* counted_valence(const Level_connectivity& level,
+                                                                  Level_connectivity::Index v)
+{
+  const auto& counted = level.counted_valences(); // in the order of the vertices
+  const auto it = std::lower_bound(counted.begin(), counted.end(), v,
+                                   [](const auto& c, auto vertex) { return c.vertex < vertex; });
+  return it != counted.end() && it->vertex == v ? &*it : nullptr;
+}
+
+// The valence of each interior vertex that is not regular; 0 for all other vertices. Counted valences go
+// first.
+inline std::vector<Level_connectivity::Index> irregular_valences(const Level_connectivity& level,
+                                                                 Level_connectivity::Index regular)
+{
+  // counted, not walked round: of the vertices nearly all are regular
+  std::vector<Level_connectivity::Index> irregular(level.number_of_vertices(), 0);
+  for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h)
+    ++irregular[level.target(h)];
+  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+    if (irregular[v] == regular || (irregular[v] != 0 && level.is_border_vertex(v)))
+      irregular[v] = 0;
+  for (const auto& counted : level.counted_valences())
+    irregular[counted.vertex] = counted.valence == regular ? 0 : counted.valence;
+  return irregular;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Element_names.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Erased_mask.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SEPARATED_VERTICES_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/irregular_valences.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 
 #include <map>
 #include <utility>

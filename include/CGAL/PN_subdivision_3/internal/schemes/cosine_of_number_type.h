@@ -10,9 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_COSINE_OF_NUMBER_TYPE_H
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
-#include <CGAL/PN_subdivision_3/internal/average/Interval_bounds.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Double_double.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 
 #ifdef CGAL_USE_MPFR
 #  include <mpfr.h>
