@@ -56,7 +56,6 @@ private:
 #  include <tbb/task_group.h>
 #endif
 
-
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
