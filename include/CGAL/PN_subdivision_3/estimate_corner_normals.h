@@ -11,7 +11,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
-#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>

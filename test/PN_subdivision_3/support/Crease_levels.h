@@ -11,7 +11,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_CREASE_LEVELS_H
 #define CGAL_PN_SUBDIVISION_3_TEST_CREASE_LEVELS_H
 
-#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>

@@ -61,6 +61,16 @@ struct Crease_edge
   Index halfedge(Index side) const { return 2 * edge + side; }
 };
 
+// Makes the tangents of both ways along a crease opposite, unless they are: that of the second one is
+// the direction of their difference.
+template <class FT>
+void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
+{
+  if (are_certainly_equal<FT, 3>(a, opposite_vector<FT, 3>(b))) return;
+  b = unit_or_zero<FT, 3>(difference<FT, 3>(b, a), FT(2));
+  a = opposite_vector<FT, 3>(b);
+}
+
 // A half-edge of a crease edge that leads to a vertex.
 struct Crease_end
 {
@@ -165,6 +175,24 @@ struct No_creases
 
 template <class Level_creases>
 constexpr bool are_creases_v = !std::is_same_v<Level_creases, No_creases>;
+
+// The vertices of the slots behind all vertices.
+template <class FT>
+std::vector<Level_connectivity::Index> vertices_of_extra_slots(const Creases<FT>& creases,
+                                                               Level_connectivity::Index vertices)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<Index> result(creases.number_of_slots - vertices);
+  for (const Crease_star& star : creases.stars)
+    for (Index w = 1; w < star.number_of_wedges; ++w) result[star.slot(w) - vertices] = star.vertex;
+  return result;
+}
+
+inline std::vector<Level_connectivity::Index> vertices_of_extra_slots(No_creases,
+                                                                      Level_connectivity::Index)
+{
+  return {};
+}
 
 // The creases of the refined level, without their tangents, and where those of the old level have
 // gone.

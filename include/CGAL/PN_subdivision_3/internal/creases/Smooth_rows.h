@@ -11,15 +11,214 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
 
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The slots of the corners of a whole level. Those of further wedges are stored, star by star.
+template <class FT>
+class Corner_slots
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Corner_slots(const Level_connectivity& level, const Creases<FT>& creases)
+    : level_(level)
+    , creases_(creases)
+  {
+    for (const Crease_star& star : creases.stars) {
+      const std::size_t first = corners_.size();
+      begin_.push_back(first);
+      for (Index i = 0; i < star.number_of_ends; ++i) add_wedge(star, i);
+      std::sort(corners_.begin() + std::ptrdiff_t(first), corners_.end());
+    }
+    begin_.push_back(corners_.size());
+  }
+
+  // of the corner at the target of h in the face of h
+  Index operator()(Index h) const
+  {
+    const Index v = level_.target(h);
+    const auto star =
+      std::lower_bound(creases_.stars.begin(), creases_.stars.end(), v,
+                       [](const Crease_star& s, Index vertex) { return s.vertex < vertex; });
+    if (star == creases_.stars.end() || star->vertex != v) return v;
+    const auto i = std::size_t(star - creases_.stars.begin());
+    const auto end = corners_.begin() + std::ptrdiff_t(begin_[i + 1]);
+    const auto corner =
+      std::lower_bound(corners_.begin() + std::ptrdiff_t(begin_[i]), end, Corner(h, 0));
+    return corner != end && corner->first == h ? corner->second : v;
+  }
+
+private:
+  using Corner = std::pair<Index, Index>; // half-edge and slot
+
+  // the wedge behind the end, up to the next end or the border
+  void add_wedge(const Crease_star& star, Index i)
+  {
+    const Crease_end& end = creases_.end(star, i);
+    const Crease_edge<FT>& crease = creases_.edge(end);
+    if (!crease.has_after(end.side) || crease.after[end.side] == star.vertex) return;
+    const Index next =
+      creases_.halfedge(creases_.end(star, i + 1 < star.number_of_ends ? i + 1 : 0));
+    Index h = creases_.halfedge(end);
+    do {
+      corners_.emplace_back(h, crease.after[end.side]);
+      h = level_.next_around_target(h);
+    } while (h != next && !level_.is_border(h));
+  }
+
+  const Level_connectivity& level_;
+  const Creases<FT>& creases_;
+  std::vector<Corner> corners_;
+  std::vector<std::size_t> begin_; // of the stars
+};
+
+// The smooth rows of a mask, over slots. A row is a sum over the faces round the new vertex, and
+// every face hands its share to the slots of its own corners: to the vertex itself and to the ends of
+// an edge equal shares of every face, to a neighbor half of either face beside the edge to it, and to
+// every corner what it has as such.
+template <class FT, class Mask>
+class Slot_shares
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Row = Entry_row<FT>;
+
+  // `level` is that of the mask, `slots` has those of its corners
+  Slot_shares(const Level_connectivity& level, const Corner_slots<FT>& slots, const Mask& mask)
+    : level_(level)
+    , slots_(slots)
+    , mask_(mask)
+  {}
+
+  // writes the row of vertex v; \pre it has edges
+  void vertex(Index v, Row& row)
+  {
+    corners_.clear();
+    const Index n = level_.valence(v);
+    const Index first = level_.halfedge_of_vertex(v);
+    const bool is_border = level_.is_border(first);
+    Index h = first;
+    do {
+      if (!level_.is_border(h)) {
+        FT part(0);
+        if constexpr (Has_face_parts<Mask>::value)
+          if (!is_border) part = mask_.face_part_of_vertex(h, n);
+        add_face(h, part,
+                 [&](Index g) { return g == h || g == level_.next(h) || level_.next(g) == h; });
+      }
+      h = level_.next_around_target(h);
+    } while (h != first);
+    mask_row_.clear();
+    mask_.vertex(v, mask_row_);
+    share_out(row);
+  }
+
+  // writes the row of the inner edge e
+  void edge(Index e, Row& row)
+  {
+    corners_.clear();
+    for (const Index h : {2 * e, 2 * e + 1}) {
+      FT part(0);
+      if constexpr (Has_face_parts<Mask>::value) part = mask_.face_part_of_edge(h);
+      add_face(h, part, [&](Index g) { return g == h || level_.next(g) == h; });
+    }
+    mask_row_.clear();
+    mask_.edge(e, mask_row_);
+    share_out(row);
+  }
+
+private:
+  using Entry = typename Row::Entry;
+
+  struct Corner
+  {
+    Index vertex, slot;
+    FT part;
+    bool takes_rest; // of what no face has as such
+  };
+
+  template <class Takes_rest>
+  void add_face(Index h, const FT& part, const Takes_rest& takes_rest)
+  {
+    // from the same corner on, whatever h is
+    const Index first = level_.halfedge_of_face(level_.face(h));
+    Index g = first;
+    do {
+      corners_.push_back({level_.target(g), slots_(g), part, takes_rest(g)});
+      g = level_.next(g);
+    } while (g != first);
+  }
+
+  void share_out(Row& row)
+  {
+    std::stable_sort(corners_.begin(), corners_.end(),
+                     [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
+    entries_.assign(mask_row_.begin(), mask_row_.end());
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [](const Entry& a, const Entry& b) { return a.vertex < b.vertex; });
+    shares_.clear();
+    auto corner = corners_.begin();
+    for (auto e = entries_.begin(); e != entries_.end();) {
+      Entry sum = *e++;
+      for (; e != entries_.end() && e->vertex == sum.vertex; ++e) sum.weight += e->weight;
+      while (corner != corners_.end() && corner->vertex < sum.vertex) ++corner;
+      auto end = corner;
+      while (end != corners_.end() && end->vertex == sum.vertex) ++end;
+      share_out(sum, corner, end);
+      corner = end;
+    }
+    // the largest entry takes what rounding has left
+    const auto largest =
+      std::max_element(shares_.begin(), shares_.end(), [](const Entry& a, const Entry& b) {
+        return approximate(a.weight) < approximate(b.weight);
+      });
+    for (auto e = shares_.begin(); e != shares_.end(); ++e)
+      if (e != largest) row.add(e->vertex, e->weight);
+    row.add_rest(largest->vertex);
+  }
+
+  static double approximate(const FT& x) { return double(CGAL::to_double(x)); }
+
+  template <class Iterator>
+  void share_out(const Entry& entry, Iterator begin, Iterator end)
+  {
+    if (begin == end) return shares_.push_back(entry);
+    const auto other =
+      std::find_if(begin, end, [&](const Corner& c) { return c.slot != begin->slot; });
+    if (other == end) return shares_.push_back({begin->slot, entry.weight});
+    FT rest = entry.weight;
+    int takers = 0;
+    for (Iterator c = begin; c != end; ++c) {
+      rest -= c->part;
+      takers += c->takes_rest;
+    }
+    const FT share = rest / FT(takers != 0 ? takers : int(end - begin));
+    for (Iterator c = begin; c != end; ++c) {
+      FT weight = c->part;
+      if (takers == 0 || c->takes_rest) weight += share;
+      shares_.push_back({c->slot, weight});
+    }
+  }
+
+  const Level_connectivity& level_;
+  const Corner_slots<FT>& slots_;
+  const Mask& mask_;
+  Row mask_row_;
+  std::vector<Corner> corners_;
+  std::vector<Entry> entries_, shares_;
+};
 
 // The rows of a mask, over slots, at the creases where smooth rules take part in a round. They are made
 // from the whole level, before it is cut open.

@@ -27,6 +27,33 @@ namespace internal {
 template <class T>
 using Short_vector = boost::container::small_vector<T, 4>;
 
+// a dart has the smooth rule
+inline bool is_same_rule(Vertex_rule a, Vertex_rule b)
+{
+  const auto smooth = [](Vertex_rule r) {
+    return r == Vertex_rule::dart ? Vertex_rule::smooth : r;
+  };
+  return smooth(a) == smooth(b);
+}
+
+// the weight of a vertex's rule before the round beside that after it: the mean sharpness of what is sharp no
+// more after the round, at most 1
+template <class FT>
+double weight_of_parent_rule(const Creases<FT>& creases, const Crease_star& star)
+{
+  double sum = 0;
+  int number = 0;
+  const auto add = [&](double s) {
+    if (!(s > 0) || refined_sharpness(s) > 0) return;
+    sum += s;
+    ++number;
+  };
+  add(star.sharpness);
+  for (Level_connectivity::Index i = 0; i < star.number_of_ends; ++i)
+    add(creases.edge(creases.end(star, i)).sharpness);
+  return number == 0 ? 1 : sum / number;
+}
+
 // Which ends of a star remain, and how the others join its wedges.
 struct Wedge_join
 {

@@ -14,8 +14,8 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
-#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_weights.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>

@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
-#include <CGAL/PN_subdivision_3/internal/creases/Slot_shares.h>
-#include <CGAL/PN_subdivision_3/internal/creases/creases_of_part.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 
 #include <cstddef>
 #include <unordered_map>

@@ -12,10 +12,10 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
-#include <CGAL/PN_subdivision_3/internal/creases/control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Dependents.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>

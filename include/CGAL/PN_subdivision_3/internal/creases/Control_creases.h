@@ -6,17 +6,24 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -60,16 +67,6 @@ Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& 
   add_multiple<FT, 3>(sum, FT(1), a);
   strip_direction<FT>(result, x, sum, FT(2));
   return result;
-}
-
-// Makes the tangents of both ways along a crease opposite, unless they are: that of the second one is
-// the direction of their difference.
-template <class FT>
-void make_opposite_vectors(Coordinates<FT, 3>& a, Coordinates<FT, 3>& b)
-{
-  if (are_certainly_equal<FT, 3>(a, opposite_vector<FT, 3>(b))) return;
-  b = unit_or_zero<FT, 3>(difference<FT, 3>(b, a), FT(2));
-  a = opposite_vector<FT, 3>(b);
 }
 
 // The tangents of the creases of a control level, where they are zero, from its points and the normals
@@ -232,8 +229,99 @@ private:
   std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
 };
 
+// The control data of a level with creases, once before the first round: the wedges' normals where
+// none are given, and the tangents.
+template <class FT>
+class Control_creases
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<FT, 3>;
+
+  // values[slot] has the point; its normal if is_given[slot]
+  Control_creases(const Level_connectivity& level, Creases<FT>& creases,
+                  std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given,
+                  Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
+    : level_(level)
+    , creases_(creases)
+    , values_(values)
+    , is_given_(std::move(is_given))
+    , estimate_(estimate)
+  {}
+
+  // tangents that are not zero stay
+  void operator()()
+  {
+    const auto point = [&](Index v) -> const Vector& { return values_[v].point; };
+    const auto given = [&](Index slot) {
+      return is_given_[slot] ? values_[slot].normal : zero_vector<FT, 3>();
+    };
+    using Tangents = Control_tangents<FT, decltype(point), decltype(given)>;
+    Tangents(level_, creases_, point, given)();
+    if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
+    estimate_normals();
+    for (const Crease_star& star : creases_.stars) {
+      const Vertex_rule rule = creases_.rule(star);
+      if (rule != Vertex_rule::crease && rule != Vertex_rule::corner) continue;
+      decided<FT>(
+        [&] { strip_normals(star); },
+        [&] { return "the normals at the creases of vertex " + std::to_string(star.vertex); });
+    }
+  }
+
+private:
+  // sector by sector: cut open, every wedge is the whole of its vertex
+  void estimate_normals()
+  {
+    const Cut_level<FT> cut(level_, creases_);
+    internal::estimate_normals<FT>(
+      cut.connectivity(), estimate_, Vertex_sectors(cut.connectivity()),
+      [&](Index slot) -> const Vector& { return values_[slot].point; },
+      [&](Index slot) -> const Vector* {
+        return is_given_[slot] ? &values_[slot].normal : nullptr;
+      },
+      [&](Index slot, const Vector& n) { values_[slot].normal = n; });
+  }
+
+  // makes the estimated normals orthogonal to the tangents of the edges beside their wedges
+  void strip_normals(const Crease_star& star)
+  {
+    const Vector none = zero_vector<FT, 3>();
+    std::vector<Vector> after(star.number_of_wedges, none), before = after;
+    std::vector<bool> has_after(star.number_of_wedges, false), has_before = has_after;
+    for (Index i = 0; i < star.number_of_ends; ++i) {
+      const Crease_end& e = creases_.end(star, i);
+      const Crease_edge<FT>& crease = creases_.edge(e);
+      const Vector& t = crease.tangent_from[1 - e.side];
+      if (crease.has_after(e.side)) {
+        after[star.wedge(crease.after[e.side])] = t;
+        has_after[star.wedge(crease.after[e.side])] = true;
+      }
+      if (crease.has_before(e.side)) {
+        before[star.wedge(crease.before[e.side])] = t;
+        has_before[star.wedge(crease.before[e.side])] = true;
+      }
+    }
+    for (Index w = 0; w < star.number_of_wedges; ++w) {
+      if (is_given_[star.slot(w)] || (!has_after[w] && !has_before[w])) continue;
+      Vector& n = values_[star.slot(w)].normal;
+      if (has_after[w] && has_before[w])
+        n = strip<FT>(n, after[w], before[w]);
+      else
+        n = strip<FT>(n, has_after[w] ? after[w] : before[w]);
+      n = unit_or_zero<FT, 3>(n, FT(1));
+    }
+  }
+
+  const Level_connectivity& level_;
+  Creases<FT>& creases_;
+  std::vector<Point_normal<FT, 3>>& values_;
+  const std::vector<bool> is_given_;
+  const Control_normal_estimate estimate_;
+};
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_CREASES_H
