@@ -10,7 +10,6 @@
 #define CGAL_PN_SUBDIVISION_3_ATTRIBUTES_H
 
 #include <CGAL/PN_subdivision_3/Control_element.h>
-#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>

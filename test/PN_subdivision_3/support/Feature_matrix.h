@@ -13,7 +13,7 @@
 
 #include <CGAL/PN_subdivision_3/Control_element.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
-#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>

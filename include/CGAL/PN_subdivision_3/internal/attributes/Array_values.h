@@ -10,13 +10,11 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_ARRAY_VALUES_H
 
 #include <CGAL/PN_subdivision_3/Control_element.h>
-#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/attributes/Corner_rule.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/affine_average.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
 
 #include <CGAL/number_type_basic.h>

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CREASE_ROWS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Chart_rules.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>

@@ -9,9 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_KEPT_ATTRIBUTES_H
 
-#include <CGAL/PN_subdivision_3/attributes/Attribute_table.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
@@ -30,6 +30,7 @@
 #include <any>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -39,6 +40,113 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// What a Carrier carries through the rounds of a call, and the steps of the call that serve it.
+template <class FT, class Host, class Carry, bool = Carry::is_empty>
+class Carried_through
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Rounds = Attribute_rounds<FT, Host>;
+
+  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases
+  template <class Access>
+  Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
+                  const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
+                  const For_chunks& for_chunks)
+    : carry_(carry)
+    , for_chunks_(for_chunks)
+    , rounds_(carry.template read<FT>(access, level), Carry::visited, level, extra_slots, sharpness,
+              access, for_chunks)
+  {}
+
+  // a round with creases cuts its level open
+  template <class Refiner>
+  void before_cut(const Refiner& refiner)
+  {
+    if constexpr (are_creases_v<Creases_of<Refiner>>) whole_.emplace(refiner.level());
+  }
+  template <class Scheme, class Refiner, class One_round>
+  void begin_round(const Scheme& scheme, const Refiner& refiner, const One_round& round,
+                   Kind_of_round kind)
+  {
+    if constexpr (are_creases_v<Creases_of<Refiner>>)
+      rounds_.begin_creased_round(scheme, round, *whole_, refiner.creases(), kind);
+    else
+      rounds_.begin_round(scheme, round.round(), refiner.level(), kind);
+  }
+  const typename Rounds::Rows_sink* rows() const { return rounds_.rows(); }
+
+  // a round before the last one
+  template <class Scheme, class Refiner>
+  void refine(const Scheme& scheme, Refiner& refiner)
+  {
+    before_cut(refiner);
+    auto round = refiner.next_round();
+    begin_round(scheme, refiner, round, Kind_of_round::inner);
+    refiner.refine(round, rows(), rounds_.child());
+    rounds_.end_round();
+  }
+
+  // ends the last round, of which the refiner has the level, and puts what it gives
+  template <class Refiner, class Round>
+  void put(const Refiner& refiner, const Round& last)
+  {
+    std::optional<Level_connectivity> refined;
+    if (rounds_.needs_refined_level()) {
+      refined = child_level(last, for_chunks_);
+      if (rounds_.child() != nullptr) (*rounds_.child())(*refined);
+    }
+    rounds_.end_round();
+    rounds_.put(last.refined_size(), refined ? &*refined : nullptr,
+                rounds_.rules(last, refiner.level()));
+  }
+  void keep() noexcept { rounds_.keep(); }
+
+  template <class Access, class Refiner, class One_round>
+  void visit(const Access& access, const Refiner& refiner, const One_round& last) const
+  {
+    carry_.visit(access, last.refined_size(), rounds_.rules(last, refiner.level()));
+  }
+
+private:
+  template <class Refiner>
+  using Creases_of = std::decay_t<decltype(std::declval<const Refiner&>().creases())>;
+
+  const Carry& carry_;
+  const For_chunks for_chunks_;
+  Rounds rounds_;
+  std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
+};
+
+// With nothing to carry there is nothing to do.
+template <class FT, class Host, class Carry>
+class Carried_through<FT, Host, Carry, true>
+{
+public:
+  template <class... Arguments>
+  explicit Carried_through(const Carry&, const Arguments&...)
+  {}
+  template <class Refiner>
+  void before_cut(const Refiner&) const
+  {}
+  template <class... Arguments>
+  void begin_round(const Arguments&...) const
+  {}
+  static constexpr std::nullptr_t rows() { return nullptr; }
+  template <class Scheme, class Refiner>
+  void refine(const Scheme&, Refiner& refiner) const
+  {
+    refiner.refine();
+  }
+  template <class... Arguments>
+  void put(const Arguments&...) const
+  {}
+  void keep() const noexcept {}
+  template <class... Arguments>
+  void visit(const Arguments&...) const
+  {}
+};
 
 // elements that are their numbers, and a map of them
 struct Numbers_as_elements

@@ -11,8 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_values.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Chart_rules.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Crease_rows.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>

@@ -194,6 +194,33 @@ inline std::vector<Level_connectivity::Index> vertices_of_extra_slots(No_creases
   return {};
 }
 
+// Calls f(half-edge, slot) for the corners of a level whose slot is not that of their vertex: those at one star, or all.
+template <class FT, class Function>
+void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& creases,
+                           const Crease_star& star, const Function& f)
+{
+  using Index = Level_connectivity::Index;
+  if (star.number_of_wedges == 1) return;
+  for (Index i = 0; i < star.number_of_ends; ++i) {
+    const Crease_end& e = creases.end(star, i);
+    const Crease_edge<FT>& crease = creases.edge(e);
+    if (!crease.has_after(e.side) || crease.after[e.side] == star.vertex) continue;
+    // clockwise up to the next crease or the border
+    const Index last = creases.halfedge(creases.end(star, i + 1 < star.number_of_ends ? i + 1 : 0));
+    Index h = creases.halfedge(e);
+    do {
+      f(h, crease.after[e.side]);
+      h = level.next_around_target(h);
+    } while (h != last && !level.is_border(h));
+  }
+}
+template <class FT, class Function>
+void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& creases,
+                           const Function& f)
+{
+  for (const Crease_star& star : creases.stars) for_each_extra_corner(level, creases, star, f);
+}
+
 // The creases of the refined level, without their tangents, and where those of the old level have
 // gone.
 template <class FT>

@@ -246,30 +246,6 @@ void for_each_corner(const Level_connectivity& level, const Level_connectivity& 
   }
 }
 
-// Calls f(half-edge, slot) for the corners of the level whose slot is not that of their vertex.
-template <class FT, class Function>
-void for_each_extra_corner(const Level_connectivity& level, const Creases<FT>& creases,
-                           const Function& f)
-{
-  using Index = Level_connectivity::Index;
-  for (const Crease_star& star : creases.stars) {
-    if (star.number_of_wedges == 1) continue;
-    for (Index i = 0; i < star.number_of_ends; ++i) {
-      const Crease_end& e = creases.end(star, i);
-      const Crease_edge<FT>& crease = creases.edge(e);
-      if (!crease.has_after(e.side) || crease.after[e.side] == star.vertex) continue;
-      // clockwise up to the next crease or the border
-      const Index last =
-        creases.halfedge(creases.end(star, i + 1 < star.number_of_ends ? i + 1 : 0));
-      Index h = creases.halfedge(e);
-      do {
-        f(h, crease.after[e.side]);
-        h = level.next_around_target(h);
-      } while (h != last && !level.is_border(h));
-    }
-  }
-}
-
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

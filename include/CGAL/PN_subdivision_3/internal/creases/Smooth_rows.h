@@ -39,7 +39,8 @@ public:
     for (const Crease_star& star : creases.stars) {
       const std::size_t first = corners_.size();
       begin_.push_back(first);
-      for (Index i = 0; i < star.number_of_ends; ++i) add_wedge(star, i);
+      for_each_extra_corner(level, creases, star,
+                            [&](Index h, Index slot) { corners_.emplace_back(h, slot); });
       std::sort(corners_.begin() + std::ptrdiff_t(first), corners_.end());
     }
     begin_.push_back(corners_.size());
@@ -62,21 +63,6 @@ public:
 
 private:
   using Corner = std::pair<Index, Index>; // half-edge and slot
-
-  // the wedge behind the end, up to the next end or the border
-  void add_wedge(const Crease_star& star, Index i)
-  {
-    const Crease_end& end = creases_.end(star, i);
-    const Crease_edge<FT>& crease = creases_.edge(end);
-    if (!crease.has_after(end.side) || crease.after[end.side] == star.vertex) return;
-    const Index next =
-      creases_.halfedge(creases_.end(star, i + 1 < star.number_of_ends ? i + 1 : 0));
-    Index h = creases_.halfedge(end);
-    do {
-      corners_.emplace_back(h, crease.after[end.side]);
-      h = level_.next_around_target(h);
-    } while (h != next && !level_.is_border(h));
-  }
 
   const Level_connectivity& level_;
   const Creases<FT>& creases_;

@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
 #include <CGAL/PN_subdivision_3/internal/limit/orient_normals.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Rim_closure.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>

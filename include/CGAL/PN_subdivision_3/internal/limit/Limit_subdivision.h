@@ -11,8 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>

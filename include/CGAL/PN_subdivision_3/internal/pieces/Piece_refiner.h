@@ -14,7 +14,6 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/pieces/Child_elements.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
