@@ -83,6 +83,7 @@ void Refined_surface::follow(const Control_mesh& mesh, std::size_t vertex)
 void Refined_surface::update(const Control_mesh& mesh)
 {
   const std::vector<Index>& moved = refinement_->update(mesh);
+  gaussian_curvature_.clear();
   if (limit_points_.empty())
     display_.update(moved, points());
   else
@@ -94,6 +95,7 @@ void Refined_surface::hide_limit()
   if (limit_points_.empty()) return;
   limit_points_.clear();
   limit_normals_.clear();
+  gaussian_curvature_.clear();
   show_all();
 }
 
@@ -145,20 +147,27 @@ void Refined_surface::show_limit()
                                : Vector_3(n[3 * v], n[3 * v + 1], n[3 * v + 2]));
   }
   display_.set(limit_points_, limit_normals_);
+  gaussian_curvature_.clear();
 }
 
-std::vector<float> Refined_surface::curvature(bool is_gaussian) const
+const std::vector<float>& Refined_surface::curvature(bool is_gaussian)
+{
+  if (gaussian_curvature_.empty()) compute_curvatures();
+  return is_gaussian ? gaussian_curvature_ : mean_curvature_;
+}
+
+void Refined_surface::compute_curvatures()
 {
   using Curvature = PN::Vertex_curvature<pn_subdivide::Kernel>;
   Surface surface = make_surface(display_.faces(), display_.vertices(), points());
   const auto curvatures =
     surface.add_property_map<Surface::Vertex_index, Curvature>("v:curvature").first;
   PN::estimate_curvature(surface, curvatures);
-  std::vector<float> values;
-  values.reserve(surface.number_of_vertices());
-  for (const auto v : surface.vertices())
-    values.push_back(static_cast<float>(is_gaussian ? curvatures[v].gaussian : curvatures[v].mean));
-  return values;
+  mean_curvature_.clear();
+  for (const auto v : surface.vertices()) {
+    gaussian_curvature_.push_back(static_cast<float>(curvatures[v].gaussian));
+    mean_curvature_.push_back(static_cast<float>(curvatures[v].mean));
+  }
 }
 
 } // namespace pn_demo

@@ -42,8 +42,8 @@ public:
   // Shows the points of the limit surface and its normals, until hide_limit() or the next update().
   void show_limit();
   void hide_limit();
-  // 0 where there is no estimate; by the vertices of the display.
-  std::vector<float> curvature(bool is_gaussian) const;
+  // 0 where there is no estimate; by the vertices of the display. Both are kept until something is shown anew.
+  const std::vector<float>& curvature(bool is_gaussian);
 
   const Display_mesh& display() const { return display_; }
   // Points, control normals and faces as for a file; with show_limit() those of the limit.
@@ -53,6 +53,7 @@ public:
 
 private:
   void show_all();
+  void compute_curvatures();
 
   Scheme scheme_;
   bool is_linear_;
@@ -61,6 +62,7 @@ private:
   Display_mesh display_;
   std::vector<Point_3> limit_points_; // if they are shown
   std::vector<Vector_3> limit_normals_;
+  std::vector<float> gaussian_curvature_, mean_curvature_; // empty if not computed yet
 };
 
 } // namespace pn_demo

@@ -217,7 +217,7 @@ void show_limit(Refined_surface& surface)
 {
   guarded([&] { surface.show_limit(); });
 }
-val curvature(const Refined_surface& surface, bool is_gaussian)
+val curvature(Refined_surface& surface, bool is_gaussian)
 {
   return guarded([&] { return copy_of(surface.curvature(is_gaussian)); });
 }

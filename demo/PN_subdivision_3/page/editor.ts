@@ -69,6 +69,8 @@ export class Editor {
   /** The most rounds for this mesh and scheme. */
   greatestRounds = 7;
   status = "";
+  /** Another one after each change of the mesh. */
+  meshNumber = 0;
   readonly history = new History<Version>(({ mesh }) => mesh.points.length + 4 * mesh.corners.length);
   settings: Settings = {
     scheme: "catmull-clark",
@@ -230,6 +232,7 @@ export class Editor {
     if (this.beforeDrag) this.history.remember(this.beforeDrag);
     this.beforeDrag = undefined;
     this.hasDragged = true;
+    ++this.meshNumber;
     this.dragged.add(vertex);
     if (this.frame === 0)
       this.frame = requestAnimationFrame(() => {
@@ -317,7 +320,7 @@ export class Editor {
       throw error;
     }
     if (rounds < wanted.rounds)
-      this.say(`${rounds} rounds: ${wanted.rounds} would make more than ${greatestNumberOfFaces} faces.`, "note");
+      this.say(`${rounds} ${rounds === 1 ? "round" : "rounds"}: ${wanted.rounds} would make more than ${greatestNumberOfFaces} faces.`, "note");
     for (const surface of this.surfaces.values()) surface.delete();
     if (this.mesh !== undefined && this.mesh !== split) this.mesh.delete();
     if (split !== mesh && mesh !== this.mesh) mesh.delete();
@@ -343,12 +346,13 @@ export class Editor {
     const traits = this.schemes.get(scheme)!;
     const inFirst = traits.takesTriangles ? (scheme === "sqrt3" ? 3 : 4) * degrees.length : corners.length;
     const perRound = scheme === "sqrt3" ? 3 : 4;
-    let rounds = 1;
-    for (let faces = inFirst * perRound; faces <= greatestNumberOfFaces; faces *= perRound) ++rounds;
+    let rounds = 0;
+    for (let faces = inFirst; faces <= greatestNumberOfFaces; faces *= perRound) ++rounds;
     return Math.min(rounds, 7);
   }
 
   private readHandles(): void {
+    ++this.meshNumber;
     this.handles = this.mesh.handles();
     const { points, edges, sharp } = this.handles;
     let length = 0;

@@ -22,7 +22,13 @@ import { Viewer } from "./viewer";
 
 type Tab = "surface" | "curve";
 
+/** Of links; what another page cannot read has another number. Links of before had none. */
+const linkVersion = 1;
+/** Meshes with more numbers are not put into an address. */
+const mostNumbers = 60_000;
+
 interface Shared {
+  version?: number;
   settings: Settings;
   camera: number[];
   edits?: Edits;
@@ -37,6 +43,9 @@ class Page {
   private readonly curvePanel: CurvePanel;
   private timer = 0;
   private ownAddress = "";
+  private place = ""; // what is looked at: the browser goes back to the one before
+  private edits: { meshNumber: number; value: Edits | undefined } | undefined;
+  private readonly exampleStates = new Map<string, MeshState | undefined>();
   private isReady = false; // before, the address is what is to be shown
 
   constructor(readonly modeler: Modeler) {
@@ -64,7 +73,12 @@ class Page {
     this.curve.show(curveExamples.bottle, "bottle", true);
     if (!(await this.readAddress())) this.panel.showExample("cube", {}, true);
     this.isReady = true;
+    this.place = this.placeOfNow();
     this.changed();
+    if (!this.viewer.canDraw) {
+      say("This browser shows no pictures in three dimensions (WebGL is missing or off). Curves work without.", "error");
+      this.show("curve");
+    }
     element("loading").remove();
     this.viewer.draw();
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
@@ -86,7 +100,7 @@ class Page {
     });
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => {
-      if (location.hash !== this.ownAddress) void this.readAddress();
+      if (location.hash !== this.ownAddress) void this.goTo();
     });
     window.addEventListener("resize", () => this.panel.refresh());
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takeTheme());
@@ -153,36 +167,69 @@ class Page {
     this.timer = window.setTimeout(() => void this.writeAddress(), 400);
   }
 
-  private async address(): Promise<string> {
-    if (this.tab === "curve") return `#curve=${await pack(this.curve.state)}`;
+  private placeOfNow(): string {
+    return this.tab === "curve" ? "curve" : `surface ${this.editor.name}`;
+  }
+
+  /** Nothing for a large mesh of the user's, of which no address is made. */
+  private async address(): Promise<string | undefined> {
+    if (this.tab === "curve") return `#curve=${await pack({ version: linkVersion, ...this.curve.state })}`;
     const { editor } = this;
-    const round = (x: number): number => Number(x.toPrecision(6));
+    const { handles } = editor;
+    if (!examples[editor.name] && handles.points.length + 3 * handles.vertices.length + handles.edges.length > mostNumbers)
+      return undefined;
+    const { origin } = editor;
+    const isNear = origin.every((x) => x === 0);
+    const inWorld = (p: number[]): number[] => p.map((x, k) => (isNear ? Number(x.toPrecision(6)) : x + origin[k]));
     const shared: Shared = {
+      version: linkVersion,
       settings: editor.settings,
-      camera: [...this.viewer.camera.position.toArray(), ...this.viewer.controls.target.toArray()].map(round),
+      camera: [...inWorld(this.viewer.camera.position.toArray()), ...inWorld(this.viewer.controls.target.toArray())],
     };
-    const edits = editsOf(editor.mesh.state(), this.exampleState(editor.name));
+    const edits = this.editsOfNow();
     if (edits) shared.edits = edits;
     return `#${encodeURIComponent(editor.name)}=${await pack(shared)}`;
   }
 
+  private editsOfNow(): Edits | undefined {
+    const { meshNumber, mesh, name } = this.editor;
+    if (this.edits?.meshNumber !== meshNumber)
+      this.edits = { meshNumber, value: editsOf(mesh.state(), this.exampleState(name)) };
+    return this.edits.value;
+  }
+
   private exampleState(name: string): MeshState | undefined {
     if (!examples[name]) return undefined;
-    const mesh = this.panel.exampleMesh(name);
-    const state = mesh.state();
-    mesh.delete();
-    return state;
+    if (!this.exampleStates.has(name)) {
+      const mesh = this.panel.exampleMesh(name);
+      this.exampleStates.set(name, mesh.state());
+      mesh.delete();
+    }
+    return this.exampleStates.get(name);
   }
 
   private async writeAddress(): Promise<void> {
-    const hash = await this.address();
-    if (hash.length > 200_000) return; // a large mesh of the user's
+    const address = await this.address();
+    const hash = address !== undefined && address.length <= 200_000 ? address : "";
+    const place = this.placeOfNow();
+    const write = place === this.place ? history.replaceState : history.pushState;
+    this.place = place;
     this.ownAddress = hash;
-    history.replaceState(null, "", hash);
+    write.call(history, null, "", hash || location.pathname + location.search);
+  }
+
+  /** Back, forward, or an address that was entered. */
+  private async goTo(): Promise<void> {
+    clearTimeout(this.timer);
+    silence();
+    await this.readAddress();
+    this.place = this.placeOfNow();
+    this.ownAddress = location.hash;
   }
 
   private async copyLink(): Promise<void> {
     const hash = await this.address();
+    if (hash === undefined) return say("This mesh is too large for a link: take the control mesh with you instead.", "error");
     const text = location.href.replace(/#.*$/, "") + hash;
     try {
       await navigator.clipboard.writeText(text);
@@ -195,14 +242,17 @@ class Page {
   /** Shows what the address says; false if it says nothing. */
   private async readAddress(): Promise<boolean> {
     const [name, packed] = location.hash.slice(1).split("=");
-    if (!packed) return name !== "" && this.panel.showExample(decodeURIComponent(name), {}, true);
+    if (!packed) return name !== "" && this.panel.showExample(decodeURIComponent(name), {}, this.editor.mesh === undefined);
     try {
       const value = await unpack(packed);
       if (name === "curve") {
+        requireVersion(value as Shared);
         this.curve.restore(checkedCurve(value as Partial<CurveState>, this.curve.state));
         this.show("curve");
-        return this.panel.showExample("cube", {}, true);
+        return this.editor.mesh !== undefined || this.panel.showExample("cube", {}, true);
       }
+      if (this.tab !== "surface") this.show("surface");
+      requireVersion(value as Shared);
       return this.takeShared(decodeURIComponent(name), value as Shared);
     } catch (error) {
       say(`The link cannot be read: ${messageOf(error)}`, "error");
@@ -216,12 +266,17 @@ class Page {
       edits ? this.modeler.restoreMesh(applyEdits(edits, this.exampleState(name))) : this.panel.exampleMesh(name);
     if (!this.editor.load(make, name, checkedSettings(settings ?? {}), this.editor.mesh === undefined)) return false;
     if (shared.camera?.length === 6 && shared.camera.every(Number.isFinite)) {
-      this.viewer.controls.target.fromArray(shared.camera, 3);
-      this.viewer.camera.position.fromArray(shared.camera);
+      const camera = shared.camera.map((x, k) => x - this.editor.origin[k % 3]);
+      this.viewer.controls.target.fromArray(camera, 3);
+      this.viewer.camera.position.fromArray(camera);
       this.viewer.controls.update();
     }
     return true;
   }
+}
+
+function requireVersion(shared: Shared): void {
+  if ((shared.version ?? 0) > linkVersion) throw new Error("it is of a newer version of this page");
 }
 
 try {

@@ -187,13 +187,14 @@ function setPositions(object: THREE.LineSegments | THREE.Points, positions: Arra
   }
 }
 
-/** Without it smooth edges cost half of the frames. */
-function hasGraphicsHardware(): boolean {
+/** Without hardware smooth edges cost half of the frames. */
+function graphicsOfBrowser(): "none" | "software" | "hardware" {
   const context = document.createElement("canvas").getContext("webgl2");
-  const names = context?.getExtension("WEBGL_debug_renderer_info");
-  const renderer = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return !/swiftshader|llvmpipe|software/i.test(renderer);
+  if (!context) return "none";
+  const names = context.getExtension("WEBGL_debug_renderer_info");
+  const renderer = names ? String(context.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(renderer) ? "software" : "hardware";
 }
 
 export type Layout = "pn" | "linear" | "both";
@@ -201,7 +202,8 @@ export type Layout = "pn" | "linear" | "both";
 export class Viewer {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
   readonly controls: OrbitControls;
-  private readonly renderer: THREE.WebGLRenderer;
+  /** None where the browser shows no such pictures. */
+  private readonly renderer: THREE.WebGLRenderer | undefined;
   private readonly control = new ControlPicture();
   private readonly controlCopy = new ControlPicture();
   private readonly pn: Pane;
@@ -217,9 +219,12 @@ export class Viewer {
   onDraw: (() => void) | undefined;
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: hasGraphicsHardware(), alpha: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.autoClear = false;
+    const graphics = graphicsOfBrowser();
+    if (graphics !== "none") {
+      this.renderer = new THREE.WebGLRenderer({ canvas, antialias: graphics === "hardware", alpha: true });
+      this.renderer.autoClear = false;
+      canvas.addEventListener("webglcontextrestored", () => this.requestDraw());
+    }
     const pnOverlay = new THREE.Group();
     pnOverlay.add(this.control.group, this.control.normals);
     this.pn = new Pane(pnOverlay);
@@ -229,6 +234,10 @@ export class Viewer {
     this.controls.rotateSpeed = 0.9;
     this.controls.addEventListener("change", () => this.requestDraw());
     new ResizeObserver(() => this.requestDraw()).observe(canvas);
+  }
+
+  get canDraw(): boolean {
+    return this.renderer !== undefined;
   }
 
   setTheme(theme: Theme): void {
@@ -362,6 +371,8 @@ export class Viewer {
 
   /** Whether the surface of a pane is in front of a point, nearer to the eye by more than `slack`. */
   isHidden(p: THREE.Vector3, isLinear: boolean, slack: number): boolean {
+    const { renderer } = this;
+    if (!renderer) return false;
     if (this.frame !== 0) {
       cancelAnimationFrame(this.frame);
       this.frame = 0;
@@ -370,8 +381,8 @@ export class Viewer {
     let picture = this.distances.get(isLinear);
     if (!picture) {
       picture = this.spareDistances[Number(isLinear)];
-      picture.draw(this.renderer, this.camera, this.paneSize(), (material) =>
-        this.pane(isLinear).drawSurface(this.renderer, this.camera, material));
+      picture.draw(renderer, this.camera, this.paneSize(), (material) =>
+        this.pane(isLinear).drawSurface(renderer, this.camera, material));
       this.distances.set(isLinear, picture);
     }
     return picture.at(p.clone().project(this.camera)) < -p.clone().applyMatrix4(this.camera.matrixWorldInverse).z - slack;
@@ -385,20 +396,23 @@ export class Viewer {
       });
   }
 
-  draw(): void {
+  /** `ratio`: pixels of the picture for one in CSS units; the screen's changes with the window's place and zoom. */
+  draw(ratio = Math.min(window.devicePixelRatio, 2)): void {
+    const { renderer } = this;
     this.distances.clear();
+    if (!renderer) return;
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    const ratio = this.renderer.getPixelRatio();
+    if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
     if (this.canvas.width !== Math.floor(width * ratio) || this.canvas.height !== Math.floor(height * ratio))
-      this.renderer.setSize(width, height, false);
+      renderer.setSize(width, height, false);
     const size = this.paneSize();
     this.camera.aspect = size.x / size.y;
     this.updateClipping();
-    this.renderer.setScissorTest(false);
-    this.renderer.setClearColor(0, 0);
-    this.renderer.clear();
-    this.renderer.setScissorTest(true);
+    renderer.setScissorTest(false);
+    renderer.setClearColor(0, 0);
+    renderer.clear();
+    renderer.setScissorTest(true);
     // small where vertices are close to each other
     const distance = this.camera.position.distanceTo(this.controls.target);
     const pixels = (this.normalLength / distance) * (size.y / (2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2))));
@@ -410,9 +424,9 @@ export class Viewer {
       // from the lower left
       const x = this.isStacked() ? 0 : i * size.x;
       const y = this.isStacked() && this.layout === "both" ? height - (i + 1) * size.y : 0;
-      this.renderer.setViewport(x, y, size.x, size.y);
-      this.renderer.setScissor(x, y, size.x, size.y);
-      this.renderer.render(pane.scene, this.camera);
+      renderer.setViewport(x, y, size.x, size.y);
+      renderer.setScissor(x, y, size.x, size.y);
+      renderer.render(pane.scene, this.camera);
     });
     this.onDraw?.();
   }
@@ -427,9 +441,8 @@ export class Viewer {
 
   /** The picture on the screen, on the page's background. */
   async png(): Promise<Blob> {
-    const ratio = this.renderer.getPixelRatio();
-    this.renderer.setPixelRatio(Math.max(2, ratio));
-    this.draw();
+    if (!this.canDraw) throw new Error("this browser shows no pictures in three dimensions (WebGL)");
+    this.draw(2);
     const copy = document.createElement("canvas");
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
@@ -437,7 +450,6 @@ export class Viewer {
     context.fillStyle = this.theme?.background ?? "#fff";
     context.fillRect(0, 0, copy.width, copy.height);
     context.drawImage(this.canvas, 0, 0);
-    this.renderer.setPixelRatio(ratio);
     this.requestDraw();
     return new Promise((resolve, reject) =>
       copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture cannot be made"))), "image/png"));

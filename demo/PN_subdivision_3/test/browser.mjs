@@ -20,7 +20,7 @@ export const hasBrowser = existsSync(executablePath);
 /** Calls test(page, context) with the page, of a size and a color scheme; fails if it asks for anything of a network. */
 export async function withPage(file, options, test) {
   const profile = await mkdtemp(path.join(tmpdir(), "pn-page-"));
-  const { hash = "", ...view } = options;
+  const { hash = "", args = [], ...view } = options;
   const context = await chromium.launchPersistentContext(profile, {
     executablePath,
     headless: true,
@@ -28,7 +28,7 @@ export async function withPage(file, options, test) {
     viewport: { width: 1280, height: 800 },
     ...view,
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+      "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...args],
   });
   try {
     const page = context.pages()[0] ?? (await context.newPage());

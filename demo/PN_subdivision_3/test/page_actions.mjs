@@ -42,6 +42,7 @@ export function tipOf(page, wedge) {
     const { editor } = window.page;
     const { viewer } = editor;
     const { vertices, normals, points } = editor.handles;
+    viewer.draw(); // the view may have changed
     const v = vertices[w];
     const n = normals.slice(3 * w, 3 * w + 3);
     const length = Math.hypot(...n);

@@ -13,6 +13,7 @@ import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
 import { drop, dropAll, frontWedge, largestDifference, message, points, tipOf } from "./page_actions.mjs";
 
@@ -26,6 +27,7 @@ const tipsAndDepths = (page) =>
   page.evaluate(() => {
     const { editor } = window.page;
     const { viewer, handles, normalLength } = editor;
+    viewer.draw(); // the view may have changed
     const surface = editor.shownSurface;
     const p = surface.points();
     const { degrees, corners } = surface.faces();
@@ -259,6 +261,7 @@ test("what is far from the origin is shown as if it were near", async () => {
   await withPage(file, { hash: "#cube" }, async (page) => {
     const picture = () => page.evaluate(() => {
       const { editor } = window.page;
+      editor.viewer.draw();
       return { positions: [...editor.shownSurface.positionsView()], points: [...editor.handles.points],
         pixels: [...editor.handles.vertices].map((v) => editor.viewer.toPixels(
           editor.viewer.camera.position.clone().fromArray(editor.shownHandles.points, 3 * v))) };
@@ -312,5 +315,124 @@ test("numbers that do not fit into 32 bits are out of range, not small", async (
       assert.match(await message(page), expected);
       assert.notEqual(await page.evaluate(() => window.page.editor.name), name);
     }
+  });
+});
+
+test("back and forward lead through what was looked at", async () => {
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    const name = () => page.evaluate(() => window.page.editor.name);
+    const settle = () => page.waitForTimeout(700); // an address is written a while after the last change
+    await settle();
+    const length = await page.evaluate(() => history.length);
+    await page.focus("#canvas");
+    await page.keyboard.press("ArrowLeft"); // the same place, seen from elsewhere
+    await settle();
+    assert.equal(await page.evaluate(() => history.length), length);
+    await page.selectOption("#example", "bolt");
+    await settle();
+    await page.click("#tab-curve");
+    await settle();
+    assert.equal(await page.evaluate(() => history.length), length + 2);
+    await page.goBack();
+    await page.waitForFunction(() => !document.getElementById("surface").hidden);
+    assert.equal(await name(), "bolt");
+    await settle();
+    await page.goBack();
+    await page.waitForFunction(() => window.page.editor.name === "ring");
+    await settle();
+    await page.goForward();
+    await page.waitForFunction(() => window.page.editor.name === "bolt");
+    await settle();
+    await page.goForward();
+    await page.waitForFunction(() => !document.getElementById("curve").hidden);
+    assert.equal(await page.evaluate(() => history.length), length + 2);
+  });
+});
+
+test("a link of a newer page is refused, and a large mesh has no address", async () => {
+  const packed = (value) => deflateRawSync(JSON.stringify(value)).toString("base64url");
+  await withPage(file, { hash: `#ring=${packed({ version: 1000 })}` }, async (page) => {
+    assert.equal(await message(page), "The link cannot be read: it is of a newer version of this page");
+    const n = 120;
+    const vertices = Array.from({ length: (n + 1) ** 2 }, (_, i) => `${i % (n + 1)} ${Math.floor(i / (n + 1))} 0`);
+    const faces = Array.from({ length: n * n }, (_, i) => {
+      const a = (n + 1) * Math.floor(i / n) + (i % n);
+      return `4 ${a} ${a + 1} ${a + n + 2} ${a + n + 1}`;
+    });
+    await drop(page, "large.off", `OFF\n${vertices.length} ${faces.length} 0\n${vertices.join("\n")}\n${faces.join("\n")}\n`);
+    await page.waitForFunction(() => window.page.editor.name === "large.off");
+    await page.waitForTimeout(700);
+    assert.equal(new URL(page.url()).hash, "");
+    await page.click("#copy-link");
+    assert.match(await message(page), /too large for a link/);
+  });
+});
+
+test("curvature is computed once for a surface", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    await page.fill("#rounds", "3");
+    const times = await page.evaluate(() => {
+      const surface = window.page.editor.shownSurface;
+      const timeOf = (isGaussian) => {
+        const started = performance.now();
+        const values = surface.curvature(isGaussian);
+        return [performance.now() - started, Array.from(values)];
+      };
+      return [timeOf(true), timeOf(false), timeOf(true)];
+    });
+    assert.ok(times[1][0] + times[2][0] < 0.2 * times[0][0], times.map((t) => t[0]).join(" "));
+    assert.deepEqual(times[0][1], times[2][1]);
+    assert.notDeepEqual(times[0][1], times[1][1]);
+    const changed = await page.evaluate(() => {
+      const { editor } = window.page;
+      const [x, y, z] = editor.handles.points;
+      editor.setPoint(0, x, y, z + 0.1);
+      return Array.from(editor.shownSurface.curvature(true));
+    });
+    assert.notDeepEqual(changed, times[0][1]);
+  });
+});
+
+test("without WebGL curves work, and a lost context comes back", async () => {
+  await withPage(file, { args: ["--disable-3d-apis"] }, async (page) => {
+    assert.match(await message(page), /WebGL/);
+    assert.ok(!(await page.isHidden("#curve")));
+    await page.waitForSelector("#drawing .curve", { state: "attached" });
+    await page.click("#tab-surface");
+    await page.selectOption("#example", "ring");
+    assert.ok((await points(page)).length > 0);
+  });
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    const picture = () => page.evaluate(async () => {
+      const { viewer } = window.page.editor;
+      return [...new Uint8Array(await (await viewer.png()).arrayBuffer())];
+    });
+    const before = await picture();
+    await page.evaluate(async () => {
+      const canvas = document.getElementById("canvas");
+      const context = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+      const heard = (name) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+      const lost = heard("webglcontextlost");
+      context.loseContext();
+      await lost;
+      await new Promise((resolve) => setTimeout(resolve, 100)); // the event has been heard by all
+      const back = heard("webglcontextrestored");
+      context.restoreContext();
+      await back;
+    });
+    await page.waitForTimeout(200);
+    assert.deepEqual(await picture(), before);
+  });
+});
+
+test("the picture has the pixels of the screen", async () => {
+  await withPage(file, { hash: "#ring" }, async (page, context) => {
+    const width = () => page.evaluate(() => window.page.editor.viewer.canvas.width);
+    const one = await width();
+    const client = await context.newCDPSession(page);
+    await client.send("Emulation.setDeviceMetricsOverride", { width: 1280, height: 800, deviceScaleFactor: 2, mobile: false });
+    await page.evaluate(() => window.page.editor.viewer.draw());
+    assert.equal(await width(), 2 * one);
   });
 });
