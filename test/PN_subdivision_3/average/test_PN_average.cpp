@@ -215,7 +215,7 @@ Heights heights(reference::Real d, reference::Real a)
 TYPED_TEST(PN_average_of, IsThePapersSumWhereNothingFades)
 {
   using FT = TypeParam;
-  for (FT d : {FT(1.0001 / 256), FT(1. / 200), FT(0.1), FT(1)}) {
+  for (FT d : {FT(75.01 / 256), FT(0.3), FT(0.5), FT(1)}) {
     const Heights h = heights(d, 0.25);
     const reference::Real expected = h.others + h.third / 4;
     EXPECT_NEAR(double(height_with_opposite<FT>(d, FT(0.25)) / expected), 1, 4096 * this->epsilon);
@@ -225,7 +225,7 @@ TYPED_TEST(PN_average_of, IsThePapersSumWhereNothingFades)
 TYPED_TEST(PN_average_of, LeavesOutOppositeNormals)
 {
   using FT = TypeParam;
-  for (FT d : {FT(0), FT(0.0005), FT(0.9999 / 1024)})
+  for (FT d : {FT(0), FT(0.0005), FT(0.05), FT(2.9999 / 32)})
     EXPECT_NEAR(double(height_with_opposite<FT>(d, FT(0.25))),
                 double(heights(0.5, 0.25).others / 0.75L), 64 * this->epsilon);
 }
@@ -236,7 +236,7 @@ TYPED_TEST(PN_average_of, FadesInTheWindow)
   using FT = TypeParam;
   for (int percent : {10, 25, 50, 75, 90}) {
     const reference::Real t = percent / reference::Real(100);
-    const FT d = FT(1 / 1024.L + t * (1 / 256.L - 1 / 1024.L));
+    const FT d = FT(3 / 32.L + t * (75 / 256.L - 3 / 32.L));
     const Heights h = heights(d, 0.25);
     const reference::Real share = t * t * (3 - 2 * t) / 4;
     const reference::Real expected = (h.others + share * h.third) / (0.75L + share);
@@ -247,16 +247,16 @@ TYPED_TEST(PN_average_of, FadesInTheWindow)
 
 TEST(PN_average_fade, IsContinuous)
 {
-  // Over the window the height changes by about 15; 4000 steps of at most 0.02 each.
-  double before = double(height_with_opposite<double>(0.9 / 1024, 0.25));
+  // Over the window the height changes by about 2; 4000 steps of at most 0.002 each.
+  double before = double(height_with_opposite<double>(0.09, 0.25));
   double largest = 0;
   for (int i = 1; i <= 4000; ++i) {
-    const double d = 0.9 / 1024 + i * (1.1 / 256 - 0.9 / 1024) / 4000;
+    const double d = 0.09 + i * (0.3 - 0.09) / 4000;
     const double h = double(height_with_opposite<double>(d, 0.25));
     largest = std::max(largest, std::abs(h - before));
     before = h;
   }
-  EXPECT_LT(largest, 0.05);
+  EXPECT_LT(largest, 0.005);
 }
 
 // Too little weight is left: no height at all. 1/64 is still enough.

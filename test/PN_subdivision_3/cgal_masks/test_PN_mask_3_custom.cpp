@@ -188,8 +188,8 @@ TEST(PN_mask_3_custom, NoHeightWhereTheRemainingWeightIsTooSmall)
   Soup soup;
   soup.points = {{0, 0, 0}, {3, 0, 1}, {1, 2, 5}};
   soup.faces = {{0, 1, 2}};
-  // far vertex, target, source: N = (-z) + (0.6, 0, 0.8) - (0.6, 0, -0.8) = 0.6 z
-  const Triple minus_z{0, 0, -1}, up{0.6, 0, 0.8}, down{0.6, 0, -0.8};
+  // far vertex, target, source: N = (-z) + (0.8, 0, 0.6) - (0.8, 0, -0.6) = 0.2 z
+  const Triple minus_z{0, 0, -1}, up{0.8, 0, 0.6}, down{0.8, 0, -0.6};
   Control<Surface_mesh> control(soup, {down, up, minus_z});
   auto mask = PN::make_PN_mask_3<Skew_mask_3>(control.mesh, control.point_normals(), 1., 1.);
   decltype(mask)::Point_normal node;

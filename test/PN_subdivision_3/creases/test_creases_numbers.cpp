@@ -336,7 +336,7 @@ void refine(Wide_mesh& mesh, Border border)
 std::vector<double> undecided_angles(Border border)
 {
   std::vector<double> undecided;
-  for (double angle = 3.05; angle < 3.12; angle += 0.001) {
+  for (double angle = 2.35; angle < 2.75; angle += 0.0002) {
     Wide_mesh mesh;
     add_triangle(mesh, angle);
     try {

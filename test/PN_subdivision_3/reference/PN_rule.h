@@ -34,7 +34,7 @@ struct Point_normal
 // The part that an entry keeps whose normal makes (n_j + n).n = d with the new normal.
 inline Real share(Real d)
 {
-  const Real t = (std::min)(Real(1), (std::max)(Real(0), (1024 * d - 1) / 3));
+  const Real t = (std::min)(Real(1), (std::max)(Real(0), (256 * d - 24) / 51));
   return t * t * (3 - 2 * t);
 }
 

@@ -78,16 +78,16 @@ PN_height<FT> pn_height(const Point_normal<FT, dimension>& pj, const Coordinates
   return h;
 }
 
-// The window of d_j in which an entry fades: 5.1 to 2.5 degrees from the exact opposite.
+// The window of d_j in which an entry fades: 135 to 155 degrees between its normal and the new one.
 template <class FT>
 FT fade_begin()
 {
-  return FT(1) / FT(256);
+  return FT(75) / FT(256);
 }
 template <class FT>
 FT fade_end()
 {
-  return FT(1) / FT(1024);
+  return FT(3) / FT(32);
 }
 
 // chi_j: 1 outside of the window, 0 behind it, smooth between. \pre d < fade_begin()
@@ -140,10 +140,11 @@ n)&middot;(p<sub>j</sub> - q) / d<sub>j</sub>,
 
 If N vanishes, see `Unit_normal_traits::vanishing_tolerance()`, the result is q with a zero normal.
 
-<em>Fade of opposite normals.</em> Where n<sub>j</sub> is nearly opposite to n, no arc from
-p<sub>j</sub> is defined. Such an entry takes no part, and it leaves continuously: with
-&chi;<sub>j</sub> falling smoothly from 1 at d<sub>j</sub> = 1/256 to 0 at d<sub>j</sub> = 1/1024,
-and W = &sum; a<sub>j</sub>&chi;<sub>j</sub>, the sum of heights becomes (&sum;
+<em>Fade of opposite normals.</em> Where n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is
+defined, and where it is nearly opposite, as one reversed normal among others is, the arc is many times
+longer than the chord. Such an entry takes no part, and it leaves continuously: with &chi;<sub>j</sub>
+falling smoothly from 1 at d<sub>j</sub> = 75/256, 135 degrees between n<sub>j</sub> and n, to 0 at
+d<sub>j</sub> = 3/32, 155 degrees, and W = &sum; a<sub>j</sub>&chi;<sub>j</sub>, the sum of heights becomes (&sum;
 a<sub>j</sub>&chi;<sub>j</sub>h<sub>j</sub>)/W, or 0 if W < 1/64.
 
 A row with a single entry is a copy.

@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_PROBE_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CGAL_MASKS_MASK_PROBE_H
 
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -179,12 +180,7 @@ private:
 
   static FT fade(const FT& d)
   {
-    const FT begin = FT(1) / FT(1024);
-    const FT end = FT(1) / FT(256);
-    if (d >= end) return FT(1);
-    if (d <= begin) return FT(0);
-    const FT t = (d - begin) / (end - begin);
-    return t * t * (FT(3) - FT(2) * t);
+    return d < fade_begin<FT>() ? internal::fade(d) : FT(1);
   }
 
   PointNormalMap point_normals_;
