@@ -178,10 +178,7 @@ private:
     return Point(chi * ((s * (p - q_)) / d), chi, FT(0));
   }
 
-  static FT fade(const FT& d)
-  {
-    return d < fade_begin<FT>() ? internal::fade(d) : FT(1);
-  }
+  static FT fade(const FT& d) { return d < fade_begin<FT>() ? internal::fade(d) : FT(1); }
 
   PointNormalMap point_normals_;
   Mask_normalization<Vector, FT> normalization_;
