@@ -17,7 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <algorithm>
@@ -241,7 +241,7 @@ public:
   // values[slot] has the point; its normal if is_given[slot]
   Control_creases(const Level_connectivity& level, Creases<FT>& creases,
                   std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given,
-                  Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
+                  Control_normal_estimate estimate = Control_normal_estimate::coherent)
     : level_(level)
     , creases_(creases)
     , values_(values)

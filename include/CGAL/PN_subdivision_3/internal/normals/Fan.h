@@ -84,9 +84,17 @@ public:
   template <class Point_of>
   void assign(const Level_connectivity& level, const Fan& fan, const Point_of& point)
   {
+    assign_rays(level, fan, point);
+    make_corners(fan.closed);
+  }
+
+  // the same without the corners
+  template <class Point_of>
+  void assign_rays(const Level_connectivity& level, const Fan& fan, const Point_of& point)
+  {
     collect(level, fan, point);
     invert();
-    make_corners(fan.closed);
+    corners_.clear();
   }
 
   const std::vector<Ray>& rays() const { return rays_; }
@@ -174,7 +182,8 @@ private:
 };
 
 // Normals are estimated sector by sector. A sector is a vertex with one of its fans; here a whole
-// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h).
+// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Where edges are
+// tagged, their tags say what is smooth: is_at_crease(s).
 class Vertex_sectors
 {
 public:
@@ -189,10 +198,20 @@ public:
   Fan fan(Index s) const { return fan_of_vertex(level_, s); }
   Index at_target(Index h) const { return level_.target(h); }
   Index at_source(Index h) const { return level_.source(h); }
+  bool is_at_crease(Index) const { return false; }
 
 private:
   const Level_connectivity& level_;
 };
+
+// the sector at the other end of an edge of a fan, in the same run of faces
+template <class Sectors>
+Level_connectivity::Index neighbor_sector(const Sectors& sectors, const Fan& fan,
+                                          Level_connectivity::Index h, bool is_first)
+{
+  return is_first && h == fan.first ? sectors.at_source(h)
+                                    : sectors.at_target(Level_connectivity::opposite(h));
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3
