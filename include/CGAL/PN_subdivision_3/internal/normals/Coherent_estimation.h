@@ -41,6 +41,7 @@ public:
     : level_(level)
     , sectors_(sectors)
     , point_(point)
+    , difference_(level, point)
     , reciprocal_(level, sectors, point)
     , estimates_(sectors.number_of_sectors())
   {}
@@ -53,87 +54,116 @@ public:
   {
     estimate_separately(given, set_normal);
     add_area_normals();
+    compare_neighbors();
     for (Index s = 0; s < estimates_.size(); ++s)
       if (estimates_[s].kind == Kind::closed)
         estimate_closed(s, set_normal);
       else if (estimates_[s].kind == Kind::open)
         estimate_open(s);
+    const std::vector<double> shares = shares_beside_neighbors();
     for (Index s = 0; s < estimates_.size(); ++s)
-      if (estimates_[s].kind != Kind::given) set_roundness(s, final_roundness(s));
+      if (estimates_[s].kind != Kind::given)
+        set_roundness(s, estimates_[s].roundness * (shares.empty() ? 1 : shares[s]));
   }
 
 private:
-  enum class Kind { given, empty, open, closed };
+  enum class Kind : char { given, empty, open, closed };
 
   struct Estimate
   {
-    Vector reciprocal{0, 0, 0}, area{0, 0, 0}; // unit vectors or zero
-    Vector normal{0, 0, 0};                    // the result
-    double roundness = 1;                      // but for what the neighbors do to it
+    Vector normal{0, 0, 0}, area{0, 0, 0}; // unit vectors or zero; first the reciprocal normal
+    // sums over the edges: of the squared mismatches of the two, and of 1/|e|^2
+    double mismatch = 0, mismatch_of_area = 0, curvature = 0;
+    double squared_arc_error = 0; // the largest
+    double roundness = 1;         // but for what the neighbors do to it
     Kind kind = Kind::given;
     bool is_reciprocal = false; // not the area normal in its place
-  };
-
-  struct Mismatch
-  {
-    double reciprocal = 0, area = 0, rounding = 0; // sums of squares of curvatures
-    double squared_arc_error = 0; // largest |(n + n_j) e_j|^2 / |e_j|^2 of the reciprocal
   };
 
   template <class Given, class Set_normal>
   void estimate_separately(const Given& given, const Set_normal& set_normal)
   {
     for (Index s = 0; s < estimates_.size(); ++s)
-      if (const Coordinates<FT, 3>* n = given(s))
-        estimates_[s].reciprocal = estimates_[s].normal = to_double_3<FT>(*n);
+      if (const Coordinates<FT, 3>* n = given(s)) estimates_[s].normal = to_double_3<FT>(*n);
     const auto set_open = [&](Index s, const Coordinates<FT, 3>& n) {
-      Estimate& e = estimates_[s];
-      e.reciprocal = e.normal = to_double_3<FT>(n);
-      e.is_reciprocal = !is_zero(e.normal);
-      e.kind = sectors_.is_empty(s) ? Kind::empty : Kind::open;
+      estimates_[s].normal = to_double_3<FT>(n);
+      estimates_[s].kind = sectors_.is_empty(s) ? Kind::empty : Kind::open;
       set_normal(s, n);
     };
-    reciprocal_.estimate(given, set_open,
-                         [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
-                           Estimate& e = estimates_[s];
-                           e.reciprocal = reciprocal_.unblended(s);
-                           e.is_reciprocal = !is_zero(e.reciprocal);
-                           e.roundness = roundness_of_turn(e.reciprocal, inverted);
-                           e.kind = Kind::closed;
-                           return true;
-                         });
+    reciprocal_.estimate(
+      given, set_open, [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
+        Estimate& e = estimates_[s];
+        e.normal = reciprocal_.unblended(s);
+        e.is_reciprocal = !is_zero(e.normal);
+        e.roundness = roundness_of_turn(e.normal, inverted);
+        e.kind = Kind::closed;
+        return true;
+      });
   }
 
   // one normal in place of the other where that vanishes
   void add_area_normals()
   {
-    const Area_normals<FT, Sectors, Point_of> area(level_, sectors_, point_);
+    const Area_normals area(level_, sectors_, difference_);
     for (Index s = 0; s < estimates_.size(); ++s) {
       Estimate& e = estimates_[s];
       e.area = area(s);
-      if (is_zero(e.area)) e.area = e.reciprocal;
-      if (e.kind == Kind::closed && !e.is_reciprocal) e.reciprocal = e.area;
+      if (is_zero(e.area)) e.area = e.normal;
+      if (e.kind == Kind::closed && !e.is_reciprocal) e.normal = e.area;
     }
+  }
+
+  // f(s, t, e) for the sectors s and t at the ends of edges, e from s to t
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    for (Index e = 0; e < level_.number_of_edges(); ++e) {
+      const Index h = level_.is_border(2 * e) ? 2 * e + 1 : 2 * e;
+      if (!level_.is_border(h)) f(sectors_.at_source(h), sectors_.at_target(h), h);
+    }
+  }
+
+  Vector edge(Index h) const { return difference_(level_.target(h), level_.source(h)); }
+
+  // edges too short for squares are left out
+  void compare_neighbors()
+  {
+    for_each_edge([&](Index i, Index j, Index h) {
+      Estimate &s = estimates_[i], &t = estimates_[j];
+      const Vector e = edge(h);
+      const double inverse = 1 / dot<double, 3>(e, e);
+      if (!std::isfinite(inverse) || is_zero(s.normal) || is_zero(t.normal)) return;
+      const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
+      add_mismatch(s, of_s + of_t, dot<double, 3>(s.area, e) + of_t, inverse);
+      add_mismatch(t, of_s + of_t, dot<double, 3>(t.area, e) + of_s, inverse);
+    });
+  }
+
+  static void add_mismatch(Estimate& e, double of_normal, double of_area, double inverse)
+  {
+    const double arc_error = of_normal * of_normal * inverse;
+    e.mismatch += arc_error * inverse;
+    e.mismatch_of_area += of_area * of_area * inverse * inverse;
+    e.curvature += inverse;
+    e.squared_arc_error = (std::max)(e.squared_arc_error, arc_error);
   }
 
   template <class Set_normal>
   void estimate_closed(Index s, const Set_normal& set_normal)
   {
     Estimate& e = estimates_[s];
-    const Fan fan = sectors_.fan(s);
-    inverted_.assign_rays(level_, fan, point_);
-    const Mismatch m = mismatch(e, fan);
-    const double t = m.reciprocal <= m.rounding ? 1 : share_of_reciprocal(m.reciprocal, m.area);
-    const double regular = regularity_of(e, m);
+    const double tolerance = vanishing_tolerance<FT>();
+    const double t = e.mismatch <= tolerance * tolerance * e.curvature
+                       ? 1
+                       : share_of_reciprocal(e.mismatch, e.mismatch_of_area);
+    const double regular = regularity_of(e);
     const double share = t * either(e.roundness, regular);
-    e.normal = e.reciprocal;
-    if (e.is_reciprocal && share >= 1) {
-      set_normal(s, reciprocal_.exact_normal(fan, e.normal));
-    } else {
-      e.normal = mixed(share, e.reciprocal, e.area);
+    if (share >= 1 && e.is_reciprocal)
+      set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+    else {
+      e.normal = mixed(share, e.normal, e.area);
       set_normal(s, reciprocal_.converted(e.normal));
-      inverted_.assign(level_, fan, point_);
-      e.roundness = roundness_of_turn(e.normal, inverted_);
+      set_roundness_of_turn(s);
     }
     e.roundness = is_zero(e.normal) ? 0 : either(e.roundness, regular);
     if (sectors_.is_at_crease(s)) e.roundness = 1;
@@ -143,18 +173,20 @@ private:
   {
     Estimate& e = estimates_[s];
     if (sectors_.is_at_crease(s)) return;
-    const Fan fan = sectors_.fan(s);
-    inverted_.assign(level_, fan, point_);
-    e.roundness = roundness_of_turn(e.normal, inverted_);
-    if (e.roundness < 1) e.roundness = either(e.roundness, regularity_of(e, mismatch(e, fan)));
-    if (is_zero(e.normal)) e.roundness = 0;
+    set_roundness_of_turn(s);
+    e.roundness = is_zero(e.normal) ? 0 : either(e.roundness, regularity_of(e));
   }
 
-  static double regularity_of(const Estimate& e, const Mismatch& m)
+  void set_roundness_of_turn(Index s)
   {
-    Vector difference = e.reciprocal;
-    add_multiple<double, 3>(difference, -1, e.area);
-    return regularity(length(difference), std::sqrt(m.squared_arc_error));
+    inverted_.assign(level_, sectors_.fan(s), point_);
+    estimates_[s].roundness = roundness_of_turn(estimates_[s].normal, inverted_);
+  }
+
+  static double regularity_of(const Estimate& e)
+  {
+    return regularity(length(difference<double, 3>(e.normal, e.area)),
+                      std::sqrt(e.squared_arc_error));
   }
 
   static Vector mixed(double share, const Vector& a, const Vector& b)
@@ -165,65 +197,33 @@ private:
     return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
   }
 
-  // f(inverted edge, its squared length, neighbor) for the edges at hand that have a length
-  template <class Function>
-  void for_each_edge(const Fan& fan, const Function& f) const
+  // none if all are round
+  std::vector<double> shares_beside_neighbors() const
   {
-    bool is_first = true;
-    for (const auto& ray : inverted_.rays()) {
-      const Index neighbor = neighbor_sector(sectors_, fan, ray.halfedge, is_first);
-      is_first = false;
-      if (ray.squared > 0) f(ray.inverted, ray.squared, estimates_[neighbor]);
-    }
-  }
-
-  Mismatch mismatch(const Estimate& e, const Fan& fan) const
-  {
-    Mismatch m;
-    for_each_edge(fan, [&](const Vector& inverted, double squared, const Estimate& neighbor) {
-      if (is_zero(neighbor.reciprocal)) return;
-      const auto of_neighbor = dot<double, 3>(neighbor.reciprocal, inverted);
-      const double r = dot<double, 3>(e.reciprocal, inverted) + of_neighbor;
-      const double a = dot<double, 3>(e.area, inverted) + of_neighbor;
-      m.reciprocal += r * r;
-      m.area += a * a;
-      m.rounding += squared;
-      m.squared_arc_error = (std::max)(m.squared_arc_error, r * r / squared);
-    });
-    m.rounding *= vanishing_tolerance<FT>() * vanishing_tolerance<FT>();
-    return m;
-  }
-
-  double final_roundness(Index s)
-  {
-    const Estimate& e = estimates_[s];
-    if (e.kind == Kind::empty || e.roundness == 0 || sectors_.is_at_crease(s)) return e.roundness;
-    const Fan fan = sectors_.fan(s);
-    if (!has_neighbor_that_is_not_round(fan)) return e.roundness;
-    inverted_.assign_rays(level_, fan, point_);
-    double least = 1;
-    for_each_edge(fan, [&](const Vector& inverted, double squared, const Estimate& neighbor) {
+    std::vector<double> shares;
+    const auto is_round = [](const Estimate& e) { return e.roundness == 1; };
+    if (std::all_of(estimates_.begin(), estimates_.end(), is_round)) return shares;
+    shares.resize(estimates_.size(), 1);
+    for_each_edge([&](Index i, Index j, Index h) {
+      const Estimate &s = estimates_[i], &t = estimates_[j];
+      if (is_round(s) && is_round(t)) return;
+      const Vector e = edge(h);
+      const double e_length = length(e);
+      if (!(e_length > 0)) return;
       const double error =
-        dot<double, 3>(e.normal, inverted) + dot<double, 3>(neighbor.normal, inverted);
-      least = (std::min)(
-        least, roundness_beside(neighbor.roundness, std::abs(error) / std::sqrt(squared)));
+        std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e)) / e_length;
+      shares[i] = (std::min)(shares[i], roundness_beside(t.roundness, error));
+      shares[j] = (std::min)(shares[j], roundness_beside(s.roundness, error));
     });
-    return e.roundness * least;
-  }
-
-  bool has_neighbor_that_is_not_round(const Fan& fan) const
-  {
-    bool is_found = false, is_first = true;
-    for_each_halfedge(level_, fan, [&](Index h) {
-      is_found = is_found || estimates_[neighbor_sector(sectors_, fan, h, is_first)].roundness < 1;
-      is_first = false;
-    });
-    return is_found;
+    for (Index s = 0; s < shares.size(); ++s)
+      if (sectors_.is_at_crease(s)) shares[s] = 1;
+    return shares;
   }
 
   const Level_connectivity& level_;
   const Sectors& sectors_;
   const Point_of& point_;
+  const Scaled_differences<FT, Point_of> difference_;
   Normal_estimation<FT, Sectors, Point_of> reciprocal_;
   std::vector<Estimate> estimates_;
   Inverted_fan<FT> inverted_; // of the sector at hand

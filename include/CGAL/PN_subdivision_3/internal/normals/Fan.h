@@ -84,17 +84,9 @@ public:
   template <class Point_of>
   void assign(const Level_connectivity& level, const Fan& fan, const Point_of& point)
   {
-    assign_rays(level, fan, point);
-    make_corners(fan.closed);
-  }
-
-  // the same without the corners
-  template <class Point_of>
-  void assign_rays(const Level_connectivity& level, const Fan& fan, const Point_of& point)
-  {
     collect(level, fan, point);
     invert();
-    corners_.clear();
+    make_corners(fan.closed);
   }
 
   const std::vector<Ray>& rays() const { return rays_; }
@@ -203,15 +195,6 @@ public:
 private:
   const Level_connectivity& level_;
 };
-
-// the sector at the other end of an edge of a fan, in the same run of faces
-template <class Sectors>
-Level_connectivity::Index neighbor_sector(const Sectors& sectors, const Fan& fan,
-                                          Level_connectivity::Index h, bool is_first)
-{
-  return is_first && h == fan.first ? sectors.at_source(h)
-                                    : sectors.at_target(Level_connectivity::opposite(h));
-}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -186,7 +186,9 @@ private:
     arcs_.clear();
     bool is_first = true;
     for (const auto& ray : inverted_.rays()) {
-      const Index neighbor = neighbor_sector(sectors_, fan, ray.halfedge, is_first);
+      const Index neighbor = is_first && ray.halfedge == fan.first
+                               ? sectors_.at_source(ray.halfedge)
+                               : sectors_.at_target(level_.opposite(ray.halfedge));
       is_first = false;
       const Estimate& e = estimates_[neighbor];
       if (e.is_known && ray.squared > 0)

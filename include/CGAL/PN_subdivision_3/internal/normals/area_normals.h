@@ -26,47 +26,29 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The sums of the area vectors of the faces of sectors, in double. Where squares of the size of the
-// mesh would leave the range of double, all is scaled by a power of two.
-template <class FT, class Sectors, class Point_of>
-class Area_normals
+// Differences of points in double. Where squares of the size of the mesh would leave the range of
+// double, all is scaled by a power of two.
+template <class FT, class Point_of>
+class Scaled_differences
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  Area_normals(const Level_connectivity& level, const Sectors& sectors, const Point_of& point)
-    : level_(level)
-    , sectors_(sectors)
-    , point_(point)
-    , exponent_(-exponent_of_size())
-    , sums_(sectors.number_of_sectors())
+  Scaled_differences(const Level_connectivity& level, const Point_of& point)
+    : point_(point)
   {
-    for (Index f = 0; f < level.number_of_faces(); ++f) add(level.halfedge_of_face(f));
+    constexpr double most = 0x1p200;
+    double largest = 0;
+    for (Index v = 1; v < level.number_of_vertices(); ++v)
+      largest = (std::max)(largest, size_of((*this)(v, 0)));
+    if (std::isfinite(largest) && largest > 0 && !(largest < most && largest > 1 / most))
+      exponent_ = -std::ilogb(largest);
   }
 
-  // the unit vector of the sum of a sector; zero if rounding could have made it
-  Vector operator()(Index s) const
+  Vector operator()(Index v, Index origin) const
   {
-    const Sum& sum = sums_[s];
-    const auto squared = dot<double, 3>(sum.area, sum.area);
-    if (!(squared > 0)) return {0, 0, 0};
-    const double size = length(sum.area);
-    if (!(size > sum.rounding) || !std::isfinite(size)) return {0, 0, 0};
-    return quotient(sum.area, size);
-  }
-
-private:
-  using T = Wide_number<FT>;
-
-  struct Sum
-  {
-    Vector area{0, 0, 0};
-    double rounding = 0;
-  };
-
-  Vector difference(Index v, Index origin) const
-  {
+    using T = Wide_number<FT>;
     const auto &p = point_(v), &q = point_(origin);
     Vector d = to_double_3<T>({T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])});
     if (exponent_ != 0)
@@ -74,15 +56,18 @@ private:
     return d;
   }
 
-  // zero for a size that is harmless
-  int exponent_of_size() const
+  // of differences to a point, at most of a size, by the rounding of the coordinates
+  double rounding(Index origin, double size) const
   {
-    constexpr double most = 0x1p200;
-    double largest = 0;
-    for (Index v = 1; v < level_.number_of_vertices(); ++v)
-      largest = (std::max)(largest, size_of(difference(v, 0)));
-    const bool is_harmless = largest == 0 || (largest < most && largest > 1 / most);
-    return is_harmless || !std::isfinite(largest) ? 0 : std::ilogb(largest);
+    constexpr double of_double = std::numeric_limits<double>::epsilon();
+    if constexpr (is_exact_v<FT>)
+      return of_double * size;
+    else {
+      const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
+      double coordinate = size_of(to_double_3<FT>(point_(origin)));
+      if (exponent_ != 0) coordinate = std::ldexp(coordinate, exponent_);
+      return (std::max)(epsilon * (coordinate + size), of_double * size);
+    }
   }
 
   static double size_of(const Vector& a)
@@ -90,42 +75,67 @@ private:
     return (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
   }
 
-  // of a coordinate, relative to the sizes of points and their differences
-  double rounding_of(Index v, double largest) const
+private:
+  const Point_of& point_;
+  int exponent_ = 0;
+};
+
+// The sums of the area vectors of the faces of sectors.
+class Area_normals
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  template <class FT, class Point_of, class Sectors>
+  Area_normals(const Level_connectivity& level, const Sectors& sectors,
+               const Scaled_differences<FT, Point_of>& difference)
+    : sums_(sectors.number_of_sectors())
   {
-    constexpr double of_double = std::numeric_limits<double>::epsilon();
-    if constexpr (is_exact_v<FT>) return of_double * largest;
-    const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
-    const double coordinate = std::ldexp(size_of(to_double_3<FT>(point_(v))), exponent_);
-    return (std::max)(epsilon * (coordinate + largest), of_double * largest);
+    for (Index f = 0; f < level.number_of_faces(); ++f)
+      add(level, sectors, difference, level.halfedge_of_face(f));
   }
 
-  void add(Index first)
+  // the unit vector of the sum of a sector; zero if rounding could have made it
+  Vector operator()(Index s) const
   {
-    const Index origin = level_.target(first);
+    const Sum& sum = sums_[s];
+    const double size = quick_length(sum.area);
+    if (!(size > sum.rounding) || !std::isfinite(size)) return {0, 0, 0};
+    return quotient(sum.area, size);
+  }
+
+private:
+  struct Sum
+  {
+    Vector area{0, 0, 0};
+    double rounding = 0;
+  };
+
+  template <class FT, class Point_of, class Sectors>
+  void add(const Level_connectivity& level, const Sectors& sectors,
+           const Scaled_differences<FT, Point_of>& difference, Index first)
+  {
+    const Index origin = level.target(first);
     Vector area{0, 0, 0}, before{0, 0, 0};
-    double largest = 0;
-    for (Index h = level_.next(first); h != first; h = level_.next(h)) {
-      const Vector d = difference(level_.target(h), origin);
-      add_multiple<double, 3>(area, 1, cross(before, d));
-      largest = (std::max)(largest, size_of(d));
+    double size = 0;
+    for (Index h = level.next(first); h != first; h = level.next(h)) {
+      const Vector d = difference(level.target(h), origin);
+      if (size > 0) add_multiple<double, 3>(area, 1, cross(before, d));
+      size = (std::max)(size, difference.size_of(d));
       before = d;
     }
-    const double rounding =
-      16 * largest * rounding_of(origin, largest) + vanishing_tolerance<FT>() * 3 * size_of(area);
+    const double rounding = 16 * size * difference.rounding(origin, size) +
+                            3 * vanishing_tolerance<FT>() * difference.size_of(area);
     Index h = first;
     do {
-      Sum& sum = sums_[sectors_.at_target(h)];
+      Sum& sum = sums_[sectors.at_target(h)];
       add_multiple<double, 3>(sum.area, 1, area);
       sum.rounding += rounding;
-      h = level_.next(h);
+      h = level.next(h);
     } while (h != first);
   }
 
-  const Level_connectivity& level_;
-  const Sectors& sectors_;
-  const Point_of& point_;
-  const int exponent_;
   std::vector<Sum> sums_;
 };
 
