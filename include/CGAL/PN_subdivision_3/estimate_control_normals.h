@@ -74,10 +74,9 @@ between the two, its weights, borders, angles) is computed in `double` from the 
 */
 template <class PolygonMesh, class VertexNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
-void estimate_control_normals(
-  const PolygonMesh& mesh, VertexNormalMap normals,
-  const NamedParameters& np = parameters::default_values(),
-  Control_normal_estimate estimate = Control_normal_estimate::coherent)
+void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
+                              const NamedParameters& np = parameters::default_values(),
+                              Control_normal_estimate estimate = Control_normal_estimate::coherent)
 {
   if constexpr (internal::check_estimation_arguments<PolygonMesh, VertexNormalMap,
                                                      NamedParameters>()) {

@@ -90,15 +90,15 @@ private:
       estimates_[s].kind = sectors_.is_empty(s) ? Kind::empty : Kind::open;
       set_normal(s, n);
     };
-    reciprocal_.estimate(
-      given, set_open, [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
-        Estimate& e = estimates_[s];
-        e.normal = reciprocal_.unblended(s);
-        e.is_reciprocal = !is_zero(e.normal);
-        e.roundness = roundness_of_turn(e.normal, inverted);
-        e.kind = Kind::closed;
-        return true;
-      });
+    reciprocal_.estimate(given, set_open,
+                         [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
+                           Estimate& e = estimates_[s];
+                           e.normal = reciprocal_.unblended(s);
+                           e.is_reciprocal = !is_zero(e.normal);
+                           e.roundness = roundness_of_turn(e.normal, inverted);
+                           e.kind = Kind::closed;
+                           return true;
+                         });
   }
 
   // one normal in place of the other where that vanishes

@@ -27,6 +27,17 @@ struct Ignore_roundness
   void operator()(Level_connectivity::Index, double) const {}
 };
 
+// into the values of sectors, if they have one
+template <class Value>
+struct Set_roundness_of_value
+{
+  void operator()([[maybe_unused]] Level_connectivity::Index s, [[maybe_unused]] double w) const
+  {
+    if constexpr (has_roundness_v<Value>) values[s].roundness = w;
+  }
+  Value* values;
+};
+
 template <class FT>
 struct No_given_normals
 {
