@@ -13,6 +13,7 @@
 #include "io/near_points.h"
 #include "io/normals_of_file.h"
 #include "io/parse_numbers.h"
+#include "io/shading_normals.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
 #include "surface/Bounding_box.h"
@@ -62,10 +63,18 @@ void report_contacts(const Mesh_data& mesh, const Soup_defects& defects, double 
   if (contacts.any()) report.warn(name + ": " + contacts.description(distance / diagonal));
 }
 
-// Flat shading is looked for in the faces as they are in the file, and as they have been turned.
-void note_flat_shading(Mesh_data& mesh)
+bool may_choose_normals(const Surface_options& options)
+{
+  return !options.linear && options.normals.value_or("auto") == "auto";
+}
+
+// Shading is looked for in the faces as they are in the file, and as they have been turned.
+void note_shading(Mesh_data& mesh, const Surface_options& options)
 {
   if (!mesh.flat_shading.is_there()) mesh.flat_shading = find_flat_shading(mesh);
+  const bool is_open = may_choose_normals(options) && !mesh.are_said_to_be_control;
+  if (is_open && !mesh.flat_shading.is_there() && !mesh.shading.is_there())
+    mesh.shading = find_shading(mesh);
 }
 
 void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
@@ -76,7 +85,7 @@ void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_optio
     if (repair.changed_anything()) {
       report.warn(name + ": " + repair.description());
       defects = find_defects(mesh);
-      note_flat_shading(mesh);
+      note_shading(mesh, options);
     }
     report.add_repair("removed_degenerate_faces", repair.removed_degenerate_faces);
     report.add_repair("split_faces", repair.split_faces);
@@ -106,6 +115,7 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
   split_mesh.copied_from = std::move(mesh.copied_from);
   split_mesh.vertices_with_several_normals = mesh.vertices_with_several_normals;
   split_mesh.flat_shading = mesh.flat_shading;
+  split_mesh.shading = mesh.shading;
   split_mesh.normal_kind = mesh.normal_kind;
   split_mesh.tags = std::move(mesh.tags);
   mesh = std::move(split_mesh);
@@ -197,7 +207,7 @@ Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& option
   require_finite_elements(mesh);
   const double distance = distance_to_join(mesh, file, options);
   Soup_defects defects = merge_points(mesh, file, options, distance, report);
-  note_flat_shading(mesh);
+  note_shading(mesh, options);
   make_manifold(mesh, name, options, distance, std::move(defects), report);
   if (options.triangulate) split_into_triangles(mesh, name, report);
   return mesh;

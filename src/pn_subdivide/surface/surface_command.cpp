@@ -471,6 +471,8 @@ void run_surface_command(const Surface_options& options)
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
+    const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
+    if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
