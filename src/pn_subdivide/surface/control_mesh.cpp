@@ -68,6 +68,11 @@ bool may_choose_normals(const Surface_options& options)
   return !options.linear && options.normals.value_or("auto") == "auto";
 }
 
+bool are_normals_taken(const Surface_options& options)
+{
+  return may_choose_normals(options) || (!options.linear && options.normals == "file");
+}
+
 // Shading is looked for in the faces as they are in the file, and as they have been turned.
 void note_shading(Mesh_data& mesh, const Surface_options& options)
 {
@@ -81,7 +86,12 @@ void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_optio
                    double joined_within, Soup_defects defects, Report& report)
 {
   if (options.repair) {
-    const Soup_repair repair = repair_soup(mesh);
+    Soup_repair repair = repair_soup(mesh);
+    if (are_normals_taken(options)) {
+      const Opposing_normals turned = turn_opposing_normals(mesh);
+      repair.turned_normals = turned.number;
+      repair.first_turned_normal = turned.first_vertex;
+    }
     if (repair.changed_anything()) {
       report.warn(name + ": " + repair.description());
       defects = find_defects(mesh);
@@ -93,6 +103,7 @@ void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_optio
     report.add_repair("reversed_faces", repair.reversed_faces);
     report.add_repair("added_vertices", repair.added_vertices);
     report.add_repair("turned_components", repair.turned_components);
+    report.add_repair("turned_normals", repair.turned_normals);
   }
   require_sound_elements(mesh);
   if (defects.none()) return report_contacts(mesh, defects, joined_within, name, report);

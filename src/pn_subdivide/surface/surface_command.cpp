@@ -136,17 +136,30 @@ Plan make_plan(const Surface_options& options)
   return plan;
 }
 
+std::string turned_by_repair(const Opposing_normals& opposing)
+{
+  if (opposing.of_all_faces == 0) return {};
+  return std::string("; --repair turns ") +
+         (opposing.number == 1 ? "it"
+          : opposing.of_all_faces == opposing.number
+            ? "them"
+            : std::to_string(opposing.of_all_faces) + " of them, which oppose all their faces,") +
+         " over";
+}
+
 void warn_of_opposing_normals(const Opposing_normals& opposing, const std::string& input,
                               Report& report)
 {
   if (opposing.number == 0) return;
-  report.warn(input + ": " + std::to_string(opposing.number) + " of " +
-              std::to_string(opposing.of) +
-              (opposing.number == 1 ? " normals points" : " normals point") +
-              " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
-              (opposing.number == opposing.of
-                 ? "), as if these were inside out"
-                 : "), and the surface may tear there; --normals estimate takes none of the file"));
+  report.warn(
+    input + ": " + std::to_string(opposing.number) + " of " + std::to_string(opposing.of) +
+    (opposing.number == 1 ? " normals points" : " normals point") +
+    " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
+    std::string(
+      opposing.number == opposing.of
+        ? "), as if these were inside out"
+        : "), and the surface may tear there; --normals estimate takes none of the file") +
+    turned_by_repair(opposing));
 }
 
 void warn_of_other_normals(Normal_kind kind, const std::string& input, Report& report)
