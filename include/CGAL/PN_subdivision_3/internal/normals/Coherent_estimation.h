@@ -156,6 +156,10 @@ private:
     const double t = e.mismatch <= tolerance * tolerance * e.curvature
                        ? 1
                        : share_of_reciprocal(e.mismatch, e.mismatch_of_area);
+    if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
+      set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+      return;
+    }
     const double regular = regularity_of(e);
     const double share = t * either(e.roundness, regular);
     if (share >= 1 && e.is_reciprocal)
@@ -185,7 +189,7 @@ private:
 
   static double regularity_of(const Estimate& e)
   {
-    return regularity(length(difference<double, 3>(e.normal, e.area)),
+    return regularity(quick_length(difference<double, 3>(e.normal, e.area)),
                       std::sqrt(e.squared_arc_error));
   }
 
@@ -193,7 +197,7 @@ private:
   {
     Vector n = multiple(share, a);
     add_multiple<double, 3>(n, 1 - share, b);
-    const double n_length = length(n);
+    const double n_length = quick_length(n);
     return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
   }
 
@@ -208,7 +212,7 @@ private:
       const Estimate &s = estimates_[i], &t = estimates_[j];
       if (is_round(s) && is_round(t)) return;
       const Vector e = edge(h);
-      const double e_length = length(e);
+      const double e_length = quick_length(e);
       if (!(e_length > 0)) return;
       const double error =
         std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e)) / e_length;
