@@ -68,21 +68,22 @@ Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& 
 
 // The tangents of the creases of a control level, where they are zero, from its points and the normals
 // that are given.
-template <class FT, class Point_of, class Given_normal>
+template <class FT, class Point_of, class Given_normal, class Has_joint>
 class Control_tangents
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
 
-  // point(v) of a vertex; given_normal(slot), zero if none is given; has_joints: of lines and arcs
+  // point(v) of a vertex; given_normal(slot), zero if none is given; has_joint(slot): whether lines and
+  // arcs may join there
   Control_tangents(const Level_connectivity& level, Creases<FT>& creases, const Point_of& point,
-                   const Given_normal& given_normal, bool has_joints)
+                   const Given_normal& given_normal, const Has_joint& has_joint)
     : level_(level)
     , creases_(creases)
     , point_(point)
     , given_normal_(given_normal)
-    , has_joints_(has_joints)
+    , has_joint_(has_joint)
     , is_at_crease_vertex_(creases.edges.size(), {false, false})
   {}
 
@@ -139,7 +140,7 @@ private:
     else {
       if (!is_given(to_b)) {
         b = made_certain(arc_tangent(along(to_a), along(to_b)), to_b);
-        if (has_joints_ && !has_given_normal(to_b)) free_.push_back(&star);
+        if (may_turn(to_b)) free_.push_back(&star);
       }
       a = opposite_vector<FT, 3>(b);
     }
@@ -209,13 +210,11 @@ private:
     m.add(square_of_difference(first), square_of_difference(second), 1 / (l * l));
   }
 
-  bool has_given_normal(const Crease_end& e) const
+  bool may_turn(const Crease_end& e) const
   {
     const Crease_edge<FT>& crease = creases_.edge(e);
-    return (crease.has_after(e.side) &&
-            !is_zero_not_unit<FT, 3>(given_normal_(crease.after[e.side]))) ||
-           (crease.has_before(e.side) &&
-            !is_zero_not_unit<FT, 3>(given_normal_(crease.before[e.side])));
+    return (!crease.has_after(e.side) || has_joint_(crease.after[e.side])) &&
+           (!crease.has_before(e.side) || has_joint_(crease.before[e.side]));
   }
 
   // adds a multiple of the unit vector of x
@@ -300,7 +299,7 @@ private:
   Creases<FT>& creases_;
   const Point_of& point_;
   const Given_normal& given_normal_;
-  const bool has_joints_;
+  const Has_joint& has_joint_;
   std::vector<const Crease_star*> free_;                 // whose tangents may turn
   std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
 };
