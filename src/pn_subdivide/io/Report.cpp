@@ -52,6 +52,12 @@ void Report::warn_of_dropped(const std::string& text, const std::vector<std::str
   dropped_.insert(dropped_.end(), names.begin(), names.end());
 }
 
+void Report::remark(const std::string& text)
+{
+  note(text);
+  remarks_.push_back(text);
+}
+
 void Report::add_repair(const std::string& what, std::size_t number)
 {
   if (number > 0) repaired_.emplace_back(what, number);
@@ -85,6 +91,7 @@ void Report::write_file(const Result& result) const
   json["faces"] = result.faces;
   json["rounds"] = result.rounds;
   json["warnings"] = warnings_;
+  json["notes"] = remarks_;
   json["dropped"] = dropped_;
   json["repaired"] = object(repaired_);
   json["limit"] = object(limit_);

@@ -57,6 +57,9 @@ public:
   // Not with --quiet.
   void note(const std::string& text) { notes_.push_back(text); }
 
+  // The same, and for --report: what data of the input was taken for.
+  void remark(const std::string& text);
+
   // For --report only: how many of what --repair and merging of points have changed, what is known of limits, and
   // what --check has measured.
   void add_repair(const std::string& what, std::size_t number);
@@ -74,7 +77,7 @@ private:
   Report_options options_;
   bool silent_;
   std::chrono::steady_clock::time_point start_;
-  std::vector<std::string> warnings_, notes_, dropped_;
+  std::vector<std::string> warnings_, notes_, remarks_, dropped_;
   std::vector<std::pair<std::string, std::size_t>> repaired_;
   std::vector<Number> limit_;
   std::vector<Value> check_;

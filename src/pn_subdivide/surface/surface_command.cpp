@@ -148,17 +148,30 @@ Plan make_plan(const Surface_options& options)
   return plan;
 }
 
+std::string turned_by_repair(const Opposing_normals& opposing)
+{
+  if (opposing.of_all_faces == 0) return {};
+  return std::string("; --repair turns ") +
+         (opposing.number == 1 ? "it"
+          : opposing.of_all_faces == opposing.number
+            ? "them"
+            : std::to_string(opposing.of_all_faces) + " of them, which oppose all their faces,") +
+         " over";
+}
+
 void warn_of_opposing_normals(const Opposing_normals& opposing, const std::string& input,
                               Report& report)
 {
   if (opposing.number == 0) return;
-  report.warn(input + ": " + std::to_string(opposing.number) + " of " +
-              std::to_string(opposing.of) +
-              (opposing.number == 1 ? " normals points" : " normals point") +
-              " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
-              (opposing.number == opposing.of
-                 ? "), as if these were inside out"
-                 : "), and the surface may tear there; --normals estimate takes none of the file"));
+  report.warn(
+    input + ": " + std::to_string(opposing.number) + " of " + std::to_string(opposing.of) +
+    (opposing.number == 1 ? " normals points" : " normals point") +
+    " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
+    std::string(
+      opposing.number == opposing.of
+        ? "), as if these were inside out"
+        : "), and the surface may tear there; --normals estimate takes none of the file") +
+    turned_by_repair(opposing));
 }
 
 void warn_of_other_normals(Normal_kind kind, const std::string& input, Report& report)
@@ -510,6 +523,8 @@ void run_surface_command(const Surface_options& options)
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
+    const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
+    if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
