@@ -72,8 +72,7 @@ private:
   struct Estimate
   {
     Vector normal{0, 0, 0}, area{0, 0, 0}; // unit vectors or zero; first the reciprocal normal
-    // sums over the edges: of the squared mismatches of the two, and of 1/|e|^2
-    double mismatch = 0, mismatch_of_area = 0, curvature = 0;
+    Curvature_mismatch mismatch;
     double squared_arc_error = 0; // the largest
     double roundness = 1;         // but for what the neighbors do to it
     Kind kind = Kind::given;
@@ -142,9 +141,7 @@ private:
   static void add_mismatch(Estimate& e, double of_normal, double of_area, double inverse)
   {
     const double arc_error = of_normal * of_normal * inverse;
-    e.mismatch += arc_error * inverse;
-    e.mismatch_of_area += of_area * of_area * inverse * inverse;
-    e.curvature += inverse;
+    e.mismatch.add(arc_error, of_area * of_area * inverse, inverse);
     e.squared_arc_error = (std::max)(e.squared_arc_error, arc_error);
   }
 
@@ -152,10 +149,7 @@ private:
   void estimate_closed(Index s, const Set_normal& set_normal)
   {
     Estimate& e = estimates_[s];
-    const double tolerance = vanishing_tolerance<FT>();
-    const double t = e.mismatch <= tolerance * tolerance * e.curvature
-                       ? 1
-                       : share_of_reciprocal(e.mismatch, e.mismatch_of_area);
+    const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
     if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
       return;

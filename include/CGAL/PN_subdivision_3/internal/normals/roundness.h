@@ -27,13 +27,28 @@ inline double smooth_window(double x, double low, double high)
   return smoothstep<double>((x - low) / (high - low));
 }
 
-// How much the reciprocal normal counts beside the area normal, by their curvature mismatches to the
-// neighbors, of which the former is zero on spheres and cylinders.
-inline double share_of_reciprocal(double mismatch_of_reciprocal, double mismatch_of_area)
+// How much the reciprocal normal of a vertex, or the circle's tangent, counts beside another one: by the
+// squared curvatures that are missing along its edges to agree with its neighbors. They are zero for
+// the former on spheres, cylinders and circles.
+struct Curvature_mismatch
 {
-  const double sum = mismatch_of_reciprocal + mismatch_of_area;
-  return sum > 0 ? smooth_window(mismatch_of_area / sum, 0.2, 0.5) : 1;
-}
+  // by what the ends of an edge miss, and 1/|e|^2
+  void add(double square_of_first, double square_of_second, double weight)
+  {
+    first += square_of_first * weight;
+    second += square_of_second * weight;
+    weights += weight;
+  }
+
+  double share_of_first(double tolerance) const
+  {
+    const double sum = first + second;
+    if (first <= tolerance * tolerance * weights || !std::isfinite(sum)) return 1;
+    return smooth_window(second / sum, 0.2, 0.5);
+  }
+
+  double first = 0, second = 0, weights = 0;
+};
 
 // Two planes at a right angle turn by 45 degrees from any normal between them, a regular pentagon by
 // 36. 0 where no corner has an area.

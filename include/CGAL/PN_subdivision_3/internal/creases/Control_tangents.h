@@ -1,0 +1,311 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/average/number_functions.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// x without its part along the direction of u, as far as the squared length of u says that there is
+// one: that is 2 strength if u is the sum or difference of two unit vectors.
+template <class FT>
+void strip_direction(Coordinates<FT, 3>& x, const Coordinates<FT, 3>& original,
+                     Coordinates<FT, 3> u, const FT& strength)
+{
+  const FT f = smoothstep<FT>(FT(64) * strength);
+  const FT squared_length = dot<FT, 3>(u, u);
+  if (f == FT(0) || squared_length == FT(0)) return;
+  divide_by_length<FT, 3>(u, squared_length);
+  add_multiple<FT, 3>(x, FT(-(f * dot<FT, 3>(original, u))), u);
+}
+
+// x without its part in the span of a and b; continuous also where these become parallel
+template <class FT>
+Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a,
+                         const Coordinates<FT, 3>& b)
+{
+  const FT c = dot<FT, 3>(a, b);
+  Coordinates<FT, 3> sum = a, result = x;
+  add_multiple<FT, 3>(sum, FT(1), b);
+  strip_direction<FT>(result, x, sum, FT(1) + c);
+  strip_direction<FT>(result, x, difference<FT, 3>(a, b), FT(1) - c);
+  return result;
+}
+
+// the same if a and b are one vector, which intervals do not tell
+template <class FT>
+Coordinates<FT, 3> strip(const Coordinates<FT, 3>& x, const Coordinates<FT, 3>& a)
+{
+  Coordinates<FT, 3> sum = a, result = x;
+  add_multiple<FT, 3>(sum, FT(1), a);
+  strip_direction<FT>(result, x, sum, FT(2));
+  return result;
+}
+
+// The tangents of the creases of a control level, where they are zero, from its points and the normals
+// that are given.
+template <class FT, class Point_of, class Given_normal, class Has_joint>
+class Control_tangents
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<FT, 3>;
+
+  // point(v) of a vertex; given_normal(slot), zero if none is given; has_joint(slot): whether lines and
+  // arcs may join there
+  Control_tangents(const Level_connectivity& level, Creases<FT>& creases, const Point_of& point,
+                   const Given_normal& given_normal, const Has_joint& has_joint)
+    : level_(level)
+    , creases_(creases)
+    , point_(point)
+    , given_normal_(given_normal)
+    , has_joint_(has_joint)
+    , is_at_crease_vertex_(creases.edges.size(), {false, false})
+  {}
+
+  void operator()()
+  {
+    for (const Crease_star& star : creases_.stars)
+      if (creases_.rule(star) == Vertex_rule::crease)
+        decided<FT>([&] { make_crease_tangents(star); }, Name{star});
+    turn_at_joints();
+    for (const Crease_star& star : creases_.stars)
+      if (creases_.rule(star) != Vertex_rule::crease)
+        for (Index i = 0; i < star.number_of_ends; ++i)
+          if (const Crease_end& e = creases_.end(star, i); !is_given(e))
+            decided<FT>([&] { make_end_tangent(e); }, Name{star});
+    if (creases_.has_fixed_border)
+      for (Crease_edge<FT>& e : creases_.edges)
+        if (e.is_border()) e.tangent_from = {zero_vector<FT, 3>(), zero_vector<FT, 3>()};
+  }
+
+private:
+  struct Name
+  {
+    std::string operator()() const
+    {
+      return "the tangents of the creases at vertex " + std::to_string(star.vertex);
+    }
+    const Crease_star& star;
+  };
+
+  // from the vertex of the end to the other end of the edge
+  Vector along(const Crease_end& e) const
+  {
+    const Index h = creases_.halfedge(e);
+    return difference<FT, 3>(point_(level_.source(h)), point_(level_.target(h)));
+  }
+  Vector& tangent_from(const Crease_end& e)
+  {
+    return creases_.edges[e.crease].tangent_from[1 - e.side];
+  }
+
+  bool is_given(const Crease_end& e)
+  {
+    return !are_certainly_equal<FT, 3>(tangent_from(e), zero_vector<FT, 3>());
+  }
+
+  void make_crease_tangents(const Crease_star& star)
+  {
+    const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
+    Vector &a = tangent_from(to_a), &b = tangent_from(to_b);
+    if (is_given(to_a) && is_given(to_b))
+      make_opposite_vectors<FT>(a, b);
+    else if (is_given(to_a))
+      b = opposite_vector<FT, 3>(a);
+    else {
+      if (!is_given(to_b)) {
+        b = made_certain(arc_tangent(along(to_a), along(to_b)), to_b);
+        if (may_turn(to_b)) free_.push_back(&star);
+      }
+      a = opposite_vector<FT, 3>(b);
+    }
+    for (const Crease_end& e : {to_a, to_b}) is_at_crease_vertex_[e.crease][1 - e.side] = true;
+  }
+
+  // Where a line joins an arc the tangent is that of the longer edge, and not of the circle through
+  // three points. The neighbors tell it.
+  void turn_at_joints()
+  {
+    std::vector<Vector> tangents;
+    for (const Crease_star* star : free_)
+      decided<FT>([&] { tangents.push_back(joint_tangent(*star)); }, Name{*star});
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      tangent_from(creases_.end(*free_[i], 0)) = opposite_vector<FT, 3>(tangents[i]);
+      tangent_from(creases_.end(*free_[i], 1)) = tangents[i];
+    }
+  }
+
+  Vector joint_tangent(const Crease_star& star)
+  {
+    const Crease_end &to_a = creases_.end(star, 0), &to_b = creases_.end(star, 1);
+    const Vector circle = tangent_from(to_b), x = along(to_b), y = along(to_a);
+    const FT x_length = length_of<FT, 3>(x), y_length = length_of<FT, 3>(y);
+    if (is_zero_not_unit<FT, 3>(circle) || x_length == FT(0) || y_length == FT(0)) return circle;
+    const FT of_x = x_length / (x_length + y_length), of_y = FT(1) - of_x;
+    Vector line = zero_vector<FT, 3>();
+    add_part(line, FT(of_x * of_x), x, x_length);
+    add_part(line, FT(-(of_y * of_y)), y, y_length);
+    line = unit_or_zero<FT, 3>(line, FT(1));
+    if (is_zero_not_unit<FT, 3>(line)) return circle;
+
+    const FT circle_length = length_of<FT, 3>(circle);
+    Vector t = circle;
+    for (FT& c : t) c /= circle_length;
+    Curvature_mismatch m;
+    add_mismatch(m, to_a, t, line, FT(1), FT(y_length / x_length));
+    add_mismatch(m, to_b, t, line, FT(-1), FT(1));
+    const double share = m.share_of_first(vanishing_tolerance<FT>());
+    if (share >= 1) return circle;
+    scale<FT, 3>(t, FT(share));
+    add_multiple<FT, 3>(t, FT(1 - share), line);
+    t = unit_or_zero<FT, 3>(t, FT(1));
+    scale<FT, 3>(t, circle_length);
+    return t;
+  }
+
+  // of two tangents at the vertex of an end to that at the other end of its edge, if it has one, both
+  // mirrored in the plane between the ends
+  void add_mismatch(Curvature_mismatch& m, const Crease_end& e, const Vector& first,
+                    const Vector& second, const FT& sign, const FT& relative_length) const
+  {
+    if (!is_at_crease_vertex_[e.crease][e.side]) return;
+    Vector other = creases_.edges[e.crease].tangent_from[e.side], u = along(e);
+    if (is_zero_not_unit<FT, 3>(other)) return;
+    scale<FT, 3>(other, sign);
+    const FT length = length_of<FT, 3>(u);
+    for (FT& c : u) c /= length;
+    const auto square_of_difference = [&](const Vector& t) {
+      Vector d = zero_vector<FT, 3>();
+      add_multiple<FT, 3>(d, FT(FT(2) * dot<FT, 3>(t, u)), u);
+      d = difference<FT, 3>(difference<FT, 3>(d, t), other);
+      const auto x = to_double_3<FT>(d);
+      return dot<double, 3>(x, x);
+    };
+    const double l = close_double(relative_length);
+    m.add(square_of_difference(first), square_of_difference(second), 1 / (l * l));
+  }
+
+  bool may_turn(const Crease_end& e) const
+  {
+    const Crease_edge<FT>& crease = creases_.edge(e);
+    return (!crease.has_after(e.side) || has_joint_(crease.after[e.side])) &&
+           (!crease.has_before(e.side) || has_joint_(crease.before[e.side]));
+  }
+
+  // adds a multiple of the unit vector of x
+  static void add_part(Vector& t, const FT& multiple, Vector x, const FT& x_length)
+  {
+    FT factor = multiple / x_length;
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!std::isfinite(factor)) { // denormal lengths have no inverse
+        for (FT& coordinate : x) coordinate /= x_length;
+        factor = multiple;
+      }
+    add_multiple<FT, 3>(t, factor, x);
+  }
+
+  // of the circle from y through 0 to x, there; (x/|x|^2 - y/|y|^2) / (1/|x| + 1/|y|)
+  static Vector arc_tangent(Vector y, Vector x)
+  {
+    const FT x_length = length_of<FT, 3>(x), y_length = length_of<FT, 3>(y);
+    Vector t = zero_vector<FT, 3>();
+    if (x_length == FT(0) && y_length == FT(0)) return t;
+    const FT sum = x_length + y_length;
+    if (x_length == FT(0)) {
+      add_part(t, FT(-1), y, y_length);
+    } else if (y_length == FT(0)) {
+      add_part(t, FT(1), x, x_length);
+    } else {
+      add_part(t, FT(y_length / sum), x, x_length);
+      add_part(t, FT(-(x_length / sum)), y, y_length);
+    }
+    return t;
+  }
+
+  // at a corner or the end of a dart: on one arc with the tangent at the other end of the edge
+  void make_end_tangent(const Crease_end& e)
+  {
+    Vector u = along(e);
+    const FT length = length_of<FT, 3>(u);
+    if (length == FT(0)) {
+      tangent_from(e) = zero_vector<FT, 3>();
+      return;
+    }
+    for (FT& x : u) x /= length;
+    const Vector s = opposite_vector<FT, 3>(creases_.edges[e.crease].tangent_from[e.side]);
+    Vector t0 = u;
+    const FT squared_length = dot<FT, 3>(s, s);
+    if (is_at_crease_vertex_[e.crease][e.side] && squared_length != FT(0)) {
+      const FT factor = FT(2) * dot<FT, 3>(s, u) + FT(1) - root_of_square<FT>(squared_length);
+      scale<FT, 3>(t0, factor);
+      t0 = difference<FT, 3>(t0, s);
+    }
+    tangent_from(e) = made_certain(t0, e);
+  }
+
+  // made orthogonal to the given normals beside the edge, of length 1 unless that leaves too little
+  Vector made_certain(const Vector& t0, const Crease_end& e) const
+  {
+    const Crease_edge<FT>& crease = creases_.edge(e);
+    Vector n1 = zero_vector<FT, 3>(), n2 = n1;
+    if (crease.has_after(e.side)) n1 = given_normal_(crease.after[e.side]);
+    if (crease.has_before(e.side)) n2 = given_normal_(crease.before[e.side]);
+    if (is_zero_not_unit<FT, 3>(n1)) std::swap(n1, n2);
+    if (is_zero_not_unit<FT, 3>(n1)) return of_certain_length(t0, t0);
+    const bool has_both = !is_zero_not_unit<FT, 3>(n2);
+    return of_certain_length(t0, has_both ? strip<FT>(t0, n1, n2) : strip<FT>(t0, n1));
+  }
+
+  static Vector of_certain_length(const Vector& t0, Vector t)
+  {
+    const FT tau = Unit_normal_traits<FT>::vanishing_tolerance();
+    const FT t0_square = dot<FT, 3>(t0, t0), t_square = dot<FT, 3>(t, t);
+    if (t0_square <= tau * tau || t_square <= tau * tau * t0_square) return zero_vector<FT, 3>();
+    divide_by_length<FT, 3>(t, t_square);
+    if (FT(64) * t0_square < FT(1))
+      scale<FT, 3>(t, smoothstep<FT>(FT(8) * root_of_square<FT>(t0_square)));
+    if (FT(4) * t_square < t0_square)
+      scale<FT, 3>(t, smoothstep<FT>(FT(2) * root_of_square<FT>(t_square / t0_square)));
+    drop_short_tangent<FT, 3>(t);
+    return t;
+  }
+
+  const Level_connectivity& level_;
+  Creases<FT>& creases_;
+  const Point_of& point_;
+  const Given_normal& given_normal_;
+  const Has_joint& has_joint_;
+  std::vector<const Crease_star*> free_;                 // whose tangents may turn
+  std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CONTROL_TANGENTS_H
