@@ -69,6 +69,10 @@ struct Comparison_with_linear
 
   /// vertices of the control mesh.
   std::size_t control_vertices = 0;
+  /// control vertices of roundness 0, if the roundness varies; else 0.
+  std::size_t vertices_of_roundness_0 = 0;
+  /// the same of a roundness below 1.
+  std::size_t vertices_of_roundness_below_1 = 0;
   /// control edges that are not sharp and turn by more than 40 degrees: what `detect_creases()` finds beyond those that
   /// are sharp.
   std::size_t turning_edges = 0;
@@ -155,6 +159,8 @@ Comparison_with_linear compare_levels(const Access& access, Level_with_points<FT
                                 std::to_string(linear.points.size()));
   Comparison_with_linear comparison;
   comparison.control_vertices = control.points.size();
+  comparison.vertices_of_roundness_0 = result.of_roundness_0;
+  comparison.vertices_of_roundness_below_1 = result.of_roundness_below_1;
   comparison.turning_edges = count_turning_edges(access, control, edge_map);
   const Unit_frame<FT> frame(control.points);
   const auto shape = [&](Level_with_points<FT>& level) {
