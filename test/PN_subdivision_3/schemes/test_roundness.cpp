@@ -122,7 +122,9 @@ TYPED_TEST(Roundness, OfOneIsTheSchemeAndOfZeroItsLinearTwinBitForBit)
     expect_same_points(linear, zero, control.name + " (0)");
     for (auto v : round.vertices()) {
       ASSERT_EQ(normal_map(round)[v], normal_map(one)[v]) << control.name;
-      ASSERT_EQ(normal_map(round)[v], normal_map(zero)[v]) << control.name; // in both rounds
+      if (TypeParam::is_linear_for_equal_normals) { // others make normals of points
+        ASSERT_EQ(normal_map(round)[v], normal_map(zero)[v]) << control.name;
+      }
       ASSERT_EQ(roundness_map(ones)[v], 1) << control.name;
     }
   }
@@ -272,7 +274,7 @@ TEST(Roundness_of_values, GrowsTheVolumeOfACube)
 TEST(Roundness_of_values, OutsideOfItsRangeIsRefusedAndTheMeshIsAsItWas)
 {
   const Surface_mesh control = to_surface_mesh(test_meshes::in_quads(test_meshes::bipyramid(3)));
-  for (const double w : {-0.25, 1.25, std::nan("")}) {
+  for (const double w : {-0.75, 1.75, std::nan("")}) {
     Surface_mesh mesh = control;
     roundness_map(mesh)[Surface_mesh::Vertex_index(2)] = w;
     try {
