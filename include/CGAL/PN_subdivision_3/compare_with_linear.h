@@ -198,7 +198,8 @@ point of the mesh and to its size, in `double`.
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
   `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated),
-  `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`; the maps are read only
+  `edge_is_constrained_map`, `vertex_is_constrained_map`, `parameters::vertex_roundness_map()` or `parameters::roundness()`,
+  and `geom_traits`, as in `subdivide()`; the maps are read only
 
 \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as `subdivide()` does
 <br><b>Cost:</b> that of both subdivisions; both results are held in flat arrays
@@ -225,9 +226,8 @@ Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme
       };
       const unsigned rounds = Parameters::number_of_iterations(np);
       internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        comparison =
-          internal::compare_levels(access, refined(linear(scheme), 0), edge_map, refined(s, rounds),
-                                   refined(linear(scheme), rounds));
+        comparison = internal::compare_levels(access, refined(linear(scheme), 0), edge_map,
+                                              refined(s, rounds), refined(linear(scheme), rounds));
       });
     });
   }

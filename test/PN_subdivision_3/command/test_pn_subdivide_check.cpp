@@ -288,7 +288,8 @@ TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
 TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
 {
   const std::string beam = folder.write("beam.off", box(10, 1, 1)),
-                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction)), file = work.file("r.json");
+                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction)),
+                    file = work.file("r.json");
   const auto report = [&](const std::string& input, const std::string& options) {
     EXPECT_EQ(run(words(input, folder.file("o.obj")) + options + " --report '" + file + "'").code,
               0);

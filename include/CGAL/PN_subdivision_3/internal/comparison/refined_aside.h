@@ -38,7 +38,7 @@ struct Level_with_points
 {
   Level_connectivity level;
   std::vector<Coordinates<FT, 3>> points;
-  // of control vertices, if they have a roundness each
+  // of control vertices, if their roundness varies
   std::size_t of_roundness_0 = 0, of_roundness_below_1 = 0;
 };
 
@@ -47,11 +47,15 @@ void count_roundness([[maybe_unused]] const std::vector<Value>& values,
                      [[maybe_unused]] Level_connectivity::Index number_of_vertices,
                      [[maybe_unused]] Level_with_points<FT>& result)
 {
-  if constexpr (has_roundness_v<Value>)
-    for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v) {
+  if constexpr (has_roundness_v<Value>) {
+    bool varies = false;
+    for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
+      varies = varies || CGAL::possibly(values[v].roundness != values[0].roundness);
+    for (Level_connectivity::Index v = 0; varies && v < number_of_vertices; ++v) {
       result.of_roundness_0 += CGAL::certainly(values[v].roundness == FT(0));
       result.of_roundness_below_1 += CGAL::certainly(values[v].roundness < FT(1));
     }
+  }
 }
 
 // the points of the vertices, which are the first values
