@@ -12,6 +12,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -254,8 +255,9 @@ void expect_measures(const PN::Comparison_with_linear& c, const Soup& control, c
     largest = std::max(largest, x);
     if (v == c.farthest_vertex) at_vertex = x;
   }
-  EXPECT_NEAR(c.largest_distance, double(largest), 1e-12 * double(largest));
-  EXPECT_NEAR(c.largest_distance, double(at_vertex), 1e-12 * double(largest));
+  const double rounding = 1e-12 * (1 + double(largest));
+  EXPECT_NEAR(c.largest_distance, double(largest), rounding);
+  EXPECT_NEAR(c.largest_distance, double(at_vertex), rounding);
 }
 
 void expect_same(const PN::Comparison_with_linear& a, const PN::Comparison_with_linear& b,
@@ -616,6 +618,56 @@ TEST(Compare_with_linear, TakesWhatSubdivideTakes)
   EXPECT_EQ(c.folded_edges, d.folded_edges);
   EXPECT_GT(c.largest_distance, 0.5); // the rim is a circle, that of the linear one is none
 }
+
+// --- roundness ---
+
+TEST(Compare_with_linear, RoundnessIsThatOfTheCall)
+{
+  Mesh mesh = shaken(torus(), 0.05, 4);
+  auto roundness = mesh.add_property_map<Mesh::Vertex_index, double>("v:w", 1).first;
+  for (unsigned v = 0; v < 12; ++v) roundness[Mesh::Vertex_index(v)] = v < 5 ? 0 : 0.5;
+  const PN::CatmullClark_scheme scheme;
+  const auto np = [&](auto map) {
+    return PN::parameters::vertex_roundness_map(map).number_of_iterations(2);
+  };
+  const auto c = PN::compare_with_linear(mesh, scheme, np(roundness));
+  EXPECT_EQ(c.vertices_of_roundness_0, 5u);
+  EXPECT_EQ(c.vertices_of_roundness_below_1, 12u);
+  EXPECT_EQ(c.control_vertices, 54u);
+  EXPECT_EQ(roundness[Mesh::Vertex_index(7)], 0.5);
+  Mesh result = mesh;
+  auto copy = result.add_property_map<Mesh::Vertex_index, double>("v:copy", 1).first;
+  for (const auto v : mesh.vertices()) copy[v] = roundness[v];
+  PN::subdivide(result, scheme, np(copy));
+  expect_measures(c, Soup(mesh), Soup(result), Soup(refined(mesh, PN::linear(scheme), 2)));
+  EXPECT_GT(c.largest_distance, 0.1);
+}
+
+TEST(Compare_with_linear, RoundnessOfAllVertices)
+{
+  Mesh mesh = cube(1, 1, 10);
+  auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector_3>("v:n").first;
+  for (const auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
+  const PN::CatmullClark_scheme scheme;
+  const auto of = [&](double w, const auto& np) {
+    const auto c = PN::compare_with_linear(mesh, scheme, PN::parameters::roundness(w, np));
+    EXPECT_EQ(c.vertices_of_roundness_0, 0u); // it does not vary
+    EXPECT_EQ(c.vertices_of_roundness_below_1, 0u);
+    return c;
+  };
+  const auto given = CGAL::parameters::number_of_iterations(3).vertex_normal_map(normals);
+  const auto estimated = CGAL::parameters::number_of_iterations(3);
+  for (const auto& none : {of(0, given), of(0, estimated)}) {
+    EXPECT_EQ(none.largest_distance, 0);
+    EXPECT_FALSE(none.is_swollen());
+  }
+  EXPECT_LT(of(0, given).volume_ratio, of(0.5, given).volume_ratio);
+  EXPECT_LT(of(0.5, given).volume_ratio, of(1, given).volume_ratio);
+  EXPECT_LT(of(0.5, estimated).volume_ratio, of(1, estimated).volume_ratio);
+  EXPECT_TRUE(of(1, given).is_swollen()); // a ball around the beam
+}
+
+// --- what is refused ---
 
 TEST(Compare_with_linear, RefusesWhatCannotBeCompared)
 {
