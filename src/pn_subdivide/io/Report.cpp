@@ -16,6 +16,7 @@
 
 #include <cstdio>
 #include <utility>
+#include <variant>
 
 namespace pn_subdivide {
 
@@ -94,6 +95,9 @@ void Report::write_file(const Result& result) const
   json["dropped"] = dropped_;
   json["repaired"] = object(repaired_);
   json["limit"] = object(limit_);
+  json["check"] = Json::object();
+  for (const auto& [key, value] : check_)
+    std::visit([&json, &name = key](const auto& x) { json["check"][name] = x; }, value);
   try {
     Output_file file(*options_.file);
     // what is no UTF-8 in a file's name is replaced

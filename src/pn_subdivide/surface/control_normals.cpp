@@ -30,7 +30,12 @@ namespace PN = CGAL::PN_subdivision_3;
 
 using Source = Normals_option::Source;
 
-constexpr PN::Control_normal_estimate default_estimate = PN::Control_normal_estimate::reciprocal;
+constexpr PN::Control_normal_estimate default_estimate = PN::Control_normal_estimate::coherent;
+
+PN::Control_normal_estimate default_of(const Normals_option& option)
+{
+  return option.is_reciprocal ? PN::Control_normal_estimate::reciprocal : default_estimate;
+}
 
 // In long double, so that normals of exact control data are correct to the last bit or nearly so.
 using Long_vector = CGAL::Simple_cartesian<long double>::Vector_3;
@@ -172,7 +177,7 @@ std::optional<PN::Control_normal_estimate> estimate_of_all(const Mesh_data& mesh
   if (option.source == Source::reciprocal) return PN::Control_normal_estimate::reciprocal;
   if (option.source == Source::estimate ||
       (option.source == Source::automatic && !mesh.has_normals()))
-    return default_estimate;
+    return default_of(option);
   return std::nullopt;
 }
 
@@ -246,10 +251,10 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
                   "some");
     break;
   case Source::automatic:
-    if (!mesh.has_normals()) estimate(mesh, default_estimate);
+    if (!mesh.has_normals()) estimate(mesh, default_of(option));
     break;
   case Source::estimate:
-    estimate(mesh, default_estimate);
+    estimate(mesh, default_of(option));
     break;
   case Source::reciprocal:
     estimate(mesh, PN::Control_normal_estimate::reciprocal);

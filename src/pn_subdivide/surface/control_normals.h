@@ -23,6 +23,7 @@ struct Normals_option
   enum class Source { automatic, file, estimate, reciprocal, angle, none, sphere, cylinder };
 
   Source source = Source::automatic;
+  bool is_reciprocal = false; // what automatic and estimate estimate
   Triple center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
   Triple axis{0, 0, 1};   // of the cylinder
 };

@@ -16,7 +16,7 @@
 #include "io/types_of_format.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
-#include "surface/Bounding_box.h"
+#include "surface/Linear_check.h"
 #include "surface/Output_normals.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
@@ -58,6 +58,17 @@ struct Plan
   unsigned threads;
 };
 
+void require_consistent_check(const Surface_options& options)
+{
+  if (!options.check) return;
+  if (options.linear)
+    throw Usage_error("--check and --linear exclude each other: --check compares with the linear "
+                      "result");
+  if (options.levels == 0)
+    throw Usage_error("--check and --levels 0 exclude each other: nothing is refined that could be "
+                      "compared");
+}
+
 void require_consistent(const Surface_options& options)
 {
   require_surface_schemes(options.scheme);
@@ -74,6 +85,7 @@ void require_consistent(const Surface_options& options)
     throw Usage_error(std::string("--roundness and ") +
                       (options.linear ? "--linear" : "--normals none") +
                       " exclude each other: without normals nothing is round");
+  require_consistent_check(options);
   if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
   throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
                     " and --linear exclude each other: in linear schemes normals take no part");
@@ -130,6 +142,13 @@ Plan make_plan(const Surface_options& options)
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
+  if (options.roundness && plan.interpolation)
+    throw Usage_error("--roundness and --interpolate exclude each other: surfaces through points are "
+                      "known with roundness 1 only");
+  if (plan.interpolation) { // the estimate that natural normals begin with
+    plan.roundness = {Roundness_option::Source::constant, 1};
+    plan.normals.is_reciprocal = true;
+  }
   if (options.roundness) plan.roundness = parse_roundness_option(*options.roundness);
   if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);
   plan.threads = number_of_threads(options);
@@ -306,10 +325,48 @@ void announce_long_work(Surface& surface, const Surface_options& options,
   report.progress(scheme.scheme + text);
 }
 
+// Whether the user may be told of edges to be tagged: they could be sharp, and nobody has said which are.
+bool may_suggest_tags(const Plan& plan, const Surface_options& options, const Scheme_choice& scheme)
+{
+  return options.creases.sharp.value_or("auto") == "auto" && !plan.interpolation &&
+         scheme_without_creases(scheme).empty();
+}
+
+bool has_shape_normals(const Plan& plan)
+{
+  using Source = Normals_option::Source;
+  return plan.normals.source == Source::sphere || plan.normals.source == Source::cylinder;
+}
+
+bool takes_file_normals(const Plan& plan, bool has_file_normals)
+{
+  using Source = Normals_option::Source;
+  return has_file_normals &&
+         (plan.normals.source == Source::file || plan.normals.source == Source::automatic);
+}
+
+Linear_check::Choices choices(const Plan& plan, const Surface_options& options,
+                              const Scheme_choice& scheme, bool has_file_normals)
+{
+  return {may_suggest_tags(plan, options, scheme),
+          has_shape_normals(plan) || takes_file_normals(plan, has_file_normals), std::nullopt};
+}
+
+// For the closing line: ", 12 edges turn ...", if somebody could want them sharp.
+std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
+                          const Scheme_choice& scheme, const Creases& creases)
+{
+  if (options.report.quiet || options.levels == 0 || !mesh.has_normals() || has_shape_normals(plan))
+    return {};
+  if (!may_suggest_tags(plan, options, scheme)) return {};
+  const std::size_t number = number_of_turning_edges(mesh, creases);
+  return number == 0 ? "" : ", " + turning_edges_text(number) + ": --sharp angle:40";
+}
+
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
-             Report& report)
+             std::optional<Linear_check>& check, Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
   const bool is_creased = creases.any() || creases.border != Border::surface;
@@ -328,11 +385,14 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
   announce_long_work(surface, options, scheme, report);
+  if (options.check)
+    check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
   if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
   Wedge_list wedges;
   rounds.wedges = &wedges;
   if (is_creased) rounds.creases = add_creases(surface, creases, plan.limit.is_used() || has_tags);
+  if (check) check->set_net(surface, rounds.creases);
   if (options.levels > 0) {
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
@@ -347,6 +407,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
       control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
+  if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
@@ -363,22 +424,6 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
-}
-
-void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Plan& plan,
-                    Report& report)
-{
-  constexpr double noteworthy = 0.5; // the sphere from a cube: 0.37
-  const Excess e = excess(control, Bounding_box(mesh.points));
-  if (!(e.ratio > noteworthy)) return;
-  char text[300];
-  std::snprintf(
-    text, sizeof text,
-    ": the surface leaves the control mesh's box by %.2f times its extent in %c, because "
-    "normals bend long faces; --linear gives a surface without normals, shorter faces "
-    "beside the edges keep this one closer",
-    e.ratio, e.direction);
-  report.warn(plan.output.title("standard output") + text);
 }
 
 // Limits are those of what is smooth or sharp for ever.
@@ -442,19 +487,19 @@ std::string time_of(const Report& report)
 
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                          const Scheme_choice& scheme, const std::string& normals, bool has_normals,
-                         const Creases& creases, const Report& report)
+                         const Creases& creases, const std::string& turning, const Report& report)
 {
   std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
                   rounds_of(plan, options, scheme, has_normals) + ", " + normals +
                   creases.description();
   if (has_normals && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
-  return s + time_of(report);
+  return s + turning + time_of(report);
 }
 
 void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
                      const Scheme_choice& scheme, const std::string& normals,
-                     const Creases& creases, Report& report)
+                     const Creases& creases, const std::string& turning, Report& report)
 {
   const unsigned number = ranks().number();
   const std::string pieces =
@@ -469,7 +514,7 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals +
-              creases.description() + ", " + pieces + time_of(report));
+              creases.description() + ", " + pieces + turning + time_of(report));
   report.print_warnings();
   report.write_file({options.input, options.output, size.vertices, size.faces, options.levels});
   report.print_notes();
@@ -486,7 +531,8 @@ void run_surface_command(const Surface_options& options)
   const std::string input = plan.input.title("standard input");
   Mesh_data mesh;
   Scheme_choice scheme;
-  std::string normals;
+  std::string normals, turning;
+  std::optional<Linear_check> check;
   bool has_normals = false; // to refine with
   Creases creases;
   Pieces_job pieces;
@@ -510,14 +556,13 @@ void run_surface_command(const Surface_options& options)
     normals = set_normals(mesh, plan, creases, report);
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
+    turning = turning_edges(mesh, plan, options, scheme, creases);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
                                plan.output_normals);
     else {
-      const Bounding_box control(mesh.points);
-      process(mesh, plan, options, scheme, creases, has_file_normals, report);
-      // whoever takes the linear scheme has chosen so
-      if (options.levels > 0 && has_normals) warn_of_excess(control, mesh, plan, report);
+      process(mesh, plan, options, scheme, creases, has_file_normals, check, report);
+      if (check) report.set_check(check->values());
       if (plan.verification) plan.verification->measure(mesh.points);
     }
   } catch (const Usage_error&) {
@@ -530,8 +575,10 @@ void run_surface_command(const Surface_options& options)
     const std::string what = message_of(e);
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
-  if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, creases, report);
+  if (in_pieces)
+    return write_in_pieces(pieces, plan, options, scheme, normals, creases, turning, report);
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
+  if (check) check->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
@@ -542,7 +589,8 @@ void run_surface_command(const Surface_options& options)
   suit_tags(mesh, plan.output, options, plan.output_normals, report);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   tags.commit();
-  report.note(closing_line(mesh, plan, options, scheme, normals, has_normals, creases, report));
+  report.note(
+    closing_line(mesh, plan, options, scheme, normals, has_normals, creases, turning, report));
   report.print_warnings();
   report.write_file(
     {options.input, options.output, mesh.points.size(), mesh.number_of_faces(), options.levels});
