@@ -98,8 +98,8 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
       for (Index slot = 0; slot < values.size(); ++slot)
         internal::point_of(values[slot]) =
           internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
-      internal::Control_creases<FT, Value>(level, creases, values, std::vector<bool>(values.size(), false),
-                                    estimate)();
+      internal::Control_creases<FT, Value>(level, creases, values,
+                                           std::vector<bool>(values.size(), false), estimate)();
       const internal::Cut_level<FT> cut(level, creases);
       static_assert(internal::is_of_halfedges_v<Access, HalfedgeNormalMap>,
                     "PN_subdivision_3: the normal map is no property map of the mesh's half-edges");
@@ -108,7 +108,8 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
         put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
       });
       if constexpr (!std::is_same_v<typename Parameters::Roundness_map, internal::No_roundness>) {
-        using Number = typename boost::property_traits<typename Parameters::Roundness_map>::value_type;
+        using Number =
+          typename boost::property_traits<typename Parameters::Roundness_map>::value_type;
         const auto roundness = Parameters::roundness_map(np);
         for (Index v = 0; v < n; ++v)
           put(roundness, access.vertex(v), internal::roundness_as<Number>(values[v].roundness));

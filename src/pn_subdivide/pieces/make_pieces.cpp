@@ -89,9 +89,8 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
   const auto given = rounds.vertex_normal_map(*normals);
   const std::optional<Roundness_map> roundness = roundness_of(surface);
   return with_scheme(choice, [&](const auto& scheme) {
-    return roundness ? pieces_of_scheme(
-                         surface, scheme, number,
-                         PN::parameters::vertex_roundness_map(*roundness, given))
+    return roundness ? pieces_of_scheme(surface, scheme, number,
+                                        PN::parameters::vertex_roundness_map(*roundness, given))
                      : pieces_of_scheme(surface, scheme, number, given);
   });
 }

@@ -80,12 +80,11 @@ Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S
 {
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
-  return PN::move_to_limit<Tag>(
-    surface, scheme, options,
-    PN::parameters::vertex_roundness_map(roundness,
-                                         CGAL::parameters::vertex_normal_map(normals)
-                                           .edge_is_constrained_map(creases.edges)
-                                           .vertex_is_constrained_map(creases.vertices)));
+  return PN::move_to_limit<Tag>(surface, scheme, options,
+                                PN::parameters::vertex_roundness_map(
+                                  roundness, CGAL::parameters::vertex_normal_map(normals)
+                                               .edge_is_constrained_map(creases.edges)
+                                               .vertex_is_constrained_map(creases.vertices)));
 }
 
 Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
