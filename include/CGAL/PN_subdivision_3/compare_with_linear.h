@@ -218,9 +218,11 @@ Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme
           edge_map, Parameters::vertex_constraint_map(np));
       };
       const unsigned rounds = Parameters::number_of_iterations(np);
-      comparison =
-        internal::compare_levels(access, refined(linear(scheme), 0), edge_map,
-                                 refined(scheme, rounds), refined(linear(scheme), rounds));
+      internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        comparison =
+          internal::compare_levels(access, refined(linear(scheme), 0), edge_map, refined(s, rounds),
+                                   refined(linear(scheme), rounds));
+      });
     });
   }
   return comparison;
