@@ -284,6 +284,9 @@ void add_curve_command(CLI::App& app, Curve_options& options)
                    "dual (even degrees)");
   add_levels(curve, options.levels);
   add_linear(curve, options.linear);
+  curve.add_option("--roundness", options.roundness,
+                   "How far points leave those of the linear scheme, from 0 (linear points) to 1 "
+                   "(default)");
   curve.add_flag("--closed", options.closed,
                  "The polygon is closed; its first vertex is not repeated");
   curve.add_option("--end", options.end,

@@ -9,11 +9,11 @@
 #include "surface/roundness.h"
 
 #include "io/Error.h"
+#include "io/parse_numbers.h"
 #include "surface/control_normals.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 namespace pn_subdivide {
@@ -44,14 +44,6 @@ bool is_one(const std::vector<double>& roundness)
 }
 
 } // namespace
-
-double parse_roundness(const std::string& text, const std::string& expected)
-{
-  char* end = nullptr;
-  const double x = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == '\0' && x >= 0 && x <= 1) return x;
-  throw Usage_error("--roundness '" + text + "': expected " + expected + "a number from 0 to 1");
-}
 
 Roundness_option parse_roundness_option(const std::string& text)
 {

@@ -25,13 +25,15 @@ struct Roundness_option
 
   Source source = Source::automatic;
   double value = 1; // of all, if it is constant
+
+  std::optional<double> constant() const
+  {
+    return source == Source::constant ? std::optional<double>(value) : std::nullopt;
+  }
 };
 
 // auto | file | estimate | X. Throws Usage_error.
 Roundness_option parse_roundness_option(const std::string& text);
-
-// From 0 to 1. Throws Usage_error, which says what else might have been `expected`.
-double parse_roundness(const std::string& text, const std::string& expected);
 
 // Chooses between the roundness of the file and that of an estimate of normals, if there was one: `of_file` and
 // `mesh.roundness`, which is empty afterwards where all is 1. Throws Error if the file was to have one and has none, or

@@ -350,7 +350,8 @@ Linear_check::Choices choices(const Plan& plan, const Surface_options& options,
                               const Scheme_choice& scheme, bool has_file_normals)
 {
   return {may_suggest_tags(plan, options, scheme),
-          has_shape_normals(plan) || takes_file_normals(plan, has_file_normals), std::nullopt};
+          has_shape_normals(plan) || takes_file_normals(plan, has_file_normals),
+          plan.roundness.constant()};
 }
 
 // For the closing line: ", 12 edges turn ...", if somebody could want them sharp.
