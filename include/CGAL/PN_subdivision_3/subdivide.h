@@ -122,6 +122,21 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamExtra{For schemes with rules for creases the keys may be
                     `boost::graph_traits<PolygonMesh>::%halfedge_descriptor`s: a normal per corner.}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_roundness_map}
+    \cgalParamDescription{the roundness of the vertices, see `PN_average`. If the map can be written it gets that of the
+                          refined vertices.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and a number type as value type;
+                   `parameters::vertex_roundness_map()` makes the parameter}
+    \cgalParamDefault{1 where normals are given; where they are estimated that of the estimate, see
+                      `estimate_control_normals()`}
+    \cgalParamExtra{A linear scheme ignores it.}
+  \cgalParamNEnd
+  \cgalParamNBegin{roundness}
+    \cgalParamDescription{the roundness of all vertices, in place of the map}
+    \cgalParamType{a number from 0 to 1; `parameters::roundness()` makes the parameter}
+    \cgalParamDefault{as that of `vertex_roundness_map`}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the sharp edges of `mesh`. If the map can be written, the parts of a sharp
                           edge get its value, less the number of rounds if it is a finite number,
@@ -160,7 +175,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border (a vertex that
   joins several fans of faces, an edge without a face, broken connectivity), if the scheme cannot
-  refine one of the faces, if a point or normal is not finite, if a sharpness is negative or not a
+  refine one of the faces, if a point or normal is not finite, if a roundness is not from 0 to 1, if a sharpness is negative or not a
   number, if something is sharp and the scheme has no rules for it, if an array of `attributes` does not fit the mesh, or
   if they need a scheme that splits edges and this one does not (`splits_edges_v`). The message names the element. These
   checks do not depend on `NDEBUG`.
@@ -194,12 +209,15 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& n
     if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
     const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
       unwrapped, attributes};
-    const internal::Mesh_subdivision<Concurrency_tag, Scheme, typename Parameters::FT> subdivision(
-      scheme, iterations, round_done);
     internal::with_mesh_access(mesh, [&](auto& access) {
-      subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                  Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-                  carry);
+      internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        using Scheme_of_call = std::decay_t<decltype(s)>;
+        const internal::Mesh_subdivision<Concurrency_tag, Scheme_of_call, typename Parameters::FT>
+          subdivision(s, iterations, round_done);
+        subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                    Parameters::roundness_map(np), Parameters::edge_constraint_map(np),
+                    Parameters::vertex_constraint_map(np), carry);
+      });
     });
   }
 }

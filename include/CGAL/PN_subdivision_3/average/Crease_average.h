@@ -53,6 +53,9 @@ a<sub>j</sub>&chi;<sub>j</sub> the point is q + (&sum; a<sub>j</sub> &chi;<sub>j
 T<sub>j</sub>(p<sub>j</sub> - q))/W, or q if W < 1/64, and the sum of normals has a<sub>j</sub>
 &chi;<sub>j</sub> for a<sub>j</sub>. A vanishing sum of normals gives a zero normal.
 
+With a roundness w = &sum; a<sub>j</sub> w<sub>j</sub> the point is q + w &sum; a<sub>j</sub>
+T<sub>j</sub>(p<sub>j</sub> - q).
+
 The constructor evaluates the point and the tangent, once for all wedges.
 */
 template <class FT_, int dimension>
@@ -73,6 +76,10 @@ public:
 
   /// averages the entries `[begin, end)`.
   Crease_average(const Entry* begin, const Entry* end)
+    : Crease_average(begin, end, FT(1))
+  {}
+  /// the point lies at the fraction `roundness` of the way from q.
+  Crease_average(const Entry* begin, const Entry* end, const FT& roundness)
     : point_(internal::zero_vector<FT, dimension>())
     , tangent_(internal::zero_vector<FT, dimension>())
   {
@@ -85,7 +92,7 @@ public:
     }
     make_tangent(length_sum);
     for (const Entry* e = begin; e != end; ++e) transports_.push_back(transport(*e));
-    add_offset(begin, end);
+    add_offset(begin, end, roundness);
   }
 
   /// the new point.
@@ -157,7 +164,7 @@ private:
     return x;
   }
 
-  void add_offset(const Entry* begin, const Entry* end)
+  void add_offset(const Entry* begin, const Entry* end, const FT& roundness)
   {
     if (CGAL::certainly(internal::dot<FT, dimension>(tangent_, tangent_) == FT(0))) return;
     const Vector q = point_;
@@ -176,7 +183,7 @@ private:
       if (weight < FT(1) / FT(64)) return;
       for (FT& x : offset) x /= weight;
     }
-    internal::add_multiple<FT, dimension>(point_, FT(1), offset);
+    internal::add_multiple<FT, dimension>(point_, roundness, offset);
   }
 
   Vector point_, tangent_;

@@ -37,7 +37,46 @@ struct Point_normal
   Coordinates<FT, dimension> normal;
 };
 
+/// \ingroup PkgPNSubdivision3Average
+/// the same with a roundness w: 1 is the point-normal rule, 0 the linear one.
+template <class FT, int dimension>
+struct Point_normal_roundness
+{
+  /// the point.
+  Coordinates<FT, dimension> point;
+  /// the unit normal, zero if there is none.
+  Coordinates<FT, dimension> normal;
+  /// the roundness.
+  FT roundness = FT(1);
+
+  /// without the roundness.
+  operator Point_normal<FT, dimension>() const { return {point, normal}; }
+};
+
 namespace internal {
+
+template <class Value>
+struct Has_normal : std::false_type
+{};
+template <class FT, int dimension>
+struct Has_normal<Point_normal<FT, dimension>> : std::true_type
+{};
+template <class FT, int dimension>
+struct Has_normal<Point_normal_roundness<FT, dimension>> : std::true_type
+{};
+// whether a value is more than a point
+template <class Value>
+constexpr bool has_normal_v = Has_normal<Value>::value;
+
+template <class Value>
+struct Has_roundness_of_its_own : std::false_type
+{};
+template <class FT, int dimension>
+struct Has_roundness_of_its_own<Point_normal_roundness<FT, dimension>> : std::true_type
+{};
+// whether the roundness varies from value to value
+template <class Value>
+constexpr bool has_roundness_v = Has_roundness_of_its_own<Value>::value;
 
 template <class FT, int dimension>
 FT dot(const Coordinates<FT, dimension>& a, const Coordinates<FT, dimension>& b)
@@ -64,8 +103,8 @@ struct PN_height
   FT denominator;
 };
 
-template <class FT, int dimension>
-PN_height<FT> pn_height(const Point_normal<FT, dimension>& pj, const Coordinates<FT, dimension>& q,
+template <class FT, int dimension, class Value>
+PN_height<FT> pn_height(const Value& pj, const Coordinates<FT, dimension>& q,
                         const Coordinates<FT, dimension>& n)
 {
   FT s = pj.normal[0] + n[0];
@@ -140,6 +179,13 @@ n)&middot;(p<sub>j</sub> - q) / d<sub>j</sub>,
 
 If N vanishes, see `Unit_normal_traits::vanishing_tolerance()`, the result is q with a zero normal.
 
+<em>Roundness.</em> Values that have a roundness w<sub>j</sub> of their own, `Point_normal_roundness`, give
+
+ - w = &sum; a<sub>j</sub> w<sub>j</sub>, p = q + w (&sum; a<sub>j</sub> h<sub>j</sub>) n:
+
+the fraction w of the way from the linear point to that of the rule without. Since the weights sum to 1 exactly,
+this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0.
+
 <em>Fade of opposite normals.</em> Where n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is
 defined, and where it is nearly opposite, as one reversed normal among others is, the arc is many times
 longer than the chord. Such an entry takes no part, and it leaves continuously: with &chi;<sub>j</sub>
@@ -159,15 +205,15 @@ average points (`PN_mask_3`), which never see a row.
 
 The old values are a pointer to them, or anything whose `operator[]` makes a `Value` of an index.
 */
-template <class FT_, int dimension>
+template <class FT_, int dimension, class Value_ = Point_normal<FT_, dimension>>
 struct PN_average
 {
   /// the number type.
   using FT = FT_;
   /// a vector.
   using Vector = Coordinates<FT, dimension>;
-  /// what is averaged: a point with a normal.
-  using Value = Point_normal<FT, dimension>;
+  /// what is averaged: a point with a normal, and perhaps a roundness.
+  using Value = Value_;
 
   /// one mask for points and normals.
   template <class Entry, class Values>
@@ -187,8 +233,10 @@ struct PN_average
     for (const Entry* e = begin; e != end; ++e)
       internal::add_multiple<FT, dimension>(result.point, e->weight, old[e->vertex].point);
     result.normal = unit_normal(normal_begin, normal_end, old);
+    if constexpr (internal::has_roundness_v<Value>) result.roundness = roundness(begin, end, old);
     if (!is_zero(result.normal)) {
-      const FT h = height(begin, end, old, result);
+      FT h = height(begin, end, old, result);
+      if constexpr (internal::has_roundness_v<Value>) h *= result.roundness;
       internal::add_multiple<FT, dimension>(result.point, h, result.normal);
     }
     return result;
@@ -243,6 +291,14 @@ private:
       if (!is_zero(old[e->vertex].normal)) sum += CGAL::abs(e->weight);
     sum *= Traits::vanishing_tolerance();
     return sum * sum;
+  }
+
+  template <class Entry, class Values>
+  static FT roundness(const Entry* begin, const Entry* end, const Values& old)
+  {
+    FT sum(0);
+    for (const Entry* e = begin; e != end; ++e) sum += e->weight * old[e->vertex].roundness;
+    return sum;
   }
 
   // the sum of the heights over q = result.point

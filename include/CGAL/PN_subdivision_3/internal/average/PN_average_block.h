@@ -86,19 +86,46 @@ struct Interleaved_point_normal
   Lanes<FT> pairs[dimension];
 };
 
+// the same with a roundness
+template <class FT, int dimension>
+struct Interleaved_point_normal_roundness : Interleaved_point_normal<FT, dimension>
+{
+  using Base = Interleaved_point_normal<FT, dimension>;
+  using Value = Point_normal_roundness<FT, dimension>;
+
+  Interleaved_point_normal_roundness() = default;
+  Interleaved_point_normal_roundness(const Value& v)
+    : Base(Point_normal<FT, dimension>(v))
+    , roundness(v.roundness)
+  {}
+  operator Value() const
+  {
+    const Point_normal<FT, dimension> v = static_cast<const Base&>(*this);
+    return {v.point, v.normal, roundness};
+  }
+
+  FT roundness;
+};
+
+template <class FT, int dimension, class Value>
+using Interleaved =
+  std::conditional_t<has_roundness_v<Value>, Interleaved_point_normal_roundness<FT, dimension>,
+                     Interleaved_point_normal<FT, dimension>>;
+
 // The PN average in hardware floating point, in three passes over a block: sums, normalization,
 // heights. It is PN_average but for the order in which heights are added and for normals that are
 // multiplied by 1/|N|, not divided by |N|; a row that fades or whose normal may vanish is left to
 // PN_average itself. Rows of the same length are left to Wide, where the processor has the
 // registers for it; it changes no bit of the result.
-template <class FT_, int dimension, class Wide = Wide_PN_average<FT_, dimension>>
+template <class Average_, int dimension,
+          class Wide = Wide_PN_average<typename Average_::FT, dimension, typename Average_::Value>>
 class Staged_PN_average_block
 {
 public:
-  using FT = FT_;
-  using Average = PN_average<FT, dimension>;
+  using FT = typename Average_::FT;
+  using Average = Average_;
   using Value = typename Average::Value;
-  using Stored_value = Interleaved_point_normal<FT, dimension>;
+  using Stored_value = Interleaved<FT, dimension, Value>;
 
   void operator()(const Stencil_block<FT>& rows, const Stored_value* old, Value* result) const
   {
@@ -220,7 +247,8 @@ private:
     for (std::size_t r = begin; r < end; ++r) {
       for (int c = 0; c < dimension; ++c) result[r].normal[c] *= scale[r];
       FT least_denominator(2);
-      const FT h = height(rows, r, old, result[r], least_denominator);
+      FT h = height(rows, r, old, result[r], least_denominator);
+      if constexpr (has_roundness_v<Value>) h *= result[r].roundness;
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
       if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
           rows.length(r) == 1 || normal_rows.length(r) == 1)
@@ -234,21 +262,23 @@ private:
   {
     const Entry* const e = rows.begin(r);
     const std::size_t length = rows.length(r);
-    if (&rows.rows == &normal_rows.rows) {
-      return sum(e, length, old);
-    }
-    return {sum(e, length, old).point,
-            sum(normal_rows.begin(r), normal_rows.length(r), old).normal};
+    Value result = sum(e, length, old);
+    if (&rows.rows != &normal_rows.rows)
+      result.normal = sum(normal_rows.begin(r), normal_rows.length(r), old).normal;
+    return result;
   }
 
   static Value sum(const Entry* e, std::size_t length, const Stored_value* old)
   {
     Stored_value result;
     for (Lanes<FT>& pair : result.pairs) pair = Lanes<FT>::both(0);
+    if constexpr (has_roundness_v<Value>) result.roundness = FT(0);
     for (std::size_t j = 0; j < length; ++j) {
       const Lanes<FT> weight = Lanes<FT>::both(e[j].weight);
       for (int c = 0; c < dimension; ++c)
         result.pairs[c] = result.pairs[c] + weight * old[e[j].vertex].pairs[c];
+      if constexpr (has_roundness_v<Value>)
+        result.roundness += e[j].weight * old[e[j].vertex].roundness;
     }
     return result;
   }
@@ -317,12 +347,13 @@ struct Block_of
   using type = Average_block<Average>;
 };
 
-template <class FT, int dimension>
-struct Block_of<PN_average<FT, dimension>>
+template <class FT, int dimension, class Value>
+struct Block_of<PN_average<FT, dimension, Value>>
 {
+  using Average = PN_average<FT, dimension, Value>;
   using type =
-    std::conditional_t<std::is_floating_point_v<FT>, Staged_PN_average_block<FT, dimension>,
-                       Average_block<PN_average<FT, dimension>>>;
+    std::conditional_t<std::is_floating_point_v<FT>, Staged_PN_average_block<Average, dimension>,
+                       Average_block<Average>>;
 };
 
 } // namespace internal

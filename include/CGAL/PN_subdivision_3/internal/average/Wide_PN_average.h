@@ -36,7 +36,8 @@ constexpr FT least_squared_length() // of a normal that is too short
 
 // The PN averages of rows of the same length side by side in the lanes of wide registers. For this
 // number type and compiler there are none.
-template <class FT, int dimension, bool has_lanes = (Avx2_lanes<FT>::width > 0)>
+template <class FT, int dimension, class Value_ = Point_normal<FT, dimension>,
+          bool has_lanes = (Avx2_lanes<FT>::width > 0)>
 struct Wide_PN_average
 {
   static constexpr std::size_t maximum_length = 0;
@@ -47,8 +48,8 @@ struct Wide_PN_average
 // third. Every row is summed in the order of Staged_PN_average_block: the results are the same bit by
 // bit, unless the whole program is built for processors with FMA and the compiler fuses operations as
 // it likes.
-template <class FT, int dimension>
-class Wide_PN_average<FT, dimension, true>
+template <class FT, int dimension, class Value_>
+class Wide_PN_average<FT, dimension, Value_, true>
 {
   using Lanes = Avx2_lanes<FT>;
   using Packed = typename Lanes::Packed;
@@ -56,7 +57,7 @@ class Wide_PN_average<FT, dimension, true>
 
 public:
   using Entry = typename Stencil_block<FT>::Entry;
-  using Value = Point_normal<FT, dimension>;
+  using Value = Value_;
 
   static constexpr std::size_t maximum_length = 32;
   // four registers of rows hide the latency of square root and division
@@ -73,7 +74,8 @@ public:
                                                        Value* result)
   {
     constexpr std::size_t pair = 2 * sizeof(FT);
-    static_assert(sizeof(Entry) == pair && sizeof(Stored_value) == pair * dimension);
+    static_assert(sizeof(Entry) == pair &&
+                  (has_roundness || sizeof(Stored_value) == pair * dimension));
     Old entries[maximum_length * maximum_number_of_rows / width];
     Sums sums[maximum_number_of_rows / width];
     const std::size_t groups = (number + width - 1) / width;
@@ -94,15 +96,17 @@ public:
   }
 
 private:
+  static constexpr bool has_roundness = has_roundness_v<Value>;
+
   // the j-th entries of a register of rows
   struct Old
   {
     Packed weight, point[dimension], normal[dimension];
   };
-  // their q, N, |N|^2 and 1/|N|
+  // their q, N, |N|^2 and 1/|N|, and their roundness if that varies
   struct Sums
   {
-    Packed q[dimension], normal[dimension], squared_length, scale;
+    Packed q[dimension], normal[dimension], squared_length, scale, roundness;
   };
 
   // lanes without a row repeat the last one
@@ -117,10 +121,15 @@ private:
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void sum(const Entry* const (&row)[width], std::size_t length,
                                              const Stored_value* old, Old* entries, Sums& sums)
   {
-    Packed q[dimension], n[dimension];
+    Packed q[dimension], n[dimension], roundness = Lanes::all(0);
     for (int c = 0; c < dimension; ++c) q[c] = n[c] = Lanes::all(0);
     for (std::size_t j = 0; j < length; ++j) {
       gather(row, j, old, entries[j]);
+      if constexpr (has_roundness) {
+        Packed of_entry;
+        for (std::size_t i = 0; i < width; ++i) of_entry[i] = old[row[i][j].vertex].roundness;
+        roundness += entries[j].weight * of_entry;
+      }
       for (int c = 0; c < dimension; ++c) {
         q[c] += entries[j].weight * entries[j].point[c];
         n[c] += entries[j].weight * entries[j].normal[c];
@@ -134,6 +143,7 @@ private:
       sums.q[c] = q[c];
       sums.normal[c] = n[c];
     }
+    sums.roundness = roundness;
   }
 
   template <class Stored_value>
@@ -170,7 +180,11 @@ private:
       odd += weighted_height(entries[j + 1], q, n, least);
     }
     if (j < length) last = weighted_height(entries[j], q, n, least);
-    const Packed height = even + odd + last;
+    Packed height = even + odd + last;
+    if constexpr (has_roundness) {
+      height *= sums.roundness;
+      for (std::size_t i = 0; i < width; ++i) values[i]->roundness = sums.roundness[i];
+    }
     for (int c = 0; c < dimension; ++c) {
       q[c] += height * n[c];
       for (std::size_t i = 0; i < width; ++i) {

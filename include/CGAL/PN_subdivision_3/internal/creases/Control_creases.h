@@ -231,7 +231,7 @@ private:
 
 // The control data of a level with creases, once before the first round: the wedges' normals where
 // none are given, and the tangents.
-template <class FT>
+template <class FT, class Value = Point_normal<FT, 3>>
 class Control_creases
 {
 public:
@@ -239,8 +239,8 @@ public:
   using Vector = Coordinates<FT, 3>;
 
   // values[slot] has the point; its normal if is_given[slot]
-  Control_creases(const Level_connectivity& level, Creases<FT>& creases,
-                  std::vector<Point_normal<FT, 3>>& values, std::vector<bool> is_given,
+  Control_creases(const Level_connectivity& level, Creases<FT>& creases, std::vector<Value>& values,
+                  std::vector<bool> is_given,
                   Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
     : level_(level)
     , creases_(creases)
@@ -315,7 +315,7 @@ private:
 
   const Level_connectivity& level_;
   Creases<FT>& creases_;
-  std::vector<Point_normal<FT, 3>>& values_;
+  std::vector<Value>& values_;
   const std::vector<bool> is_given_;
   const Control_normal_estimate estimate_;
 };

@@ -180,6 +180,8 @@ private:
                     const Short_vector<Index>& wedge)
   {
     value.point = mixed(value.point, other.point, f);
+    if (!(value.roundness == other.roundness))
+      value.roundness = f * value.roundness + (FT(1) - f) * other.roundness;
     if constexpr (is_pn)
       for (std::size_t w = 0; w < value.normals.size(); ++w)
         value.normals[w] =
@@ -206,10 +208,18 @@ private:
     for (Index w = 0; w < wedges; ++w, ++result) {
       result->first = refined_star == null ? vertex : refined_.creases.stars[refined_star].slot(w);
       if constexpr (is_pn)
-        result->second = {value.point, value.normals[normal_of(w)]};
+        result->second = slot_value(value, value.normals[normal_of(w)]);
       else
         result->second = value.point;
     }
+  }
+
+  static Value slot_value(const Rule_value& value, const Vector& normal)
+  {
+    if constexpr (has_roundness_v<Value>)
+      return {value.point, normal, value.roundness};
+    else
+      return {value.point, normal};
   }
 
   const Data& data_;

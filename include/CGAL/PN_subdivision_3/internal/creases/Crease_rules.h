@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,7 @@ struct Crease_value
 
   Coordinates<FT, 3> point;
   Vectors normals, tangents;
+  FT roundness = FT(1); // of all wedges
 };
 
 // What the rules of a round read: the level cut open, its creases, the values of the slots and, of
@@ -89,8 +91,9 @@ public:
     const std::array<Entry, 2> entries{
       {{weight[0], point(a), e.tangent_from[0]},
        {weight[1], point(b), opposite_vector<FT, 3>(e.tangent_from[1])}}};
-    const Rule average(entries.data(), entries.data() + 2);
-    Value result{average.point(), {}, {average.tangent()}};
+    const FT roundness = averaged_roundness(entries, {a, b});
+    const Rule average(entries.data(), entries.data() + 2, roundness);
+    Value result{average.point(), {}, {average.tangent()}, roundness};
     if constexpr (is_pn) {
       const Vector none = zero_vector<FT, 3>();
       result.normals = {none, none};
@@ -148,6 +151,27 @@ private:
     const typename Average::Value value = data_.old[slot];
     return value.normal;
   }
+  FT roundness(Index slot) const
+  {
+    if constexpr (has_roundness_v<typename Average::Value>) {
+      const typename Average::Value value = data_.old[slot];
+      return value.roundness;
+    } else
+      return FT(1);
+  }
+  // Equal ones are not summed: here the weights come in another order than that in which they sum to 1.
+  template <std::size_t n>
+  FT averaged_roundness(const std::array<Entry, n>& entries,
+                        const std::array<Index, n>& slots) const
+  {
+    FT sum(0);
+    bool are_equal = true;
+    for (std::size_t j = 0; j < n; ++j) {
+      sum += entries[j].weight * roundness(slots[j]);
+      are_equal = are_equal && CGAL::certainly(roundness(slots[j]) == roundness(slots[0]));
+    }
+    return are_equal ? roundness(slots[0]) : sum;
+  }
   // not softened
   Vector stored_normal(Index slot) const
   {
@@ -180,7 +204,7 @@ private:
 
   Value corner(const Crease_star& star, const Wedge_join& join) const
   {
-    Value result{point(star.vertex), {}, {}};
+    Value result{point(star.vertex), {}, {}, roundness(star.vertex)};
     if constexpr (is_pn)
       result.normals = joined(star, join, [&](Index slot) { return stored_normal(slot); });
     for (const Index i : join.ends)
@@ -204,12 +228,15 @@ private:
     const Crease_end& to_b = data_.creases.end(star, join.ends[1]);
     const std::array<FT, 3> weights = crease_weights(star.vertex);
     const Vector to_last = opposite_vector<FT, 3>(tangent_towards(to_b));
+    const Index a = data_.cut.source(data_.creases.halfedge(to_a));
+    const Index b = data_.cut.source(data_.creases.halfedge(to_b));
     const std::array<Entry, 3> entries{
-      {{weights[0], point(data_.cut.source(data_.creases.halfedge(to_a))), tangent_towards(to_a)},
-       {weights[1], point(data_.cut.source(data_.creases.halfedge(to_b))), to_last},
+      {{weights[0], point(a), tangent_towards(to_a)},
+       {weights[1], point(b), to_last},
        {weights[2], point(star.vertex), tangent_at(star, to_a, to_b)}}};
-    const Rule average(entries.data(), entries.data() + 3);
-    Value result{average.point(), {}, {}};
+    const FT roundness = averaged_roundness(entries, {a, b, star.vertex});
+    const Rule average(entries.data(), entries.data() + 3, roundness);
+    Value result{average.point(), {}, {}, roundness};
     result.tangents = {opposite_vector<FT, 3>(average.tangent()), average.tangent()};
     if constexpr (is_pn) {
       const auto at_vertex = joined(star, join, [&](Index slot) { return normal(slot); });
@@ -262,7 +289,7 @@ private:
     const auto row = row_of(*data_.smooth_rows);
     const Average average{};
     if constexpr (!is_pn)
-      return {average(row.first, row.second, data_.old), {}, {}};
+      return {average(row.first, row.second, data_.old), {}, {}, FT(1)};
     else {
       const Old_values old{data_.old};
       typename Average::Value value;
@@ -271,7 +298,8 @@ private:
         value = average(row.first, row.second, normal_row.first, normal_row.second, old);
       } else
         value = average(row.first, row.second, old);
-      Value result{value.point, {}, {}};
+      Value result{value.point, {}, {}, FT(1)};
+      if constexpr (has_roundness_v<typename Average::Value>) result.roundness = value.roundness;
       result.normals.resize(number_of_wedges, value.normal);
       return result;
     }

@@ -303,7 +303,7 @@ void for_each_crease_vertex(
 {
   using FT = typename Average::FT;
   using Value = typename Average::Value;
-  constexpr bool has_normals = std::is_same_v<Value, Point_normal<FT, 3>>;
+  constexpr bool has_normals = has_normal_v<Value>;
   for (std::size_t i = 0; i < slots.size();) {
     const std::size_t first = i;
     const auto v = slots[i].first;

@@ -64,7 +64,7 @@ Limit to_limit_point(const Limit_result<Average>& result)
   Limit l;
   const Coordinates<FT, 3>& p = point_of(result.value);
   l.point = Point(p[0], p[1], p[2]);
-  if constexpr (std::is_same_v<typename Average::Value, Point_normal<FT, 3>>) {
+  if constexpr (has_normal_v<typename Average::Value>) {
     const Coordinates<FT, 3>& m = result.value.normal;
     l.control_normal = Vector(m[0], m[1], m[2]);
   }

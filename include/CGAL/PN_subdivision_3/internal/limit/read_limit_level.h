@@ -35,6 +35,7 @@ auto read_limit_level(const Access& access, const Scheme& scheme, Point_map poin
   refuse_crease_borders(scheme, access, result.level, "there are no limit points");
   result.values =
     read_values<Average>(access, result.level, points, normals, normal_estimate(scheme));
+  put_given_roundness(scheme, result.level.number_of_vertices(), result.values);
   return result;
 }
 

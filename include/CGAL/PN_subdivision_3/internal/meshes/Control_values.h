@@ -40,7 +40,7 @@ public:
   using Value = typename Average::Value;
   using Vector = Coordinates<FT, 3>;
 
-  static constexpr bool has_normals = std::is_same_v<Value, Point_normal<FT, 3>>;
+  static constexpr bool has_normals = has_normal_v<Value>;
 
   // Where there are creases, it is up to them to estimate normals.
   template <class Access, class Point_map, class Normal_map>
@@ -98,7 +98,7 @@ public:
       const Vertex_sectors sectors(level);
       std::vector<Vector> normals(values_.size());
       estimate_normals<FT>(
-        level, estimate_, sectors, Point_of_value<FT>{values_.data()},
+        level, estimate_, sectors, Point_of_value<Value>{values_.data()},
         [&](Index v) { return is_given_[v] ? &values_[v].normal : nullptr; },
         [&](Index v, const Vector& n) { normals[v] = n; });
       for (Index v = 0; v < values_.size(); ++v)

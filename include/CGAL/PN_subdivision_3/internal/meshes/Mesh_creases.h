@@ -173,7 +173,10 @@ public:
           if (star.number_of_wedges > 1) is_given[star.vertex] = false;
         read_vertex_normals(normals, is_given, n, values);
       }
-      Control_creases<FT>(level, creases, values, is_given, normal_estimate(scheme_))();
+      Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
+      put_given_roundness(scheme_, n, values);
+      for (std::size_t i = 0; i < extra.size(); ++i)
+        share_roundness(values[extra[i]], values[n + i]);
     }
     return values;
   }
@@ -271,7 +274,9 @@ public:
   std::vector<typename Average::Value> values(const Level_connectivity& level, Point_map points,
                                               Normal_map normals, No_creases) const
   {
-    return read_values<Average>(access_, level, points, normals, normal_estimate(scheme_));
+    auto values = read_values<Average>(access_, level, points, normals, normal_estimate(scheme_));
+    put_given_roundness(scheme_, level.number_of_vertices(), values);
+    return values;
   }
   Control_sharpness sharpness(const Level_connectivity&) const { return {}; }
   void put_sharpness(No_creases, const Level_size&, unsigned) {}

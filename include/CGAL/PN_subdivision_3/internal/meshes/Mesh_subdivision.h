@@ -66,16 +66,17 @@ public:
   Mesh_subdivision(const Scheme&, unsigned, const Function&&) = delete;
 
   // a linear scheme has no use for normals
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry>
-  void operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                  Vertex_map vertex_map, const Carry& carry) const
+  template <class Access, class Point_map, class Normal_map, class Roundness_map, class Edge_map,
+            class Vertex_map, class Carry>
+  void operator()(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
+                  Edge_map edge_map, Vertex_map vertex_map, const Carry& carry) const
   {
-    if constexpr (!is_pn_v<Scheme> && !std::is_same_v<Normal_map, No_normal_map>)
-      (*this)(access, points, No_normal_map(), edge_map, vertex_map, carry);
+    if constexpr (!is_pn_v<Scheme> && (!std::is_same_v<Normal_map, No_normal_map> ||
+                                       is_given_roundness_v<Roundness_map>))
+      (*this)(access, points, No_normal_map(), No_roundness(), edge_map, vertex_map, carry);
     else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);
-      subdivide(access, points, normals, edge_map, vertex_map, carry);
+      subdivide(access, points, normals, roundness, edge_map, vertex_map, carry);
     }
   }
 
@@ -163,10 +164,10 @@ private:
                                   });
   }
 
-  template <class Access, class Point_map, class Normal_map, class Edge_map, class Vertex_map,
-            class Carry>
-  void subdivide(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
-                 Vertex_map vertex_map, const Carry& carry) const
+  template <class Access, class Point_map, class Normal_map, class Roundness_map, class Edge_map,
+            class Vertex_map, class Carry>
+  void subdivide(Access& access, Point_map points, Normal_map normals, Roundness_map roundness,
+                 Edge_map edge_map, Vertex_map vertex_map, const Carry& carry) const
   {
     Level_connectivity level = checked_level(access);
     check_scheme<Scheme, Element_names>(scheme_, level, access);
@@ -179,8 +180,10 @@ private:
     std::vector<Value> values = of_mesh.values(level, points, normals, creases);
 
     using Writers = Normal_writers<Access, Normal_map>;
-    using Writer = Mesh_writer<Value, Access, Point_map, typename Writers::Vertex_map>;
-    Writer writer(access, points, Writers::vertex_map(normals), is_any_near_overflow(values));
+    using Writer =
+      Mesh_writer<Value, Access, Point_map, typename Writers::Vertex_map, Roundness_map>;
+    Writer writer(access, points, Writers::vertex_map(normals), is_any_near_overflow(values),
+                  roundness);
     typename Writers::Corner_writer corners(access, level, normals);
     Carried_through<FT, Host, Carry> carried(
       carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
@@ -80,6 +81,12 @@ constexpr bool is_writable_map_v =
   std::is_convertible_v<typename boost::property_traits<Map>::category,
                         boost::writable_property_map_tag>;
 
+// whether refined roundness is put into a map
+template <class Map>
+constexpr bool is_writable_roundness_v = is_writable_map_v<Map>;
+template <>
+inline constexpr bool is_writable_roundness_v<No_roundness> = false;
+
 // The values that a map has for the old elements, to be put back.
 template <class Map, class Element>
 class Old_values
@@ -115,23 +122,33 @@ private:
   std::vector<Value> values_;
 };
 
-template <>
-class Old_values<No_normal_map, Vertex_of_mesh>
+struct No_old_values
 {
-public:
-  template <class Access>
-  Old_values(const Access&, std::size_t, No_normal_map)
+  template <class Access, class Map>
+  No_old_values(const Access&, std::size_t, Map)
   {}
   template <class Access>
   void put_back(const Access&) noexcept
   {}
 };
+template <>
+class Old_values<No_normal_map, Vertex_of_mesh> : public No_old_values
+{
+  using No_old_values::No_old_values;
+};
+template <>
+class Old_values<No_roundness, Vertex_of_mesh> : public No_old_values
+{
+  using No_old_values::No_old_values;
+};
 
-// Lets a mesh grow and puts points and normals of its new vertices. Unless keep() is called, the mesh
+// Lets a mesh grow and puts points, normals and roundness of its new vertices. Unless keep() is called, the mesh
 // and its maps get back what they had.
-template <class Value, class Access, class Point_map, class Normal_map>
+template <class Value, class Access, class Point_map, class Normal_map,
+          class Roundness_map = No_roundness>
 class Mesh_writer
 {
+  static constexpr bool has_roundness_map = is_writable_roundness_v<Roundness_map>;
   static constexpr bool has_normal_map = !std::is_same_v<Normal_map, No_normal_map>;
 
 public:
@@ -139,16 +156,20 @@ public:
 
   // the maps are those of a Surface_mesh
   static constexpr bool has_own_maps =
-    has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>);
+    has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>)&&(
+      !has_roundness_map || has_concurrent_put_v<Roundness_map>);
 
-  Mesh_writer(Access& access, Point_map points, Normal_map normals, bool is_near_overflow)
+  Mesh_writer(Access& access, Point_map points, Normal_map normals, bool is_near_overflow,
+              Roundness_map roundness = Roundness_map())
     : access_(access)
     , points_(points)
     , normals_(normals)
+    , roundness_(roundness)
     , is_near_overflow_(is_near_overflow)
     , number_of_old_vertices_(static_cast<Index>(access.size().vertices))
     , old_points_(access, number_of_old_vertices_, points)
     , old_normals_(access, number_of_old_vertices_, normals)
+    , old_roundness_(access, number_of_old_vertices_, roundness)
   {}
   ~Mesh_writer()
   {
@@ -156,6 +177,7 @@ public:
     if (old_values_put_) {
       old_points_.put_back(access_);
       old_normals_.put_back(access_);
+      old_roundness_.put_back(access_);
     }
     access_.shrink();
   }
@@ -183,6 +205,10 @@ public:
         const auto& n = values[i].normal;
         put(normals_, v, Normal(n[0], n[1], n[2]));
       }
+      if constexpr (has_roundness_map) {
+        using Number = std::decay_t<typename boost::property_traits<Roundness_map>::value_type>;
+        put(roundness_, v, roundness_as<Number>(values[i].roundness));
+      }
     }
   }
 
@@ -190,12 +216,14 @@ private:
   Access& access_;
   Point_map points_;
   Normal_map normals_;
+  Roundness_map roundness_;
   bool is_near_overflow_;
   bool old_values_put_ = false;
   bool is_kept_ = false;
   Index number_of_old_vertices_;
   Old_values<Point_map, Vertex_of_mesh> old_points_;
   Old_values<Normal_map, Vertex_of_mesh> old_normals_;
+  Old_values<Roundness_map, Vertex_of_mesh> old_roundness_;
 };
 
 // whether the child of a host may be the mesh itself

@@ -44,12 +44,13 @@ struct Used_parameters
 
 // add here what a function learns to use
 using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
-using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                                         internal_np::vertex_normal_map_t>;
+using Limit_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::vertex_normal_map_t, vertex_roundness_map_t, roundness_t>;
 using Creased_limit_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t>;
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
 using Interpolation_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
@@ -58,7 +59,7 @@ using Subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
                   internal_np::visitor_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t>;
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
 
 template <class Used, class NamedParameters>
 constexpr bool are_used_v = true;
@@ -219,6 +220,14 @@ struct Has_sharpness
                           Integral_domain_without_division_tag*>;
 };
 
+template <class T>
+struct Is_roundness
+  : std::bool_constant<(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
+                       std::is_convertible_v<
+                         typename Algebraic_structure_traits<T>::Algebraic_category*,
+                         Integral_domain_without_division_tag*>>
+{};
+
 template <class Key, class Map>
 constexpr bool check_constraint_map()
 {
@@ -236,6 +245,36 @@ constexpr bool check_constraint_map()
     constexpr bool is_number = Has_sharpness<Map>::value;
     static_assert(is_number, "PN_subdivision_3: the values of edge_is_constrained_map or "
                              "vertex_is_constrained_map are neither bool nor numbers");
+    return is_readable && is_number;
+  }
+}
+
+// the roundness that is given, if any
+template <class Mesh, class Parameters>
+constexpr bool check_roundness()
+{
+  using Map = typename Parameters::Roundness_map;
+  using Roundness = typename Parameters::Roundness;
+  constexpr bool has_map = !std::is_same_v<Map, No_roundness>;
+  constexpr bool has_number = !std::is_same_v<Roundness, No_roundness>;
+  static_assert(!has_map || !has_number,
+                "PN_subdivision_3: roundness and vertex_roundness_map are both given");
+  if constexpr (has_number) {
+    static_assert(Is_roundness<Roundness>::value, "PN_subdivision_3: the roundness is no number");
+    return !has_map && Is_roundness<Roundness>::value;
+  } else if constexpr (!has_map)
+    return true;
+  else if constexpr (!Is_property_map_of<
+                       Map, typename boost::graph_traits<Mesh>::vertex_descriptor>::value) {
+    static_assert(!has_map,
+                  "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
+    return false;
+  } else {
+    constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
+    static_assert(is_readable, "PN_subdivision_3: vertex_roundness_map cannot be read");
+    constexpr bool is_number =
+      Is_roundness<std::decay_t<typename boost::property_traits<Map>::value_type>>::value;
+    static_assert(is_number, "PN_subdivision_3: the values of vertex_roundness_map are no numbers");
     return is_readable && is_number;
   }
 }
@@ -294,7 +333,7 @@ constexpr bool check_subdivision_arguments()
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "geom_traits, visitor");
+                          "vertex_roundness_map, roundness, geom_traits, visitor");
   using Iterations =
     typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
                                                  NamedParameters, unsigned>::type;
@@ -315,7 +354,7 @@ constexpr bool check_subdivision_arguments()
                                     typename Parameters::Edge_constraint_map>() &&
                check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
                                     typename Parameters::Vertex_constraint_map>() &&
-               check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+               check_roundness<Mesh, Parameters>() && check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                      typename Parameters::Geom_traits>();
     }
   }
@@ -332,7 +371,7 @@ constexpr bool check_creased_limit_arguments()
                                 typename Parameters::Edge_constraint_map>() &&
            check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
                                 typename Parameters::Vertex_constraint_map>() &&
-           check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+           check_roundness<Mesh, Parameters>() && check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                  typename Parameters::Geom_traits>();
   } else
     return false;

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_NAMED_PARAMETERS_H
 
 #include <CGAL/PN_subdivision_3/Default_visitor.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -39,6 +40,10 @@ constexpr bool is_constraint_map_v = !std::is_same_v<Map, No_constraint_map>;
 
 // stands for a normal map that the user has not given
 struct No_normal_map
+{};
+
+// stands for roundness that the user has not given
+struct No_roundness
 {};
 
 template <class Map>
@@ -73,6 +78,12 @@ struct Surface_parameters
   using Normal_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>::type>;
 
+  using Roundness_map =
+    std::decay_t<typename internal_np::Lookup_named_param_def<vertex_roundness_map_t,
+                                                              NamedParameters, No_roundness>::type>;
+  using Roundness = std::decay_t<
+    typename internal_np::Lookup_named_param_def<roundness_t, NamedParameters, No_roundness>::type>;
+
   using Edge_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>::type>;
   using Vertex_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
@@ -102,6 +113,16 @@ struct Surface_parameters
   {
     return parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::vertex_normal_map), No_normal_map());
+  }
+  static Roundness_map roundness_map(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, vertex_roundness_map_t()),
+                                        No_roundness());
+  }
+  static Roundness roundness(const NamedParameters& np)
+  {
+    return parameters::choose_parameter(parameters::get_parameter(np, roundness_t()),
+                                        No_roundness());
   }
   static Edge_constraint_map edge_constraint_map(const NamedParameters& np)
   {

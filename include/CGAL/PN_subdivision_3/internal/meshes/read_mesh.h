@@ -96,13 +96,13 @@ const std::array<FT, dimension>& point_of(const std::array<FT, dimension>& value
 {
   return value;
 }
-template <class FT, int dimension>
-Coordinates<FT, dimension>& point_of(Point_normal<FT, dimension>& value)
+template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
+auto& point_of(Value& value)
 {
   return value.point;
 }
-template <class FT, int dimension>
-const Coordinates<FT, dimension>& point_of(const Point_normal<FT, dimension>& value)
+template <class Value, class = std::enable_if_t<has_normal_v<Value>>>
+const auto& point_of(const Value& value)
 {
   return value.point;
 }
@@ -120,23 +120,21 @@ void read_normals(const Access& access, Normal_map normals, std::vector<Value>& 
 }
 
 // Types with names, so that the estimation is compiled once for a number type.
-template <class FT>
+template <class Value>
 struct Point_of_value
 {
-  const Coordinates<FT, 3>& operator()(Level_connectivity::Index v) const
-  {
-    return values[v].point;
-  }
-  const Point_normal<FT, 3>* values;
+  const auto& operator()(Level_connectivity::Index v) const { return values[v].point; }
+  const Value* values;
 };
-template <class FT>
+template <class Value>
 struct Set_normal_of_value
 {
-  void operator()(Level_connectivity::Index v, const Coordinates<FT, 3>& n) const
+  template <class Vector>
+  void operator()(Level_connectivity::Index v, const Vector& n) const
   {
     values[v].normal = n;
   }
-  Point_normal<FT, 3>* values;
+  Value* values;
 };
 
 // The points of a mesh and, of values that have them, the control normals, zero if there is no map of
@@ -151,7 +149,7 @@ std::vector<typename Average::Value> read_given_values(const Access& access, Poi
   std::vector<Value> values(number_of_vertices);
   for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
     point_of(values[v]) = checked_point<FT>(access, points, v);
-  if constexpr (std::is_same_v<Value, Point_normal<FT, 3>>) {
+  if constexpr (has_normal_v<Value>) {
     if constexpr (std::is_same_v<Normal_map, No_normal_map>)
       for (Value& value : values) value.normal.fill(FT(0));
     else
@@ -168,10 +166,10 @@ read_values(const Access& access, const Level_connectivity& level, Point_map poi
 {
   using FT = typename Average::FT;
   auto values = read_given_values<Average>(access, points, normals, level.number_of_vertices());
-  if constexpr (std::is_same_v<typename Average::Value, Point_normal<FT, 3>> &&
-                std::is_same_v<Normal_map, No_normal_map>)
-    estimate_normals<FT>(level, estimate, Point_of_value<FT>{values.data()},
-                         Set_normal_of_value<FT>{values.data()});
+  using Value = typename Average::Value;
+  if constexpr (has_normal_v<Value> && std::is_same_v<Normal_map, No_normal_map>)
+    estimate_normals<FT>(level, estimate, Point_of_value<Value>{values.data()},
+                         Set_normal_of_value<Value>{values.data()});
   return values;
 }
 

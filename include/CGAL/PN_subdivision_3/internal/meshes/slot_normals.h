@@ -38,10 +38,9 @@ constexpr bool is_of_halfedges_v =
 
 // The control normals of a map of corners: of every slot the one that its corners have or, where they
 // differ, the unit vector of their sum.
-template <class FT, class Access, class Map>
+template <class FT, class Access, class Map, class Value>
 void read_corner_normals(const Access& access, const Level_connectivity& level,
-                         const Creases<FT>& creases, Map map,
-                         std::vector<Point_normal<FT, 3>>& values)
+                         const Creases<FT>& creases, Map map, std::vector<Value>& values)
 {
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;

@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <type_traits>
@@ -27,8 +27,14 @@ template <bool with_normals, class FT, int dimension>
 using Average_of =
   std::conditional_t<with_normals, PN_average<FT, dimension>, Linear_average<FT, dimension>>;
 
+// the PN average of values with a roundness of their own
+template <class FT, int dimension>
+using Average_with_roundness = PN_average<FT, dimension, Point_normal_roundness<FT, dimension>>;
+
 template <class Scheme, class FT>
-using Average_of_scheme = Average_of<is_pn_v<Scheme>, FT, 3>;
+using Average_of_scheme =
+  std::conditional_t<is_pn_v<Scheme> && may_vary_in_roundness_v<Scheme>,
+                     Average_with_roundness<FT, 3>, Average_of<is_pn_v<Scheme>, FT, 3>>;
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -54,6 +54,12 @@ bool is_same_value(const Point_normal<FT, 3>& a, const Point_normal<FT, 3>& b)
 {
   return is_same_value<FT>(a.point, b.point) && is_same_value<FT>(a.normal, b.normal);
 }
+template <class FT>
+bool is_same_value(const Point_normal_roundness<FT, 3>& a, const Point_normal_roundness<FT, 3>& b)
+{
+  return is_same_value<FT>(Point_normal<FT, 3>(a), Point_normal<FT, 3>(b)) &&
+         a.roundness == b.roundness;
+}
 
 // The rounds of a scheme on a control level with its creases, kept with their levels. What is kept of the last
 // round is its old level: its new values go to a sink. Levels with creases are kept cut open, and the values are
@@ -284,7 +290,8 @@ private:
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
       put_given_normals(control, values, is_given);
       for (Crease_edge<FT>& e : creases_.edges) e.tangent_from.fill(zero_vector<FT, 3>());
-      Control_creases<FT>(*whole_control_, creases_, values, is_given, normal_estimate(scheme_))();
+      Control_creases<FT, Value>(*whole_control_, creases_, values, is_given,
+                                 normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
         if (!is_given[v]) control.put_estimate(v, values[v].normal);
       put_mean_normals(values, control);

@@ -39,12 +39,11 @@ struct No_transfers
 // The rows of the rings are evaluated for it, besides the round itself, which is not stored in any
 // call: a round's values go by in blocks. Rings have no vertex in common, and each has one owner among
 // the threads.
-template <class FT>
+template <class FT, class Value>
 class Transferred_normals
 {
 public:
   using Index = Level_connectivity::Index;
-  using Value = Point_normal<FT, 3>;
 
   // none
   Transferred_normals() = default;

@@ -1,0 +1,90 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_PARAMETERS_H
+#define CGAL_PN_SUBDIVISION_3_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+struct roundness_t
+{};
+struct vertex_roundness_map_t
+{};
+
+// the pack `np` with one parameter more
+template <class Tag, class T, class Base>
+Named_function_parameters<T, Tag, Base> with_parameter(const T& value, const Base& np)
+{
+  return Named_function_parameters<T, Tag, Base>(value, np);
+}
+template <class Tag, class T>
+Named_function_parameters<T, Tag> with_parameter(const T& value)
+{
+  return Named_function_parameters<T, Tag>(value);
+}
+
+} // namespace internal
+
+/// \ingroup PkgPNSubdivision3Functions
+/// The named parameters of \cgal, and those that are this package's own. Each of these begins a pack, which those of \cgal continue, or is added
+/// to a pack that is given:
+/// \code{.cpp}
+/// subdivide(mesh, scheme, parameters::roundness(0.5).number_of_iterations(3));
+/// subdivide(mesh, scheme, parameters::roundness(0.5, CGAL::parameters::number_of_iterations(3)));
+/// \endcode
+namespace parameters {
+
+using namespace CGAL::parameters;
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+the roundness of all control vertices: 1 is the point-normal scheme, 0 gives the points of the linear one, and what is
+between lies between, see `PN_average`.
+\param x a number from 0 to 1
+*/
+template <class FT>
+auto roundness(const FT& x)
+{
+  return internal::with_parameter<internal::roundness_t>(x);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class FT, class NamedParameters>
+auto roundness(const FT& x, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::roundness_t>(x, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+the roundness of each control vertex. A map that can be written gets that of the refined vertices, so that further calls go
+on from there.
+\param map a model of `ReadablePropertyMap` or `ReadWritePropertyMap` with the vertices of the mesh as keys and numbers from 0
+  to 1 as values
+*/
+template <class VertexRoundnessMap>
+auto vertex_roundness_map(const VertexRoundnessMap& map)
+{
+  return internal::with_parameter<internal::vertex_roundness_map_t>(map);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class VertexRoundnessMap, class NamedParameters>
+auto vertex_roundness_map(const VertexRoundnessMap& map, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::vertex_roundness_map_t>(map, np);
+}
+
+} // namespace parameters
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_PARAMETERS_H
