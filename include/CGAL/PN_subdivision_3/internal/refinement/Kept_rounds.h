@@ -335,7 +335,6 @@ private:
     this->in_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
       round.round().evaluate(begin, end, level.values.data(), {}, sink);
     });
-    round.put_back_softened();
     return on_creases;
   }
 
@@ -345,15 +344,13 @@ private:
   {
     One_round& round = *level.round;
     round.read(level.values.data());
-    round.for_each_softened([&](Index slot) { changed.push_back(slot); });
     changed = level.readers(round.round(), level.values.size(), changed);
-    remove_all(round.vertices_on_creases(), changed);
+    remove_all(round.vertices_of_values(), changed);
     Slot_values on_creases = round.crease_values(this->for_chunks_);
     this->in_chunks(static_cast<Index>(changed.size()), [&](Index begin, Index end) {
       round.round().evaluate(changed.data() + begin, changed.data() + end, level.values.data(),
                              sink);
     });
-    round.put_back_softened();
     return on_creases;
   }
 
