@@ -349,6 +349,17 @@ public:
     return values;
   }
 
+  // calls f(slot) for what the smooth rule of a dart reads
+  template <class Function>
+  void for_each_smooth_entry(const Crease_star& star, const Function& f) const
+  {
+    for (const auto* rows : {&smooth_rows_, &smooth_normal_rows_}) {
+      if (!*rows) continue;
+      const auto row = (*rows)->of_star(std::size_t(&star - creases_.stars.data()));
+      for (const auto* e = row.first; e != row.second; ++e) f(e->vertex);
+    }
+  }
+
   // makes the level whole again; to be called before a host connects the child
   void close() { cut_->close(); }
 

@@ -14,9 +14,12 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -241,6 +244,22 @@ private:
   std::vector<Index> rank_; // of the old edges among those that remain
   std::vector<Index> star_; // of the old stars, or null
 };
+
+// Keeps with control creases what stands for them where less than a round is left: values(creases) are those of the slots of
+// the level without these edges and vertices, and complete its creases.
+template <class FT, class Values>
+void keep_without_fractions(const Level_connectivity& level, Creases<FT>& creases,
+                            const Values& values)
+{
+  if (!has_fractions(creases)) return;
+  auto without = std::make_shared<Control_without_fractions<FT>>();
+  without->creases = Gone_creases<FT>(level, creases).creases;
+  for (const auto& value : values(without->creases)) {
+    without->values.push_back({value.point, value.normal});
+    share_roundness(value, without->values.back());
+  }
+  creases.without_fractions = std::move(without);
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

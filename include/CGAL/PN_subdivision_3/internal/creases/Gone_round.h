@@ -56,7 +56,7 @@ public:
   {
     level_.set_size(level.size());
     round_.emplace(scheme, level_, gone_.creases, number);
-    find_parts_on_creases(level);
+    find_parts_on_creases();
     find_parts_of_rows(level);
     find_parts_of_ended(creases);
     for (auto it = part_.begin(); it != part_.end();) it = it->second < 1 ? ++it : part_.erase(it);
@@ -79,12 +79,12 @@ public:
   {
     const std::vector<Slot_value> gone = gone_values(creases, old, for_chunks);
     auto part = part_.end();
-    for (auto& [slot, value] : values) {
-      if (slot < round_->number_of_vertices()) part = part_.find(slot);
+    for (Slot_value& value : values) {
+      if (value.first < round_->number_of_vertices()) part = part_.find(value.first);
       if (part == part_.end()) continue;
-      const auto other = std::lower_bound(gone.begin(), gone.end(), slot,
+      const auto other = std::lower_bound(gone.begin(), gone.end(), value.first,
                                           [](const Slot_value& v, Index s) { return v.first < s; });
-      decide(part->first, [&] { mix(value, other->second, FT(part->second)); });
+      decide(part->first, [&] { mix(value.second, other->second, FT(part->second)); });
     }
     for (const Crease_star& star : refined.creases.stars)
       if ((part = part_.find(star.vertex)) != part_.end())
@@ -107,10 +107,9 @@ private:
     } while (h != first);
   }
 
-  void find_parts_on_creases(const Level_connectivity& level)
+  void find_parts_on_creases()
   {
     const Creases<FT>& creases = gone_.creases;
-    const Corner_slots<FT> slots(level, creases);
     const auto grow = [&](double& part, Index slot) {
       part = (std::min)(part, gone_.reach[slot]);
     };
@@ -127,9 +126,7 @@ private:
       if (rule == Vertex_rule::crease)
         for (Index i = 0; i < 2; ++i) grow_by_edge(part, creases.edge(creases.end(star, i)));
       else if (rule == Vertex_rule::dart)
-        for_each_corner_of_star(level, creases, star, [&](Index h, Index) {
-          for_each_corner_of_face(level, level.face(h), [&](Index g) { grow(part, slots(g)); });
-        });
+        round_->for_each_smooth_entry(star, [&](Index slot) { grow(part, slot); });
     }
     for (const Crease_edge<FT>& e : creases.edges)
       grow_by_edge(part_.emplace(round_->round().host().vertex_of_edge(e.edge), 1).first->second, e);
