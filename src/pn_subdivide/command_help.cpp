@@ -41,7 +41,7 @@ const std::vector<Option_group>& option_groups()
     {"Limits and interpolation", {"--limit-tolerance", "--interpolate"}},
     {"Schemes", {"--normal-scheme", "--tension", "--cap", "--first-round", "--tuned-valences"}},
     {"Piece by piece", {"--memory", "--pieces", "--resume"}},
-    {"Checks and reports", {"--strict", "--report", "--verify", "--tolerance"}}};
+    {"Checks and reports", {"--check", "--strict", "--report", "--verify", "--tolerance"}}};
   return groups;
 }
 

@@ -252,6 +252,9 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option("--threads", options.threads, "Number of threads; 0 for all cores")
     ->transform(whole_number())
     ->capture_default_str();
+  surface.add_flag("--check", options.check,
+                   "Compare with the result of the linear scheme: print volumes, folds and the "
+                   "largest distance, whether it is SWOLLEN or FOLDED, and what helps");
   add_verify_options(surface, options.verify, "sphere:X,Y,Z,R or cylinder:X,Y,Z,DX,DY,DZ,R");
   add_pieces_options(surface, options.pieces);
   add_repair_options(surface, options);

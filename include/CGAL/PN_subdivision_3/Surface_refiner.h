@@ -95,7 +95,8 @@ class Surface_refiner
 
   using FT = typename GeomTraits::FT;
   static constexpr bool is_pn = internal::is_pn_v<Scheme>;
-  using Average = internal::Average_of_scheme<Scheme, FT>;
+  using Average = std::conditional_t<is_pn, internal::Average_with_roundness<FT, 3>,
+                                     internal::Average_of_scheme<Scheme, FT>>;
   using Value = typename Average::Value;
   using Control = internal::Control_values<Average>;
 
@@ -115,7 +116,7 @@ public:
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map`, and `geom_traits`, as in
+    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, and `geom_traits`, as in
     `subdivide()`; the maps are read only
   \param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`; they are read only
 
@@ -295,7 +296,7 @@ private:
       internal::with_mesh_access(mesh, [&](const auto& access) {
         read(access, scheme, Parameters::const_point_map(mesh, np), used_normals<Parameters>(np),
              Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds,
-             attributes);
+             internal::read_roundness<FT, Parameters>(access, np), attributes);
       });
       update();
     }
@@ -314,7 +315,8 @@ private:
   template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
             class Vertex_map, class Attributes>
   void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
-            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds, const Attributes& attributes)
+            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds,
+            const internal::Given_roundness<FT>& roundness, const Attributes& attributes)
   {
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
@@ -338,6 +340,7 @@ private:
       internal::read_corner_normals<FT>(access, level, creases, normals, slots);
       control_->set_slot_normals(slots);
     }
+    control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
     if constexpr (!std::is_same_v<Attributes, internal::No_attributes>)
       attributes_.refine<FT>(scheme, access, level, creases, of_mesh.sharpness(level), rounds, size,

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -74,10 +74,9 @@ between the two, its weights, borders, angles) is computed in `double` from the 
 */
 template <class PolygonMesh, class VertexNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
-void estimate_control_normals(
-  const PolygonMesh& mesh, VertexNormalMap normals,
-  const NamedParameters& np = parameters::default_values(),
-  Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
+void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
+                              const NamedParameters& np = parameters::default_values(),
+                              Control_normal_estimate estimate = Control_normal_estimate::coherent)
 {
   if constexpr (internal::check_estimation_arguments<PolygonMesh, VertexNormalMap,
                                                      NamedParameters>()) {

@@ -62,7 +62,7 @@ template <class PolygonMesh, class EdgeMap, class HalfedgeNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
 void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, HalfedgeNormalMap normals,
                              const NamedParameters& np = parameters::default_values(),
-                             Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
+                             Control_normal_estimate estimate = Control_normal_estimate::coherent)
 {
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {

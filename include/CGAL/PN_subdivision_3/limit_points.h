@@ -125,13 +125,17 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
       const auto points = Parameters::const_point_map(mesh, np);
       const auto normals = Parameters::normal_map(np);
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        report = internal::vertex_limits<FT>(
-          access, scheme, points, normals, Parameters::edge_constraint_map(np),
-          Parameters::vertex_constraint_map(np), options,
-          internal::For_chunks::with(Concurrency_tag()), [&](const auto& of_mesh, const auto&) {
-            internal::put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
-            for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
-              put(limits, access.vertex(v), internal::to_limit_point<Limit>(of_mesh.results[v]));
+        const auto put_all = [&](const auto& of_mesh, const auto&) {
+          internal::put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+          for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+            put(limits, access.vertex(v), internal::to_limit_point<Limit>(of_mesh.results[v]));
+        };
+        report =
+          internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+            return internal::vertex_limits<FT>(
+              access, s, points, normals, Parameters::edge_constraint_map(np),
+              Parameters::vertex_constraint_map(np), options,
+              internal::For_chunks::with(Concurrency_tag()), put_all);
           });
       });
     }
@@ -173,20 +177,25 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
     Limit_report report;
     if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        const auto level = internal::read_limit_level<Scheme, FT>(
-          access, scheme, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
-        internal::Limit_demand demand =
-          internal::limit_demand<FT>(options, internal::box_size(level));
-        demand.curvatures = false;
-        demand.points = true;
-        internal::Face_limits<Scheme, FT> evaluation(scheme, demand,
-                                                     internal::For_chunks::with(Concurrency_tag()));
-        const auto results = evaluation(level);
-        internal::check_limits<FT>(
-          results, [](std::size_t f) { return "face number " + std::to_string(f); });
-        std::size_t i = 0;
-        for (auto f : faces(mesh)) put(limits, f, internal::to_limit_point<Limit>(results[i++]));
-        report = internal::limit_report(results, demand);
+        report =
+          internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+            using Scheme_of_call = std::decay_t<decltype(s)>;
+            const auto level = internal::read_limit_level<Scheme_of_call, FT>(
+              access, s, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+            internal::Limit_demand demand =
+              internal::limit_demand<FT>(options, internal::box_size(level));
+            demand.curvatures = false;
+            demand.points = true;
+            internal::Face_limits<Scheme_of_call, FT> evaluation(
+              s, demand, internal::For_chunks::with(Concurrency_tag()));
+            const auto results = evaluation(level);
+            internal::check_limits<FT>(
+              results, [](std::size_t f) { return "face number " + std::to_string(f); });
+            std::size_t i = 0;
+            for (auto f : faces(mesh))
+              put(limits, f, internal::to_limit_point<Limit>(results[i++]));
+            return internal::limit_report(results, demand);
+          });
       });
     }
     return report;

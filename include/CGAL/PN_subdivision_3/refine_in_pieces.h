@@ -206,7 +206,8 @@ class Surface_pieces
 
   using FT = typename GeomTraits::FT;
   static constexpr bool is_pn = internal::is_pn_v<Scheme>;
-  using Average = internal::Average_of_scheme<Scheme, FT>;
+  using Average = std::conditional_t<is_pn, internal::Average_with_roundness<FT, 3>,
+                                     internal::Average_of_scheme<Scheme, FT>>;
   using Value = typename Average::Value;
 
 public:
@@ -226,7 +227,7 @@ public:
   \param number_of_pieces how many pieces there are; if there are fewer faces, some are empty
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
+    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
     `subdivide()`; the maps are read only
 
   \throws std::invalid_argument if there are to be no pieces
@@ -328,7 +329,7 @@ private:
         const auto read = [&](const auto& normals) {
           this->read(access, scheme, Parameters::const_point_map(mesh, np), normals,
                      Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-                     rounds);
+                     internal::read_roundness<FT, Parameters>(access, np), rounds);
         };
         if constexpr (is_pn)
           read(Parameters::normal_map(np));
@@ -341,16 +342,18 @@ private:
   template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
             class Vertex_map>
   void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
-            Edge_map edge_map, Vertex_map vertex_map, unsigned rounds)
+            Edge_map edge_map, Vertex_map vertex_map,
+            const internal::Given_roundness<FT>& roundness, unsigned rounds)
   {
     using Host = typename Hosted_scheme::Host;
     if constexpr (!internal::check_corner_normals<Hosted_scheme, Access, Normal_map>()) return;
     internal::require_crease_rules(scheme, access, normals, edge_map, vertex_map);
     Level_connectivity level = internal::checked_level(access);
     internal::check_scheme<Hosted_scheme, internal::Element_names>(scheme, level, access);
-    const internal::Mesh_creases_of_call<Hosted_scheme, FT, Access, Normal_map, Edge_map,
-                                         Vertex_map>
-      of_mesh(scheme, access, level, edge_map, vertex_map);
+    const internal::With_roundness<Hosted_scheme, FT> with_roundness{{scheme}, &roundness};
+    const internal::Mesh_creases_of_call<std::decay_t<decltype(with_roundness)>, FT, Access,
+                                         Normal_map, Edge_map, Vertex_map>
+      of_mesh(with_roundness, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     using Level_creases = decltype(creases);
     using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases>;
@@ -416,7 +419,7 @@ double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t num
 {
   using Host = typename Scheme::Host;
   const auto bytes_of_level = [](const Level_size& s) {
-    constexpr double value = 6 * sizeof(typename GeomTraits::FT);
+    constexpr double value = 8 * sizeof(typename GeomTraits::FT);
     return double(s.halfedges()) * 12 + double(s.vertices) * (value + 12) + double(s.faces) * 20;
   };
   const unsigned base_round = internal::dividing_round<Host>(size, rounds, number_of_pieces);

@@ -91,11 +91,15 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
       const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
         unwrapped, attributes};
       internal::with_mesh_access(mesh, [&](auto& access) {
-        const internal::Limit_subdivision<Concurrency_tag, Scheme, typename Parameters::FT>
-          subdivision(scheme, rounds, options, round_done);
-        report = subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                             Parameters::edge_constraint_map(np),
-                             Parameters::vertex_constraint_map(np), carry);
+        report =
+          internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+            const internal::Limit_subdivision<Concurrency_tag, std::decay_t<decltype(s)>,
+                                              typename Parameters::FT>
+              subdivision(s, rounds, options, round_done);
+            return subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                               Parameters::edge_constraint_map(np),
+                               Parameters::vertex_constraint_map(np), carry);
+          });
       });
     }
     return report;

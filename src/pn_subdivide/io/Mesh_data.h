@@ -13,6 +13,7 @@
 #include "io/Crease_tags.h"
 #include "io/Mesh_origin.h"
 #include "io/Normal_kind.h"
+#include "io/Written_digits.h"
 
 #include <boost/range/iterator_range.hpp>
 
@@ -37,6 +38,16 @@ struct Flat_shading
 
   bool is_there() const { return normals > 0; }
   bool makes_creases() const { return normals <= 6 || faces >= 20 * normals; }
+};
+
+// Of normals that a modelling program has made of those of the faces, for shading: how they are weighted, and how many of
+// all normals are so.
+struct Shading
+{
+  const char* weights = nullptr; // "weighted by angle"
+  std::size_t normals = 0, of = 0;
+
+  bool is_there() const { return weights != nullptr; }
 };
 
 struct Corner_normal
@@ -74,6 +85,9 @@ public:
   // sum.
   std::size_t vertices_with_several_normals = 0;
   Flat_shading flat_shading;
+  Shading shading;
+  Written_digits digits_of_normals;    // in the file
+  bool are_said_to_be_control = false; // the normals, by the file itself
 
   // What the numbers of vertices in the file have become: those of the vertices that they were merged
   // into (empty: their own), and for the last vertices those of which these are copies.

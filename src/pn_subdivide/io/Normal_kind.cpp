@@ -25,12 +25,26 @@ const char* comment_of(Normal_kind kind)
   return "control normals";
 }
 
+namespace {
+
+bool is_said(const std::vector<std::string>& comments, Normal_kind kind)
+{
+  return std::find(comments.begin(), comments.end(), comment_of(kind)) != comments.end();
+}
+
+} // namespace
+
 Normal_kind normal_kind_of(const std::vector<std::string>& comments)
 {
   for (const Normal_kind kind : {Normal_kind::of_mesh, Normal_kind::of_surface})
-    if (std::find(comments.begin(), comments.end(), comment_of(kind)) != comments.end())
-      return kind;
+    if (is_said(comments, kind)) return kind;
   return Normal_kind::control;
+}
+
+bool are_said_to_be_control(const std::vector<std::string>& comments)
+{
+  return normal_kind_of(comments) == Normal_kind::control &&
+         is_said(comments, Normal_kind::control);
 }
 
 } // namespace pn_subdivide

@@ -22,6 +22,8 @@ enum class Normal_kind { control, of_mesh, of_surface };
 const char* comment_of(Normal_kind kind);
 // Where no comment says anything they are control normals.
 Normal_kind normal_kind_of(const std::vector<std::string>& comments);
+// Does a comment say that they are?
+bool are_said_to_be_control(const std::vector<std::string>& comments);
 
 } // namespace pn_subdivide
 

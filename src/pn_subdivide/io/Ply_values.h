@@ -72,6 +72,10 @@ public:
     text_.fail(message.str());
   }
 
+  bool is_text() const { return format_ == Ply_format::ascii; }
+  // the last one, of a text
+  std::string_view word() const { return word_; }
+
   std::size_t bytes_left() const
   {
     return content_.size() - (format_ == Ply_format::ascii ? text_.position() : pos_);
@@ -100,15 +104,16 @@ private:
 
   double text_value()
   {
-    const std::string_view word = text_.word_across_lines();
-    if (word.empty()) throw Error("truncated");
-    return text_.to_number(word, "a number");
+    word_ = text_.word_across_lines();
+    if (word_.empty()) throw Error("truncated");
+    return text_.to_number(word_, "a number");
   }
 
   const std::string& content_;
   Text_reader text_;
   std::size_t pos_;
   Ply_format format_;
+  std::string_view word_;
 };
 
 } // namespace pn_subdivide

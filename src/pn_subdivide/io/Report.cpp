@@ -16,6 +16,7 @@
 
 #include <cstdio>
 #include <utility>
+#include <variant>
 
 namespace pn_subdivide {
 
@@ -51,6 +52,12 @@ void Report::warn_of_dropped(const std::string& text, const std::vector<std::str
   dropped_.insert(dropped_.end(), names.begin(), names.end());
 }
 
+void Report::remark(const std::string& text)
+{
+  note(text);
+  remarks_.push_back(text);
+}
+
 void Report::add_repair(const std::string& what, std::size_t number)
 {
   if (number > 0) repaired_.emplace_back(what, number);
@@ -84,9 +91,13 @@ void Report::write_file(const Result& result) const
   json["faces"] = result.faces;
   json["rounds"] = result.rounds;
   json["warnings"] = warnings_;
+  json["notes"] = remarks_;
   json["dropped"] = dropped_;
   json["repaired"] = object(repaired_);
   json["limit"] = object(limit_);
+  json["check"] = Json::object();
+  for (const auto& [key, value] : check_)
+    std::visit([&json, &name = key](const auto& x) { json["check"][name] = x; }, value);
   try {
     Output_file file(*options_.file);
     // what is no UTF-8 in a file's name is replaced

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace pn_subdivide {
@@ -40,6 +41,7 @@ public:
     unsigned rounds;
   };
   using Number = std::pair<std::string, double>;
+  using Value = std::pair<std::string, std::variant<bool, std::size_t, double, std::string>>;
 
   // One that is silent says nothing and writes no file: another process does.
   explicit Report(Report_options options, bool silent = false);
@@ -55,9 +57,14 @@ public:
   // Not with --quiet.
   void note(const std::string& text) { notes_.push_back(text); }
 
-  // For --report only: how many of what --repair and merging of points have changed, and what is known of limits.
+  // The same, and for --report: what data of the input was taken for.
+  void remark(const std::string& text);
+
+  // For --report only: how many of what --repair and merging of points have changed, what is known of limits, and
+  // what --check has measured.
   void add_repair(const std::string& what, std::size_t number);
   void set_limit(std::vector<Number> numbers) { limit_ = std::move(numbers); }
+  void set_check(std::vector<Value> values) { check_ = std::move(values); }
 
   // To be called once each in this order, when the output is complete.
   void print_warnings() const;
@@ -70,9 +77,10 @@ private:
   Report_options options_;
   bool silent_;
   std::chrono::steady_clock::time_point start_;
-  std::vector<std::string> warnings_, notes_, dropped_;
+  std::vector<std::string> warnings_, notes_, remarks_, dropped_;
   std::vector<std::pair<std::string, std::size_t>> repaired_;
   std::vector<Number> limit_;
+  std::vector<Value> check_;
 };
 
 // Throws Usage_error or Error if the file of --report cannot be one: it is none of `others`, in which

@@ -139,6 +139,7 @@ std::string_view Text_reader::required_word(const char* what)
 {
   const std::string_view w = word();
   if (w.empty()) fail(std::string("the line ends where ") + what + " is expected");
+  last_words_ = {last_words_[1], last_words_[2], w};
   return w;
 }
 

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_TEXT_READER_H
 #define PN_SUBDIVIDE_TEXT_READER_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -47,6 +48,9 @@ public:
   std::int64_t integer(const char* what);
   std::size_t count(const char* what);
 
+  // The words of the last three of these, the last one at the end.
+  const std::array<std::string_view, 3>& last_words() const { return last_words_; }
+
   // Of any word.
   double to_number(std::string_view word, const char* what) const;
   std::int64_t to_integer(std::string_view word, const char* what) const;
@@ -73,6 +77,7 @@ private:
   const std::string& text_;
   char comment_sign_;
   std::size_t pos_ = 0, end_ = 0, next_ = 0, line_ = 0;
+  std::array<std::string_view, 3> last_words_;
 };
 
 } // namespace pn_subdivide

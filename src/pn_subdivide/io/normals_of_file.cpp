@@ -8,7 +8,7 @@
 
 #include "io/normals_of_file.h"
 
-#include "io/Different_values.h"
+#include "io/Normal_slots.h"
 #include "io/corner_normals.h"
 #include "io/face_normal.h"
 
@@ -17,25 +17,19 @@
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
 namespace {
 
-bool is_zero(const Triple& n)
-{
-  return n[0] == 0 && n[1] == 0 && n[2] == 0;
-}
-
-// `function(corner, vertex, normal)` for each corner that has a normal.
+// `function(normal)` for each corner that has a normal; without the sorting that slots cost.
 template <class Function>
 void for_each_normal(const Mesh_data& mesh, std::size_t f, const Function& function)
 {
   std::size_t corner = mesh.first_corner(f);
   for (const Mesh_data::Index v : mesh.face(f)) {
-    const Triple& n = mesh.has_corner_normals() ? mesh.corner_normals[corner] : mesh.normals[v];
-    if (!is_zero(n)) function(corner, v, n);
+    const Triple& n = mesh.corner_normals.empty() ? mesh.normals[v] : mesh.corner_normals[corner];
+    if (!is_zero(n)) function(n);
     ++corner;
   }
 }
@@ -103,11 +97,43 @@ bool has_opposing_corner(const Mesh_data& mesh)
   bool result = false;
   for (std::size_t f = 0; f < mesh.number_of_faces() && !result; ++f) {
     const Triple m = face_normal(mesh, f);
-    for_each_normal(mesh, f, [&](std::size_t, Mesh_data::Index, const Triple& n) {
-      result = result || scalar_product(m, n) < 0;
+    for_each_normal(mesh, f, [&](const Triple& n) { result = result || scalar_product(m, n) < 0; });
+  }
+  return result;
+}
+
+constexpr double right_angle = -1e-6; // cosines below are no right angles but for rounding
+
+// For each normal whether it opposes all faces that have it.
+std::vector<bool> oppose_all(const Mesh_data& mesh, const Normal_slots& slots)
+{
+  std::vector<bool> result(slots.size(), false), is_seen(slots.size(), false);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const Triple m = face_normal(mesh, f);
+    if (is_zero(m)) continue;
+    slots.for_each(f, [&](std::size_t, std::size_t slot, const Triple& n) {
+      const bool opposes = scalar_product(normalized(n), m) < right_angle;
+      result[slot] = opposes && (result[slot] || !is_seen[slot]);
+      is_seen[slot] = true;
     });
   }
   return result;
+}
+
+void turn(Triple& n)
+{
+  for (double& x : n) x = -x;
+}
+
+void turn_corners(Mesh_data& mesh, const Normal_slots& slots, const std::vector<bool>& is_turned)
+{
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    slots.for_each(f, [&](std::size_t i, std::size_t slot, const Triple&) {
+      if (is_turned[slot]) turn(mesh.corner_normals[mesh.first_corner(f) + i]);
+    });
+  set_vertex_normals(mesh);
+  mesh.vertices_with_several_normals =
+    mesh.has_corner_normals() ? vertices_with_several_normals(mesh) : 0;
 }
 
 } // namespace
@@ -126,7 +152,7 @@ Flat_shading find_flat_shading(const Mesh_data& mesh)
   for (std::size_t f = 0; f < mesh.number_of_faces() && is_flat; ++f) {
     const Triple m = face_normal(mesh, f);
     if (is_zero(m)) continue;
-    for_each_normal(mesh, f, [&](std::size_t, Mesh_data::Index, const Triple& n) {
+    for_each_normal(mesh, f, [&](const Triple& n) {
       is_flat = is_flat && !directions_differ(m, n);
       if (is_flat) directions.add(n);
     });
@@ -139,33 +165,43 @@ Opposing_normals find_opposing_normals(const Mesh_data& mesh)
 {
   Opposing_normals result;
   if (!mesh.has_normals() || !has_opposing_corner(mesh)) return result;
-  // equal normals of a vertex count once, and stand for all faces that have them
-  const bool of_corners = mesh.has_corner_normals();
-  std::vector<std::size_t> slot_of_corner;
-  std::vector<Mesh_data::Index> vertex_of_slot;
-  if (of_corners) {
-    Different_values different(mesh, mesh.corner_normals);
-    slot_of_corner = std::move(different.of_corner);
-    vertex_of_slot = std::move(different.vertex);
-  }
-  const std::size_t slots = of_corners ? vertex_of_slot.size() : mesh.points.size();
-  std::vector<double> along(slots, 0); // the normal times the sum of those of its faces
+  const Normal_slots slots(mesh);
+  std::vector<double> along(slots.size(), 0); // the normal times the sum of those of its faces
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const Triple m = face_normal(mesh, f);
     if (is_zero(m)) continue;
-    for_each_normal(mesh, f, [&](std::size_t corner, Mesh_data::Index v, const Triple& n) {
-      along[of_corners ? slot_of_corner[corner] : v] +=
-        corner_angle(mesh, f, corner - mesh.first_corner(f)) * scalar_product(normalized(n), m);
+    slots.for_each(f, [&](std::size_t i, std::size_t slot, const Triple& n) {
+      along[slot] += corner_angle(mesh, f, i) * scalar_product(normalized(n), m);
     });
   }
-  for (std::size_t slot = 0; slot < slots; ++slot) {
+  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
     result.of += along[slot] != 0;
-    if (!(along[slot] < -1e-6)) continue; // nor those at a right angle but for rounding
-    const auto vertex = of_corners ? vertex_of_slot[slot] : Mesh_data::Index(slot);
-    result.first_vertex = result.number == 0 ? vertex : (std::min)(result.first_vertex, vertex);
-    ++result.number;
+    if (along[slot] < right_angle) result.add(slots.vertex(slot));
+  }
+  if (result.number > 0) {
+    const std::vector<bool> all = oppose_all(mesh, slots);
+    result.of_all_faces = std::size_t(std::count(all.begin(), all.end(), true));
   }
   return result;
+}
+
+Opposing_normals turn_opposing_normals(Mesh_data& mesh)
+{
+  Opposing_normals turned;
+  if (!mesh.has_normals() || !has_opposing_corner(mesh)) return turned;
+  const Normal_slots slots(mesh);
+  const std::vector<bool> is_turned = oppose_all(mesh, slots);
+  for (std::size_t slot = 0; slot < slots.size(); ++slot)
+    if (is_turned[slot]) turned.add(slots.vertex(slot));
+  turned.of_all_faces = turned.number;
+  if (turned.number == 0) return turned;
+  if (!mesh.corner_normals.empty()) {
+    turn_corners(mesh, slots, is_turned);
+    return turned;
+  }
+  for (std::size_t v = 0; v < mesh.normals.size(); ++v)
+    if (is_turned[v]) turn(mesh.normals[v]);
+  return turned;
 }
 
 } // namespace pn_subdivide

@@ -11,6 +11,9 @@
 
 #include "io/Mesh_data.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace pn_subdivide {
 
 // What the normals are that a file gives to vertices or corners.
@@ -26,9 +29,19 @@ Flat_shading find_flat_shading(const Mesh_data& mesh);
 struct Opposing_normals
 {
   std::size_t number = 0, of = 0;
+  std::size_t of_all_faces = 0; // that point against each one of these
   Mesh_data::Index first_vertex = 0;
+
+  void add(Mesh_data::Index vertex)
+  {
+    first_vertex = number == 0 ? vertex : (std::min)(first_vertex, vertex);
+    ++number;
+  }
 };
 Opposing_normals find_opposing_normals(const Mesh_data& mesh);
+
+// Turns those over that point against each one of their faces.
+Opposing_normals turn_opposing_normals(Mesh_data& mesh);
 
 } // namespace pn_subdivide
 

@@ -100,6 +100,7 @@ private:
     const double y = in_.number("a normal's coordinate");
     const double z = in_.number("a normal's coordinate");
     normals_.add_normal({x, y, z});
+    mesh_.digits_of_normals.see(in_.last_words(), {x, y, z});
   }
 
   void read_face()

@@ -170,7 +170,10 @@ Mesh_data read_off(const std::string& content, bool with_attributes)
   for (std::size_t i = 0; i < header.points; ++i) {
     next_line_of(in, "vertices", i, header.points);
     mesh.points.push_back(read_point(in));
-    if (header.normals) mesh.normals.push_back(read_normal(in));
+    if (header.normals) {
+      mesh.normals.push_back(read_normal(in));
+      mesh.digits_of_normals.see(in.last_words(), mesh.normals.back());
+    }
     read_rest_of_vertex(in, header, attributes);
   }
   std::vector<Mesh_data::Index> face;

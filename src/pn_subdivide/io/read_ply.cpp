@@ -150,6 +150,7 @@ private:
                                                    : nullptr);
         else
           scalars_[k] = columns_.carries(k) ? values_.next(property) : values_.next(property.type);
+        if (k < words_.size()) words_[k] = values_.word();
       }
     } catch (const Error& e) {
       throw Error(std::string(e.what()) + " (in " + name_of(element, i) + ")");
@@ -193,6 +194,7 @@ private:
     const bool has_control = control[0] != Ply_element::none;
     const auto n = has_control ? control : find_three(element, {"nx", "ny", "nz"});
     if (!has_control) mesh_.normal_kind = normal_kind_of(header_.comments);
+    mesh_.are_said_to_be_control = has_control || are_said_to_be_control(header_.comments);
     if (p[0] == Ply_element::none) throw Error("the vertices have no properties x y z");
     const bool has_normals = n[0] != Ply_element::none;
     if (element.size > Mesh_data::max_number_of_points) throw Error("too many vertices");
@@ -204,17 +206,29 @@ private:
     const std::size_t sharpness = tags_.any() ? element.find("sharpness") : Ply_element::none;
     if (sharpness != Ply_element::none) others.emplace_back("sharpness");
     begin(element, others);
+    if (has_normals && values_.is_text()) words_.resize(element.properties.size());
     for (std::size_t i = 0; i < element.size; ++i) {
       read_item(element, i, Lists());
       mesh_.points.push_back({scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]});
-      if (has_normals) mesh_.normals.push_back({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]});
+      if (has_normals) add_normal(element, n);
       columns_.add(scalars_);
       if (sharpness != Ply_element::none) add_sharpness(element, i, scalars_[sharpness]);
     }
+    words_.clear();
     mesh_.attributes.of_vertices = columns_.take();
     for (const Column* column : find_texture(mesh_.attributes.of_vertices))
       for (std::size_t i = 0; i < element.size; ++i)
         require_finite_texture(column->values[i], element, i);
+  }
+
+  void add_normal(const Ply_element& element, const std::array<std::size_t, 3>& n)
+  {
+    mesh_.normals.push_back({scalars_[n[0]], scalars_[n[1]], scalars_[n[2]]});
+    Written_digits& digits = mesh_.digits_of_normals;
+    if (values_.is_text())
+      digits.see({words_[n[0]], words_[n[1]], words_[n[2]]}, mesh_.normals.back());
+    else if (traits(element.properties[n[0]].type).is_integer)
+      digits.see_whole_number();
   }
 
   void add_sharpness(const Ply_element& element, std::size_t i, double x)
@@ -378,6 +392,7 @@ private:
   Mesh_data mesh_;
   Ply_columns columns_;
   std::vector<double> scalars_, indices_, texture_, normals_;
+  std::vector<std::string_view> words_; // of the scalars, while digits are counted
   bool has_list_of_normals_ = false;
   std::vector<double> normals_of_corners_;      // face by face, of those whose list is not empty
   std::vector<std::size_t> faces_with_normals_; // these

@@ -238,6 +238,10 @@ std::string Soup_repair::description() const
   if (turned_components > 0)
     s += ", " + plural(turned_components, "closed component", "closed components") +
          " turned right side out";
+  if (turned_normals > 0)
+    s += ", " + plural(turned_normals, "normal", "normals") +
+         " that opposed all faces turned over (first: at vertex " +
+         std::to_string(first_turned_normal) + ")";
   return s;
 }
 

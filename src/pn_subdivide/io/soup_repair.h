@@ -24,11 +24,14 @@ struct Soup_repair
   std::size_t reversed_faces = 0;
   std::size_t added_vertices = 0; // copies, behind the old vertices
   std::size_t turned_components = 0;
+  std::size_t turned_normals =
+    0; // by turn_opposing_normals(), which repair_soup() leaves to others
+  Mesh_data::Index first_turned_normal = 0; // its vertex
 
   bool changed_anything() const
   {
     return removed_degenerate_faces + split_faces + removed_duplicate_faces + reversed_faces +
-             added_vertices + turned_components >
+             added_vertices + turned_components + turned_normals >
            0;
   }
   std::string description() const; // one line

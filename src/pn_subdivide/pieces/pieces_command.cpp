@@ -105,6 +105,7 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.pieces.pieces && options.pieces.memory, "--memory together with --pieces");
   if (options.pieces.memory) parse_memory(*options.pieces.memory);
   refuse(options.curvature.has_value(), "--curvature");
+  refuse(options.check, "--check");
   refuse(options.verify.shape.has_value(), "--verify");
   refuse(options.interpolate.has_value(), "--interpolate");
   refuse(options.limit.points, "--limit");

@@ -29,21 +29,4 @@ double diagonal_of(const Bounding_box& box)
   return std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
 }
 
-Excess excess(const Bounding_box& control, const Bounding_box& result)
-{
-  constexpr double flat = 1e-9; // of the largest extent: only rounding
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    largest = (std::max)(largest, control.high[i] - control.low[i]);
-  Excess worst;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double extent = control.high[i] - control.low[i];
-    if (!(extent > flat * largest)) continue;
-    const double beyond =
-      (std::max)(control.low[i] - result.low[i], result.high[i] - control.high[i]);
-    if (beyond / extent > worst.ratio) worst = {beyond / extent, "xyz"[i]};
-  }
-  return worst;
-}
-
 } // namespace pn_subdivide

@@ -26,15 +26,6 @@ struct Bounding_box
 
 double diagonal_of(const Bounding_box& box);
 
-// How far the result leaves the box of the control mesh on one side, in units of the box's extent in
-// that direction, and in which direction that is most. Directions without extent do not count.
-struct Excess
-{
-  double ratio = 0;
-  char direction = 'x';
-};
-Excess excess(const Bounding_box& control, const Bounding_box& result);
-
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_BOUNDING_BOX_H

@@ -13,6 +13,7 @@
 #include "io/near_points.h"
 #include "io/normals_of_file.h"
 #include "io/parse_numbers.h"
+#include "io/shading_normals.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
 #include "surface/Bounding_box.h"
@@ -62,21 +63,39 @@ void report_contacts(const Mesh_data& mesh, const Soup_defects& defects, double 
   if (contacts.any()) report.warn(name + ": " + contacts.description(distance / diagonal));
 }
 
-// Flat shading is looked for in the faces as they are in the file, and as they have been turned.
-void note_flat_shading(Mesh_data& mesh)
+bool may_choose_normals(const Surface_options& options)
+{
+  return !options.linear && options.normals.value_or("auto") == "auto";
+}
+
+bool are_normals_taken(const Surface_options& options)
+{
+  return may_choose_normals(options) || (!options.linear && options.normals == "file");
+}
+
+// Shading is looked for in the faces as they are in the file, and as they have been turned.
+void note_shading(Mesh_data& mesh, const Surface_options& options)
 {
   if (!mesh.flat_shading.is_there()) mesh.flat_shading = find_flat_shading(mesh);
+  const bool is_open = may_choose_normals(options) && !mesh.are_said_to_be_control;
+  if (is_open && !mesh.flat_shading.is_there() && !mesh.shading.is_there())
+    mesh.shading = find_shading(mesh);
 }
 
 void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_options& options,
                    double joined_within, Soup_defects defects, Report& report)
 {
   if (options.repair) {
-    const Soup_repair repair = repair_soup(mesh);
+    Soup_repair repair = repair_soup(mesh);
+    if (are_normals_taken(options)) {
+      const Opposing_normals turned = turn_opposing_normals(mesh);
+      repair.turned_normals = turned.number;
+      repair.first_turned_normal = turned.first_vertex;
+    }
     if (repair.changed_anything()) {
       report.warn(name + ": " + repair.description());
       defects = find_defects(mesh);
-      note_flat_shading(mesh);
+      note_shading(mesh, options);
     }
     report.add_repair("removed_degenerate_faces", repair.removed_degenerate_faces);
     report.add_repair("split_faces", repair.split_faces);
@@ -84,6 +103,7 @@ void make_manifold(Mesh_data& mesh, const std::string& name, const Surface_optio
     report.add_repair("reversed_faces", repair.reversed_faces);
     report.add_repair("added_vertices", repair.added_vertices);
     report.add_repair("turned_components", repair.turned_components);
+    report.add_repair("turned_normals", repair.turned_normals);
   }
   require_sound_elements(mesh);
   if (defects.none()) return report_contacts(mesh, defects, joined_within, name, report);
@@ -106,6 +126,7 @@ void split_into_triangles(Mesh_data& mesh, const std::string& name, Report& repo
   split_mesh.copied_from = std::move(mesh.copied_from);
   split_mesh.vertices_with_several_normals = mesh.vertices_with_several_normals;
   split_mesh.flat_shading = mesh.flat_shading;
+  split_mesh.shading = mesh.shading;
   split_mesh.normal_kind = mesh.normal_kind;
   split_mesh.tags = std::move(mesh.tags);
   mesh = std::move(split_mesh);
@@ -197,7 +218,7 @@ Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& option
   require_finite_elements(mesh);
   const double distance = distance_to_join(mesh, file, options);
   Soup_defects defects = merge_points(mesh, file, options, distance, report);
-  note_flat_shading(mesh);
+  note_shading(mesh, options);
   make_manifold(mesh, name, options, distance, std::move(defects), report);
   if (options.triangulate) split_into_triangles(mesh, name, report);
   return mesh;

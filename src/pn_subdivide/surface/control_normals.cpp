@@ -157,6 +157,30 @@ std::optional<PN::Control_normal_estimate> estimate_of_all(const Mesh_data& mesh
   return std::nullopt;
 }
 
+void drop_normals(Mesh_data& mesh)
+{
+  mesh.normals.clear();
+  mesh.corner_normals.clear();
+  mesh.vertices_with_several_normals = 0;
+}
+
+// A file of this command gets a warning, because there is one with which its rounds go on.
+void drop_shading(Mesh_data& mesh, const std::string& name, Report& report)
+{
+  const Shading& shading = mesh.shading;
+  const std::string text =
+    name + ": the normals in the file are shading normals, unit sums of those of the faces " +
+    shading.weights + " (" + std::to_string(shading.normals) + " of " + std::to_string(shading.of) +
+    "), which say nothing that the faces do not: normals are estimated as if there were none "
+    "(--normals file takes them)";
+  if (mesh.normal_kind == Normal_kind::control)
+    report.remark(text);
+  else
+    report.warn(text + "; --output-normals both writes a file from which a further round takes "
+                       "the control normals");
+  drop_normals(mesh);
+}
+
 } // namespace
 
 Normals_option parse_normals_option(const std::string& text)
@@ -244,39 +268,35 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
                          bool can_be_sharp, const std::string& name, Report& report)
 {
   if (!mesh.has_normals()) return;
-  const auto drop_normals = [&mesh] {
-    mesh.normals.clear();
-    mesh.corner_normals.clear();
-    mesh.vertices_with_several_normals = 0;
-  };
   const bool may_drop = option.source == Source::automatic;
   if (are_all_zero(mesh)) {
     if (!may_drop) return;
-    drop_normals();
-    return report.note(name + ": the normals of the file are all zero, which is none: they are "
-                              "estimated; --normals file leaves them zero");
+    drop_normals(mesh);
+    return report.remark(name + ": the normals of the file are all zero, which is none: they are "
+                                "estimated; --normals file leaves them zero");
   }
   const std::string edges =
     std::to_string(creases.number_of_edges) + (creases.number_of_edges == 1 ? " edge" : " edges");
   const Flat_shading& flat = mesh.flat_shading;
   if (!flat.is_there()) {
     if (creases.are_by_normals)
-      report.note(name + ": the normals in the file differ at " + edges + ", taken for creases");
+      report.remark(name + ": the normals in the file differ at " + edges + ", taken for creases");
+    if (may_drop && mesh.shading.is_there()) drop_shading(mesh, name, report);
     return;
   }
   std::string text = name + ": the normals in the file are those of its faces, for flat shading (" +
                      std::to_string(flat.normals) + " different on " + std::to_string(flat.faces) +
                      (flat.faces == 1 ? " face): " : " faces): ");
   if (creases.are_by_normals)
-    return report.note(text + edges + " where they differ, taken for creases");
+    return report.remark(text + edges + " where they differ, taken for creases");
   const bool has_edges = mesh.has_corner_normals() && can_be_sharp;
   if (has_edges) text += "not taken for creases (--sharp file takes them)";
   if (may_drop) {
     text += (has_edges ? ", " : "") +
             std::string("normals are estimated as if there were none (--normals file takes them)");
-    drop_normals();
+    drop_normals(mesh);
   }
-  if (has_edges || may_drop) report.note(text);
+  if (has_edges || may_drop) report.remark(text);
 }
 
 } // namespace pn_subdivide

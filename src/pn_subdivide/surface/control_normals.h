@@ -43,8 +43,8 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
                          const std::string& name, Report& report);
 
 // To be called before these, when the creases are known: says in one line what normals in the file are taken for
-// where they differ, and drops them, if --normals leaves it open, where they say nothing: zero everywhere, or
-// flat shading that makes no creases. `can_be_sharp`: whether --sharp file could make some.
+// where they differ, and drops them, if --normals leaves it open, where they say nothing: zero everywhere,
+// flat shading that makes no creases, or shading normals. `can_be_sharp`: whether --sharp file could make some.
 void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          bool can_be_sharp, const std::string& name, Report& report);
 

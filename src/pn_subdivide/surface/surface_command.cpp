@@ -16,7 +16,7 @@
 #include "io/types_of_format.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
-#include "surface/Bounding_box.h"
+#include "surface/Linear_check.h"
 #include "surface/Output_normals.h"
 #include "surface/attributes.h"
 #include "surface/control_mesh.h"
@@ -56,6 +56,17 @@ struct Plan
   unsigned threads;
 };
 
+void require_consistent_check(const Surface_options& options)
+{
+  if (!options.check) return;
+  if (options.linear)
+    throw Usage_error("--check and --linear exclude each other: --check compares with the linear "
+                      "result");
+  if (options.levels == 0)
+    throw Usage_error("--check and --levels 0 exclude each other: nothing is refined that could be "
+                      "compared");
+}
+
 void require_consistent(const Surface_options& options)
 {
   require_surface_schemes(options.scheme);
@@ -68,6 +79,7 @@ void require_consistent(const Surface_options& options)
   if (options.normals == "none" && options.scheme.normal_scheme)
     throw Usage_error("--normal-scheme and --normals none exclude each other: there are no normals "
                       "for it to average");
+  require_consistent_check(options);
   if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
   throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
                     " and --linear exclude each other: in linear schemes normals take no part");
@@ -136,17 +148,30 @@ Plan make_plan(const Surface_options& options)
   return plan;
 }
 
+std::string turned_by_repair(const Opposing_normals& opposing)
+{
+  if (opposing.of_all_faces == 0) return {};
+  return std::string("; --repair turns ") +
+         (opposing.number == 1 ? "it"
+          : opposing.of_all_faces == opposing.number
+            ? "them"
+            : std::to_string(opposing.of_all_faces) + " of them, which oppose all their faces,") +
+         " over";
+}
+
 void warn_of_opposing_normals(const Opposing_normals& opposing, const std::string& input,
                               Report& report)
 {
   if (opposing.number == 0) return;
-  report.warn(input + ": " + std::to_string(opposing.number) + " of " +
-              std::to_string(opposing.of) +
-              (opposing.number == 1 ? " normals points" : " normals point") +
-              " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
-              (opposing.number == opposing.of
-                 ? "), as if these were inside out"
-                 : "), and the surface may tear there; --normals estimate takes none of the file"));
+  report.warn(
+    input + ": " + std::to_string(opposing.number) + " of " + std::to_string(opposing.of) +
+    (opposing.number == 1 ? " normals points" : " normals point") +
+    " against the faces (first: at vertex " + std::to_string(opposing.first_vertex) +
+    std::string(
+      opposing.number == opposing.of
+        ? "), as if these were inside out"
+        : "), and the surface may tear there; --normals estimate takes none of the file") +
+    turned_by_repair(opposing));
 }
 
 void warn_of_other_normals(Normal_kind kind, const std::string& input, Report& report)
@@ -279,10 +304,48 @@ void announce_long_work(Surface& surface, const Surface_options& options,
   report.progress(scheme.scheme + text);
 }
 
+// Whether the user may be told of edges to be tagged: they could be sharp, and nobody has said which are.
+bool may_suggest_tags(const Plan& plan, const Surface_options& options, const Scheme_choice& scheme)
+{
+  return options.creases.sharp.value_or("auto") == "auto" && !plan.interpolation &&
+         scheme_without_creases(scheme).empty();
+}
+
+bool has_shape_normals(const Plan& plan)
+{
+  using Source = Normals_option::Source;
+  return plan.normals.source == Source::sphere || plan.normals.source == Source::cylinder;
+}
+
+bool takes_file_normals(const Plan& plan, bool has_file_normals)
+{
+  using Source = Normals_option::Source;
+  return has_file_normals &&
+         (plan.normals.source == Source::file || plan.normals.source == Source::automatic);
+}
+
+Linear_check::Choices choices(const Plan& plan, const Surface_options& options,
+                              const Scheme_choice& scheme, bool has_file_normals)
+{
+  return {may_suggest_tags(plan, options, scheme),
+          has_shape_normals(plan) || takes_file_normals(plan, has_file_normals), std::nullopt};
+}
+
+// For the closing line: ", 12 edges turn ...", if somebody could want them sharp.
+std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
+                          const Scheme_choice& scheme, const Creases& creases)
+{
+  if (options.report.quiet || options.levels == 0 || !mesh.has_normals() || has_shape_normals(plan))
+    return {};
+  if (!may_suggest_tags(plan, options, scheme)) return {};
+  const std::size_t number = number_of_turning_edges(mesh, creases);
+  return number == 0 ? "" : ", " + turning_edges_text(number) + ": --sharp angle:40";
+}
+
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
-             Report& report)
+             std::optional<Linear_check>& check, Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
   const bool is_creased = creases.any() || creases.border != Border::surface;
@@ -300,11 +363,14 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
   announce_long_work(surface, options, scheme, report);
+  if (options.check)
+    check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
   if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
   Wedge_list wedges;
   rounds.wedges = &wedges;
   if (is_creased) rounds.creases = add_creases(surface, creases, plan.limit.is_used() || has_tags);
+  if (check) check->set_net(surface, rounds.creases);
   if (options.levels > 0) {
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
@@ -319,6 +385,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
       control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
+  if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
     if (surface.number_of_faces() >= faces_worth_a_report)
@@ -334,22 +401,6 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
-}
-
-void warn_of_excess(const Bounding_box& control, const Mesh_data& mesh, const Plan& plan,
-                    Report& report)
-{
-  constexpr double noteworthy = 0.5; // the sphere from a cube: 0.37
-  const Excess e = excess(control, Bounding_box(mesh.points));
-  if (!(e.ratio > noteworthy)) return;
-  char text[300];
-  std::snprintf(
-    text, sizeof text,
-    ": the surface leaves the control mesh's box by %.2f times its extent in %c, because "
-    "normals bend long faces; --linear gives a surface without normals, shorter faces "
-    "beside the edges keep this one closer",
-    e.ratio, e.direction);
-  report.warn(plan.output.title("standard output") + text);
 }
 
 // Limits are those of what is smooth or sharp for ever.
@@ -413,19 +464,19 @@ std::string time_of(const Report& report)
 
 std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_options& options,
                          const Scheme_choice& scheme, const std::string& normals, bool has_normals,
-                         const Creases& creases, const Report& report)
+                         const Creases& creases, const std::string& turning, const Report& report)
 {
   std::string s = plan.output.title("standard output") + ": " + size_of(mesh) + ", " +
                   rounds_of(plan, options, scheme, has_normals) + ", " + normals +
                   creases.description();
   if (has_normals && !holds_normals(plan.output))
     s += " (not written, " + plan.output.format + " files hold none)";
-  return s + time_of(report);
+  return s + turning + time_of(report);
 }
 
 void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
                      const Scheme_choice& scheme, const std::string& normals,
-                     const Creases& creases, Report& report)
+                     const Creases& creases, const std::string& turning, Report& report)
 {
   const unsigned number = ranks().number();
   const std::string pieces =
@@ -440,7 +491,7 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals +
-              creases.description() + ", " + pieces + time_of(report));
+              creases.description() + ", " + pieces + turning + time_of(report));
   report.print_warnings();
   report.write_file({options.input, options.output, size.vertices, size.faces, options.levels});
   report.print_notes();
@@ -457,7 +508,8 @@ void run_surface_command(const Surface_options& options)
   const std::string input = plan.input.title("standard input");
   Mesh_data mesh;
   Scheme_choice scheme;
-  std::string normals;
+  std::string normals, turning;
+  std::optional<Linear_check> check;
   bool has_normals = false; // to refine with
   Creases creases;
   Pieces_job pieces;
@@ -471,6 +523,8 @@ void run_surface_command(const Surface_options& options)
     if (plan.interpolation) require_interpolation(scheme);
     creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
+    const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
+    if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan.limit, options.levels);
     require_interpolation_without_creases(creases, plan);
@@ -479,14 +533,13 @@ void run_surface_command(const Surface_options& options)
     normals = set_normals(mesh, plan, creases, report);
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
+    turning = turning_edges(mesh, plan, options, scheme, creases);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
                                plan.output_normals);
     else {
-      const Bounding_box control(mesh.points);
-      process(mesh, plan, options, scheme, creases, has_file_normals, report);
-      // whoever takes the linear scheme has chosen so
-      if (options.levels > 0 && has_normals) warn_of_excess(control, mesh, plan, report);
+      process(mesh, plan, options, scheme, creases, has_file_normals, check, report);
+      if (check) report.set_check(check->values());
       if (plan.verification) plan.verification->measure(mesh.points);
     }
   } catch (const Usage_error&) {
@@ -499,8 +552,10 @@ void run_surface_command(const Surface_options& options)
     const std::string what = message_of(e);
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
-  if (in_pieces) return write_in_pieces(pieces, plan, options, scheme, normals, creases, report);
+  if (in_pieces)
+    return write_in_pieces(pieces, plan, options, scheme, normals, creases, turning, report);
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
+  if (check) check->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
@@ -511,7 +566,8 @@ void run_surface_command(const Surface_options& options)
   suit_tags(mesh, plan.output, options, plan.output_normals, report);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   tags.commit();
-  report.note(closing_line(mesh, plan, options, scheme, normals, has_normals, creases, report));
+  report.note(
+    closing_line(mesh, plan, options, scheme, normals, has_normals, creases, turning, report));
   report.print_warnings();
   report.write_file(
     {options.input, options.output, mesh.points.size(), mesh.number_of_faces(), options.levels});

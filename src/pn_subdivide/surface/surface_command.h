@@ -37,6 +37,7 @@ struct Surface_options
   Pieces_options pieces;
   bool merge_points = false, repair = false, triangulate = false;
   bool drop_attributes = false;
+  bool check = false;
   bool ascii = false;
   Report_options report;
 };

@@ -91,7 +91,8 @@ struct Not_wide
   static constexpr std::size_t maximum_length = 0;
 };
 template <class FT, int dimension>
-using Narrow_block = PN::internal::Staged_PN_average_block<FT, dimension, Not_wide>;
+using Narrow_block =
+  PN::internal::Staged_PN_average_block<PN::PN_average<FT, dimension>, dimension, Not_wide>;
 
 template <class Block>
 std::vector<typename Block::Value>

@@ -18,8 +18,8 @@ void use_estimate_corners(Mesh& mesh)
 {
   const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;
   estimate_corner_normals(
-    mesh, mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal").first,
-    CGAL::parameters::edge_is_constrained_map(sharp));
+    mesh, sharp,
+    mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal").first);
 }
 
 } // namespace header_in_use

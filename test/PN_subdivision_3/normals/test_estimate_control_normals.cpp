@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Estimated control normals: the angle-weighted ones against closed forms, and what both estimates
+// Estimated control normals: the angle-weighted ones against closed forms, and what all estimates
 // have in common.
 
 #include "Mesh_cases.h"
@@ -35,7 +35,8 @@ constexpr double pi = 3.14159265358979323846;
 
 using PN::Control_normal_estimate;
 
-constexpr Control_normal_estimate both[] = {Control_normal_estimate::reciprocal,
+constexpr Control_normal_estimate all[] = {Control_normal_estimate::coherent,
+                                            Control_normal_estimate::reciprocal,
                                             Control_normal_estimate::angle};
 
 template <class K>
@@ -97,7 +98,7 @@ Soup fan()
 
 TEST(Estimate_control_normals, CubeCornersAreDiagonal)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     const auto d = estimate<Double>(cube(), how);
     const auto f = estimate<Float>(cube(), how);
     const auto e = estimate<Epeck>(cube(), how);
@@ -113,7 +114,7 @@ TEST(Estimate_control_normals, CubeCornersAreDiagonal)
 // however the square faces are cut into triangles: the weights are angles
 TEST(Estimate_control_normals, TriangulatedCubeCornersAreDiagonal)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     Soup soup = cube();
     std::vector<Polygon> triangles;
     std::size_t i = 0;
@@ -131,7 +132,7 @@ TEST(Estimate_control_normals, TriangulatedCubeCornersAreDiagonal)
 
 TEST(Estimate_control_normals, IcosahedronIsRadial)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     const Soup soup = icosahedron();
     const auto n = estimate<Double>(soup, how);
     for (std::size_t v = 0; v < 12; ++v)
@@ -142,7 +143,7 @@ TEST(Estimate_control_normals, IcosahedronIsRadial)
 TEST(Estimate_control_normals, FanOfKnownAngles)
 {
   const auto n = estimate<Double>(fan());
-  // vertex 0: right angles in both planes. Vertex 2: atan(2/3) and atan(5/3)
+  // vertex 0: right angles in all planes. Vertex 2: atan(2/3) and atan(5/3)
   expect_near(n[0], unit(1, 0, 1), 2e-16);
   expect_near(n[1], {0, 0, 1}, 0);
   expect_near(n[2], unit(std::atan2(5, 3), 0, std::atan2(2, 3)), 4e-16);
@@ -179,7 +180,7 @@ TEST(Estimate_control_normals, FacesWithManyCorners)
     const Triple expected = unit(2 * side * c, 0, in_cap + 2 * side * c);
     expect_near(estimate<Double>(soup)[0], expected, 1e-14, std::to_string(n));
     expect_near(estimate<Epeck>(soup)[0], expected, 1e-13, std::to_string(n));
-    for (const Control_normal_estimate how : both) {
+    for (const Control_normal_estimate how : all) {
       const auto normals = estimate<Double>(soup, how);
       const Triple first = normals[0];
       EXPECT_GT(first[0], 0.1);
@@ -202,7 +203,7 @@ TEST(Estimate_control_normals, QuadThatIsNotPlanar)
 
 TEST(Estimate_control_normals, VerticesWithoutFacesGetZero)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     Soup soup = fan();
     soup.points.push_back({1, 2, 3});
     EXPECT_EQ(estimate<Double>(soup, how)[4], (Triple{0, 0, 0}));
@@ -213,7 +214,7 @@ TEST(Estimate_control_normals, VerticesWithoutFacesGetZero)
 // two triangles back to back, folded together: opposite unit normals, equal angles
 TEST(Estimate_control_normals, SumsThatVanishAreZero)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     const Soup soup{{{0.1, 0.2, 0.3}, {1.7, 0.4, 0.9}, {0.3, 2.1, 0.2}}, {{0, 1, 2}, {1, 0, 2}}};
     for (const Triple& n : estimate<Double>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 0}));
     for (const Triple& n : estimate<Float>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 0}));
@@ -240,7 +241,7 @@ TEST(Estimate_control_normals, FacesWithoutAreaAddNothing)
 // but needles with an area of their own do
 TEST(Estimate_control_normals, NeedlesHaveNormals)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     for (double width : {1e-3, 1e-6, 1e-9, 1e-12}) {
       const Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, width, 0}}, {{0, 1, 2}}};
       for (const Triple& n : estimate<Double>(soup, how)) EXPECT_EQ(n, (Triple{0, 0, 1})) << width;
@@ -263,7 +264,7 @@ TEST(Estimate_control_normals, RepeatedCornersAreHarmless)
 // scaling by powers of two changes no bit
 TEST(Estimate_control_normals, DoNotDependOnTheScale)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     for (const Soup& soup : {icosahedron(), mixed_with_border(), triangles_with_border()}) {
       const auto expected = estimate<Double>(soup, how);
       for (int exponent : {-1000, -700, -332, -60, 60, 332, 500, 1000})
@@ -280,7 +281,7 @@ TEST(Estimate_control_normals, DoNotDependOnTheScale)
 
 TEST(Estimate_control_normals, DoNotDependOnTheScaleInOtherKernels)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     const Soup soup = triangles_with_border();
     const auto expected = estimate<Double>(soup, how);
     for (double scale : {1e-30, 1e-20, 1., 1e20, 1e35}) {
@@ -297,7 +298,7 @@ TEST(Estimate_control_normals, DoNotDependOnTheScaleInOtherKernels)
 // far from the origin the differences of points are exact, if the shift rounds nothing
 TEST(Estimate_control_normals, DoNotDependOnThePlace)
 {
-  for (Control_normal_estimate how : both) {
+  for (Control_normal_estimate how : all) {
     const double shift = std::ldexp(1., 40);
     EXPECT_EQ(estimate<Double>(transformed(cube(), 1, {shift, -shift, shift}), how),
               estimate<Double>(cube(), how));
@@ -324,7 +325,7 @@ TEST(Estimate_control_normals, Polyhedron)
     build(soup, mesh);
     const auto n = get(CGAL::dynamic_vertex_property_t<Double::Vector_3>(), mesh);
     const auto& constant = mesh;
-    for (Control_normal_estimate how : both) {
+    for (Control_normal_estimate how : all) {
       PN::estimate_control_normals(constant, n, params::default_values(), how);
       EXPECT_EQ(values(mesh, n), estimate<Double>(soup, how));
     }
@@ -359,7 +360,7 @@ void expect_estimate(const Scheme& scheme, Control_normal_estimate how)
 TEST(Estimate_control_normals, AreThoseOfASubdivisionWithoutNormals)
 {
   expect_estimate(PN::CatmullClark_scheme(), Control_normal_estimate::reciprocal);
-  for (Control_normal_estimate how : both)
+  for (Control_normal_estimate how : all)
     expect_estimate(PN::with_normal_estimate(PN::CatmullClark_scheme(), how), how);
 }
 

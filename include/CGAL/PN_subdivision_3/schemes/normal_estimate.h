@@ -21,6 +21,7 @@ namespace PN_subdivision_3 {
 /// \ingroup PkgPNSubdivision3Functions
 /// How control normals are estimated from the points of a mesh, see `estimate_control_normals()`.
 enum class Control_normal_estimate {
+  coherent,   ///< the reciprocal ones where they agree with their neighbors, with roundness
   reciprocal, ///< exact on spheres and on grids on cylinders, cones and tori, borders included
   angle       ///< the normals of the faces weighted by their angles
 };
@@ -43,7 +44,7 @@ struct Scheme_with_normal_estimate : Scheme_adaptor<Scheme>
 /*!
 \ingroup PkgPNSubdivision3Schemes
 returns the scheme with a choice of how control normals are estimated if the mesh comes without a
-`vertex_normal_map`; without this adaptor it is `Control_normal_estimate::reciprocal`. The adaptors
+`vertex_normal_map`; without this adaptor it is `Control_normal_estimate::coherent`. The adaptors
 can be nested in any order; of two nested choices the outer one counts. With `linear()` the choice
 has no effect, since there are no normals.
 */
@@ -92,7 +93,7 @@ stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme)
 template <class Scheme>
 Control_normal_estimate normal_estimate(const Scheme& scheme)
 {
-  return stated_normal_estimate(scheme).value_or(Control_normal_estimate::reciprocal);
+  return stated_normal_estimate(scheme).value_or(Control_normal_estimate::coherent);
 }
 
 } // namespace internal

@@ -17,7 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <algorithm>
@@ -241,7 +241,7 @@ public:
   // values[slot] has the point; its normal if is_given[slot]
   Control_creases(const Level_connectivity& level, Creases<FT>& creases, std::vector<Value>& values,
                   std::vector<bool> is_given,
-                  Control_normal_estimate estimate = Control_normal_estimate::reciprocal)
+                  Control_normal_estimate estimate = Control_normal_estimate::coherent)
     : level_(level)
     , creases_(creases)
     , values_(values)
@@ -280,7 +280,18 @@ private:
       [&](Index slot) -> const Vector* {
         return is_given_[slot] ? &values_[slot].normal : nullptr;
       },
-      [&](Index slot, const Vector& n) { values_[slot].normal = n; });
+      [&](Index slot, const Vector& n) { values_[slot].normal = n; },
+      Set_roundness_of_value<Value>{values_.data()});
+    if constexpr (has_roundness_v<Value>) put_roundness_of_creases();
+  }
+  // who says what is sharp says what is smooth
+  void put_roundness_of_creases()
+  {
+    for (const Crease_star& star : creases_.stars) {
+      const Vertex_rule rule = creases_.rule(star);
+      if (rule == Vertex_rule::crease || rule == Vertex_rule::corner)
+        for (Index w = 0; w < star.number_of_wedges; ++w) values_[star.slot(w)].roundness = FT(1);
+    }
   }
 
   // makes the estimated normals orthogonal to the tangents of the edges beside their wedges

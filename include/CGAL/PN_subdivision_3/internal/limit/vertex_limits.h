@@ -107,12 +107,14 @@ Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const Limit_options
     const auto points = Parameters::point_map(mesh, np);
     const auto normals = Parameters::normal_map(np);
     with_mesh_access(mesh, [&](const auto& access) {
-      report = vertex_limits<FT>(
-        access, scheme, points, normals, Parameters::edge_constraint_map(np),
-        Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
-        [&](const auto& limits, auto& of_mesh) {
-          put_limits<Scheme, FT>(access, limits, of_mesh, points, normals, options);
-        });
+      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        return vertex_limits<FT>(
+          access, s, points, normals, Parameters::edge_constraint_map(np),
+          Parameters::vertex_constraint_map(np), options, For_chunks::with(Concurrency_tag()),
+          [&](const auto& limits, auto& of_mesh) {
+            put_limits<Scheme, FT>(access, limits, of_mesh, points, normals, options);
+          });
+      });
     });
   }
   return report;

@@ -15,7 +15,8 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <algorithm>
@@ -96,18 +97,31 @@ public:
     if constexpr (has_normals) {
       if (!is_estimated_ || !is_any_changed_) return;
       const Vertex_sectors sectors(level);
-      std::vector<Vector> normals(values_.size());
+      std::vector<Value> estimated = values_;
       estimate_normals<FT>(
         level, estimate_, sectors, Point_of_value<Value>{values_.data()},
         [&](Index v) { return is_given_[v] ? &values_[v].normal : nullptr; },
-        [&](Index v, const Vector& n) { normals[v] = n; });
-      for (Index v = 0; v < values_.size(); ++v)
-        if (!is_given_[v] && !(values_[v].normal == normals[v])) {
-          values_[v].normal = normals[v];
-          change(v);
-        }
+        Set_normal_of_value<Value>{estimated.data()},
+        Set_roundness_of_value<Value>{estimated.data()});
+      for (Index v = 0; v < values_.size(); ++v) {
+        if (is_given_[v]) continue;
+        if (has_given_roundness_) share_roundness(values_[v], estimated[v]);
+        if (is_same_estimate(values_[v], estimated[v])) continue;
+        values_[v] = estimated[v];
+        change(v);
+      }
     }
   }
+
+  // in place of that of the estimate
+  void set_roundness(const Given_roundness<FT>& given)
+  {
+    if constexpr (has_roundness_v<Value>) {
+      given.put(values_.size(), values_);
+      has_given_roundness_ = given.is_any();
+    }
+  }
+  bool has_given_roundness() const { return has_given_roundness_; }
 
   // \name Creases
   // Vertices between creases have several normals, one for each wedge, which are estimated, or given for all slots.
@@ -161,6 +175,13 @@ private:
     return v;
   }
 
+  static bool is_same_estimate(const Value& a, const Value& b)
+  {
+    if constexpr (has_roundness_v<Value>)
+      if (!(a.roundness == b.roundness)) return false;
+    return a.normal == b.normal;
+  }
+
   void change(std::size_t v)
   {
     is_changed_[v] = true;
@@ -176,6 +197,7 @@ private:
   bool is_estimated_;
   bool is_near_overflow_;
   bool is_any_changed_ = true;
+  bool has_given_roundness_ = false;
 };
 
 } // namespace internal

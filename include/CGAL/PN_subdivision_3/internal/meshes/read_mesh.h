@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <algorithm>
@@ -169,7 +169,8 @@ read_values(const Access& access, const Level_connectivity& level, Point_map poi
   using Value = typename Average::Value;
   if constexpr (has_normal_v<Value> && std::is_same_v<Normal_map, No_normal_map>)
     estimate_normals<FT>(level, estimate, Point_of_value<Value>{values.data()},
-                         Set_normal_of_value<Value>{values.data()});
+                         Set_normal_of_value<Value>{values.data()},
+                         Set_roundness_of_value<Value>{values.data()});
   return values;
 }
 

@@ -21,7 +21,8 @@ namespace internal {
 using Refiner_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
-                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t>;
+                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
+                  vertex_roundness_map_t, roundness_t>;
 using Build_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
 
@@ -44,7 +45,8 @@ constexpr bool check_control_arguments()
            check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
                                 typename Parameters::Edge_constraint_map>() &&
            check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                                typename Parameters::Vertex_constraint_map>();
+                                typename Parameters::Vertex_constraint_map>() &&
+           check_roundness<Mesh, Parameters>();
   }
 }
 
@@ -55,7 +57,7 @@ constexpr bool check_refiner_arguments()
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "geom_traits");
+                          "vertex_roundness_map, roundness, geom_traits");
   constexpr bool has_tangents = has_crease_tangents_v<Scheme>;
   static_assert(!has_tangents, "PN_subdivision_3: Surface_refiner makes the tangents of creases "
                                "from the control points: it takes no with_crease_tangents()");
@@ -72,7 +74,7 @@ constexpr bool check_pieces_arguments()
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "geom_traits");
+                          "vertex_roundness_map, roundness, geom_traits");
   if constexpr (are_used && check_control_arguments<Mesh, Scheme, NamedParameters>()) {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
     return check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,

@@ -174,7 +174,8 @@ private:
 };
 
 // Normals are estimated sector by sector. A sector is a vertex with one of its fans; here a whole
-// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h).
+// vertex. at_target(h) and at_source(h) are the sectors of the corners of face(h). Where edges are
+// tagged, their tags say what is smooth: is_at_crease(s).
 class Vertex_sectors
 {
 public:
@@ -189,6 +190,7 @@ public:
   Fan fan(Index s) const { return fan_of_vertex(level_, s); }
   Index at_target(Index h) const { return level_.target(h); }
   Index at_source(Index h) const { return level_.source(h); }
+  bool is_at_crease(Index) const { return false; }
 
 private:
   const Level_connectivity& level_;

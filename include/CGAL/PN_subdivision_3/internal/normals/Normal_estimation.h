@@ -12,12 +12,10 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
-#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/reciprocal_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <cmath>
 #include <optional>
@@ -50,6 +48,20 @@ public:
   template <class Given, class Set_normal>
   void operator()(const Given& given, const Set_normal& set_normal)
   {
+    estimate(given, set_normal, [&](Index s, const Fan& fan, const Inverted_fan<FT>& inverted) {
+      Estimate& e = estimates_[s];
+      if (!e.is_known) return false;
+      e.weight = blend_weight(e.normal, inverted, face_normal_);
+      if (e.weight >= 1) set_normal(s, exact_normal(fan, e.normal));
+      return e.weight >= 1;
+    });
+  }
+
+  // The same, but that set_closed(s, fan, inverted_fan) may take over a closed sector: its normal,
+  // unblended(s), is not set if it returns true.
+  template <class Given, class Set_normal, class Set_closed>
+  void estimate(const Given& given, const Set_normal& set_normal, const Set_closed& set_closed)
+  {
     const Index n = sectors_.number_of_sectors();
     std::vector<Index> open;
     for (Index s = 0; s < n; ++s) {
@@ -58,7 +70,7 @@ public:
       else if (sectors_.is_empty(s))
         finish(s, {FT(0), FT(0), FT(0)}, set_normal);
       else if (const Fan fan = sectors_.fan(s); fan.closed)
-        estimate_closed(s, fan, set_normal);
+        estimate_closed(s, fan, set_closed);
       else
         open.push_back(s);
     }
@@ -66,6 +78,30 @@ public:
     open = estimate_open(open, set_normal);
     for (Index s : open) take_open_normal(s, set_normal);
     blend(set_normal);
+  }
+
+  // the unit normal without the angle-weighted share; zero if it vanishes
+  const Vector& unblended(Index s) const { return estimates_[s].normal; }
+
+  // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
+  Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
+  {
+    using T = Wide_number<FT>;
+    if constexpr (!std::is_same_v<T, double>) {
+      Coordinates<T, 3> n = reciprocal_sum<T>(level_, fan, point_);
+      if (is_finite_number(T(n[0] + n[1] + n[2])) && length(to_double_3<T>(n)) > 0) {
+        normalize_control_normal<T, 3>(n);
+        return n;
+      }
+    }
+    return converted(normal);
+  }
+
+  static Coordinates<FT, 3> converted(const Vector& normal)
+  {
+    Coordinates<FT, 3> n{FT(normal[0]), FT(normal[1]), FT(normal[2])};
+    if constexpr (!std::is_floating_point_v<FT>) normalize_control_normal<FT, 3>(n);
+    return n;
   }
 
 private:
@@ -93,16 +129,14 @@ private:
     set_normal(s, normal);
   }
 
-  template <class Set_normal>
-  void estimate_closed(Index s, const Fan& fan, const Set_normal& set_normal)
+  template <class Set_closed>
+  void estimate_closed(Index s, const Fan& fan, const Set_closed& set_closed)
   {
     Estimate& e = estimates_[s];
     inverted_.assign(level_, fan, point_);
     e.normal = reciprocal_normal(level_, fan, point_, inverted_);
     e.is_known = !is_zero(e.normal);
-    if (!e.is_known) return;
-    e.weight = blend_weight(e.normal, inverted_, face_normal_);
-    if (e.weight >= 1) finish(s, exact_normal(fan, e.normal), set_normal);
+    e.is_done = set_closed(s, fan, inverted_);
   }
 
   // estimates open fans by the arcs to known neighbors; returns those that have none
@@ -235,27 +269,6 @@ private:
     return is_zero_not_unit<FT, 3>(unit) ? angle_weighted : unit;
   }
 
-  // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
-  Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
-  {
-    using T = Wide_number<FT>;
-    if constexpr (!std::is_same_v<T, double>) {
-      Coordinates<T, 3> n = reciprocal_sum<T>(level_, fan, point_);
-      if (is_finite_number(T(n[0] + n[1] + n[2])) && length(to_double_3<T>(n)) > 0) {
-        normalize_control_normal<T, 3>(n);
-        return n;
-      }
-    }
-    return converted(normal);
-  }
-
-  static Coordinates<FT, 3> converted(const Vector& normal)
-  {
-    Coordinates<FT, 3> n{FT(normal[0]), FT(normal[1]), FT(normal[2])};
-    if constexpr (!std::is_floating_point_v<FT>) normalize_control_normal<FT, 3>(n);
-    return n;
-  }
-
   const Level_connectivity& level_;
   const Sectors& sectors_;
   const Point_of& point_;
@@ -264,45 +277,6 @@ private:
   Inverted_fan<FT> inverted_; // of the sector at hand
   std::vector<Border_arc> arcs_;
 };
-
-// Calls set_normal(s, n) for every sector that is not given, where point(v) returns
-// Coordinates<FT, 3>; given(s) points to the given normal of a sector, a unit vector or zero, or is
-// null.
-template <class FT, class Sectors, class Point_of, class Given, class Set_normal>
-void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
-                      const Sectors& sectors, const Point_of& point, const Given& given,
-                      const Set_normal& set_normal)
-{
-  decided<FT>(
-    [&] {
-      if (estimate == Control_normal_estimate::reciprocal) {
-        Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
-        estimation(given, set_normal);
-        return;
-      }
-      Angle_weighted_normals<FT, Sectors> normals(level, sectors);
-      for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-        normals.add_face(f, point);
-      for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
-        if (given(s) == nullptr) set_normal(s, normals.normal(s));
-    },
-    [] { return "whether an estimated control normal vanishes"; });
-}
-
-template <class FT>
-struct No_given_normals
-{
-  const Coordinates<FT, 3>* operator()(Level_connectivity::Index) const { return nullptr; }
-};
-
-// the same for whole vertices, none of them given
-template <class FT, class Point_of, class Set_normal>
-void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
-                      const Point_of& point, const Set_normal& set_normal)
-{
-  const Vertex_sectors sectors(level);
-  estimate_normals<FT>(level, estimate, sectors, point, No_given_normals<FT>(), set_normal);
-}
 
 } // namespace internal
 } // namespace PN_subdivision_3

@@ -293,6 +293,10 @@ private:
       Control_creases<FT, Value>(*whole_control_, creases_, values, is_given,
                                  normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
+        if (control.has_given_roundness()) share_roundness(control[v], values[v]);
+      for (std::size_t i = 0; i < extra.size(); ++i)
+        share_roundness(values[extra[i]], values[n + i]);
+      for (Index v = 0; v < n; ++v)
         if (!is_given[v]) control.put_estimate(v, values[v].normal);
       put_mean_normals(values, control);
     }

@@ -64,17 +64,19 @@ public:
       append_ring(level, host, v);
       begin.push_back(vertices_.size());
     }
-    std::vector<Value> values(vertices_.size());
+    std::vector<Point_normal<FT, 3>> values(vertices_.size());
     std::vector<char> is_changed(separated.size(), 0);
     const Caller_precision<FT> precision;
     for_chunks(static_cast<Index>(separated.size()), [&](Index first, Index last) {
       const typename Caller_precision<FT>::In_this_thread scope(precision);
       std::map<std::size_t, Normal_transfer<FT>> transfers; // for each size of a ring
-      std::vector<Value> ring;
+      std::vector<Value> of_ring;
+      std::vector<Point_normal<FT, 3>> ring;
       for (Index i = first; i < last; ++i) {
         const std::size_t size = begin[i + 1] - begin[i];
-        ring.resize(size);
-        evaluate(&vertices_[begin[i]], static_cast<Index>(size), ring.data());
+        of_ring.resize(size);
+        evaluate(&vertices_[begin[i]], static_cast<Index>(size), of_ring.data());
+        ring.assign(of_ring.begin(), of_ring.end());
         auto transfer = transfers.find(size);
         if (transfer == transfers.end())
           transfer =

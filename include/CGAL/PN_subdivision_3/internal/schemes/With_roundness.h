@@ -29,6 +29,7 @@ struct Given_roundness
   std::vector<FT> of_vertices;
   std::optional<FT> of_all;
 
+  bool is_any() const { return of_all || !of_vertices.empty(); }
   // into the first values, those of the vertices
   template <class Value>
   void put(std::size_t vertices, std::vector<Value>& values) const

@@ -1,0 +1,93 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_COMPARISON_REFINED_ASIDE_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_COMPARISON_REFINED_ASIDE_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+template <class FT>
+struct Level_with_points
+{
+  Level_connectivity level;
+  std::vector<Coordinates<FT, 3>> points;
+};
+
+// the points of the vertices, which are the first values
+template <class Average, class Values>
+auto points_of(const Values& values, Level_connectivity::Index number)
+{
+  std::vector<Coordinates<typename Average::FT, 3>> points;
+  points.reserve(number);
+  for (Level_connectivity::Index v = 0; v < number; ++v) {
+    const typename Average::Value value = values[v]; // may be stored in another way
+    points.push_back(point_of(value));
+  }
+  return points;
+}
+
+// The level that the rounds of a scheme make of a mesh, as subdivide() does it; mesh and maps are only read.
+template <class Concurrency_tag, class FT, class Scheme, class Access, class Point_map,
+          class Normal_map, class Edge_map, class Vertex_map>
+Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, unsigned rounds,
+                                    Point_map points, Normal_map normals, Edge_map edge_map,
+                                    Vertex_map vertex_map)
+{
+  if constexpr (!is_pn_v<Scheme> && !std::is_same_v<Normal_map, No_normal_map>)
+    return refined_aside<Concurrency_tag, FT>(scheme, access, rounds, points, No_normal_map(),
+                                              edge_map, vertex_map);
+  else if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+    using Average = Average_of_scheme<Scheme, FT>;
+    require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+    Level_connectivity level = checked_level(access);
+    check_scheme<Scheme, Element_names>(scheme, level, access);
+    const Mesh_creases_of_call<Scheme, FT, Access, Normal_map, Edge_map, Vertex_map> of_mesh(
+      scheme, access, level, edge_map, vertex_map);
+    auto creases = of_mesh.creases(level);
+    of_mesh.read_tangents(creases);
+    rounds = number_of_rounds(level, rounds);
+    checked_refined_size<typename Scheme::Host>(level.size(), rounds, Level_connectivity::null);
+    const auto values = of_mesh.values(level, points, normals, creases);
+    Level_refiner<Scheme, Average, decltype(creases)> refiner(
+      scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
+      For_chunks::with(Concurrency_tag()));
+    while (refiner.rounds_done() < rounds) refiner.refine();
+    const Level_connectivity& last = refiner.level();
+    Level_with_points<FT> result{last,
+                                 points_of<Average>(refiner.values(), last.number_of_vertices())};
+    for (Level_connectivity::Index v = 0; v < result.points.size(); ++v)
+      check_in_range(result.points[v],
+                     [&] { return "the point of the new vertex " + std::to_string(v); });
+    return result;
+  }
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_COMPARISON_REFINED_ASIDE_H

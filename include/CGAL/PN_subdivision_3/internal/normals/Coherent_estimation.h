@@ -1,0 +1,240 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_COHERENT_ESTIMATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_COHERENT_ESTIMATION_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
+// with the neighbors and the fan is not wide, the area normal where not; an open one that of
+// Normal_estimation. Round is what is not wide, or is regular, and not at a bend beside what is not
+// round.
+template <class FT, class Sectors, class Point_of>
+class Coherent_estimation
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  Coherent_estimation(const Level_connectivity& level, const Sectors& sectors,
+                      const Point_of& point)
+    : level_(level)
+    , sectors_(sectors)
+    , point_(point)
+    , difference_(level, point)
+    , reciprocal_(level, sectors, point)
+    , estimates_(sectors.number_of_sectors())
+  {}
+
+  // given(s) points to the given normal of a sector or is null; set_normal(s, n) and
+  // set_roundness(s, w) get all others
+  template <class Given, class Set_normal, class Set_roundness>
+  void operator()(const Given& given, const Set_normal& set_normal,
+                  const Set_roundness& set_roundness)
+  {
+    estimate_separately(given, set_normal);
+    add_area_normals();
+    compare_neighbors();
+    for (Index s = 0; s < estimates_.size(); ++s)
+      if (estimates_[s].kind == Kind::closed)
+        estimate_closed(s, set_normal);
+      else if (estimates_[s].kind == Kind::open)
+        estimate_open(s);
+    const std::vector<double> shares = shares_beside_neighbors();
+    for (Index s = 0; s < estimates_.size(); ++s)
+      if (estimates_[s].kind != Kind::given)
+        set_roundness(s, estimates_[s].roundness * (shares.empty() ? 1 : shares[s]));
+  }
+
+private:
+  enum class Kind : char { given, empty, open, closed };
+
+  struct Estimate
+  {
+    Vector normal{0, 0, 0}, area{0, 0, 0}; // unit vectors or zero; first the reciprocal normal
+    // sums over the edges: of the squared mismatches of the two, and of 1/|e|^2
+    double mismatch = 0, mismatch_of_area = 0, curvature = 0;
+    double squared_arc_error = 0; // the largest
+    double roundness = 1;         // but for what the neighbors do to it
+    Kind kind = Kind::given;
+    bool is_reciprocal = false; // not the area normal in its place
+  };
+
+  template <class Given, class Set_normal>
+  void estimate_separately(const Given& given, const Set_normal& set_normal)
+  {
+    for (Index s = 0; s < estimates_.size(); ++s)
+      if (const Coordinates<FT, 3>* n = given(s)) estimates_[s].normal = to_double_3<FT>(*n);
+    const auto set_open = [&](Index s, const Coordinates<FT, 3>& n) {
+      estimates_[s].normal = to_double_3<FT>(n);
+      estimates_[s].kind = sectors_.is_empty(s) ? Kind::empty : Kind::open;
+      set_normal(s, n);
+    };
+    reciprocal_.estimate(given, set_open,
+                         [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
+                           Estimate& e = estimates_[s];
+                           e.normal = reciprocal_.unblended(s);
+                           e.is_reciprocal = !is_zero(e.normal);
+                           e.roundness = roundness_of_turn(e.normal, inverted);
+                           e.kind = Kind::closed;
+                           return true;
+                         });
+  }
+
+  // one normal in place of the other where that vanishes
+  void add_area_normals()
+  {
+    const Area_normals area(level_, sectors_, difference_);
+    for (Index s = 0; s < estimates_.size(); ++s) {
+      Estimate& e = estimates_[s];
+      e.area = area(s);
+      if (is_zero(e.area)) e.area = e.normal;
+      if (e.kind == Kind::closed && !e.is_reciprocal) e.normal = e.area;
+    }
+  }
+
+  // f(s, t, e) for the sectors s and t at the ends of edges, e from s to t
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    for (Index e = 0; e < level_.number_of_edges(); ++e) {
+      const Index h = level_.is_border(2 * e) ? 2 * e + 1 : 2 * e;
+      if (!level_.is_border(h)) f(sectors_.at_source(h), sectors_.at_target(h), h);
+    }
+  }
+
+  Vector edge(Index h) const { return difference_(level_.target(h), level_.source(h)); }
+
+  // edges too short for squares are left out
+  void compare_neighbors()
+  {
+    for_each_edge([&](Index i, Index j, Index h) {
+      Estimate &s = estimates_[i], &t = estimates_[j];
+      const Vector e = edge(h);
+      const double inverse = 1 / dot<double, 3>(e, e);
+      if (!std::isfinite(inverse) || is_zero(s.normal) || is_zero(t.normal)) return;
+      const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
+      add_mismatch(s, of_s + of_t, dot<double, 3>(s.area, e) + of_t, inverse);
+      add_mismatch(t, of_s + of_t, dot<double, 3>(t.area, e) + of_s, inverse);
+    });
+  }
+
+  static void add_mismatch(Estimate& e, double of_normal, double of_area, double inverse)
+  {
+    const double arc_error = of_normal * of_normal * inverse;
+    e.mismatch += arc_error * inverse;
+    e.mismatch_of_area += of_area * of_area * inverse * inverse;
+    e.curvature += inverse;
+    e.squared_arc_error = (std::max)(e.squared_arc_error, arc_error);
+  }
+
+  template <class Set_normal>
+  void estimate_closed(Index s, const Set_normal& set_normal)
+  {
+    Estimate& e = estimates_[s];
+    const double tolerance = vanishing_tolerance<FT>();
+    const double t = e.mismatch <= tolerance * tolerance * e.curvature
+                       ? 1
+                       : share_of_reciprocal(e.mismatch, e.mismatch_of_area);
+    if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
+      set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+      return;
+    }
+    const double regular = regularity_of(e);
+    const double share = t * either(e.roundness, regular);
+    if (share >= 1 && e.is_reciprocal)
+      set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+    else {
+      e.normal = mixed(share, e.normal, e.area);
+      set_normal(s, reciprocal_.converted(e.normal));
+      set_roundness_of_turn(s);
+    }
+    e.roundness = is_zero(e.normal) ? 0 : either(e.roundness, regular);
+    if (sectors_.is_at_crease(s)) e.roundness = 1;
+  }
+
+  void estimate_open(Index s)
+  {
+    Estimate& e = estimates_[s];
+    if (sectors_.is_at_crease(s)) return;
+    set_roundness_of_turn(s);
+    e.roundness = is_zero(e.normal) ? 0 : either(e.roundness, regularity_of(e));
+  }
+
+  void set_roundness_of_turn(Index s)
+  {
+    inverted_.assign(level_, sectors_.fan(s), point_);
+    estimates_[s].roundness = roundness_of_turn(estimates_[s].normal, inverted_);
+  }
+
+  static double regularity_of(const Estimate& e)
+  {
+    return regularity(quick_length(difference<double, 3>(e.normal, e.area)),
+                      std::sqrt(e.squared_arc_error));
+  }
+
+  static Vector mixed(double share, const Vector& a, const Vector& b)
+  {
+    Vector n = multiple(share, a);
+    add_multiple<double, 3>(n, 1 - share, b);
+    const double n_length = quick_length(n);
+    return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
+  }
+
+  // none if all are round
+  std::vector<double> shares_beside_neighbors() const
+  {
+    std::vector<double> shares;
+    const auto is_round = [](const Estimate& e) { return e.roundness == 1; };
+    if (std::all_of(estimates_.begin(), estimates_.end(), is_round)) return shares;
+    shares.resize(estimates_.size(), 1);
+    for_each_edge([&](Index i, Index j, Index h) {
+      const Estimate &s = estimates_[i], &t = estimates_[j];
+      if (is_round(s) && is_round(t)) return;
+      const Vector e = edge(h);
+      const double e_length = quick_length(e);
+      if (!(e_length > 0)) return;
+      const double error =
+        std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e)) / e_length;
+      shares[i] = (std::min)(shares[i], roundness_beside(t.roundness, error));
+      shares[j] = (std::min)(shares[j], roundness_beside(s.roundness, error));
+    });
+    for (Index s = 0; s < shares.size(); ++s)
+      if (sectors_.is_at_crease(s)) shares[s] = 1;
+    return shares;
+  }
+
+  const Level_connectivity& level_;
+  const Sectors& sectors_;
+  const Point_of& point_;
+  const Scaled_differences<FT, Point_of> difference_;
+  Normal_estimation<FT, Sectors, Point_of> reciprocal_;
+  std::vector<Estimate> estimates_;
+  Inverted_fan<FT> inverted_; // of the sector at hand
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_COHERENT_ESTIMATION_H

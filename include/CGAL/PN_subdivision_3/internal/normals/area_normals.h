@@ -1,0 +1,146 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_AREA_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_AREA_NORMALS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Differences of points in double. Where squares of the size of the mesh would leave the range of
+// double, all is scaled by a power of two.
+template <class FT, class Point_of>
+class Scaled_differences
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  Scaled_differences(const Level_connectivity& level, const Point_of& point)
+    : point_(point)
+  {
+    constexpr double most = 0x1p200;
+    double largest = 0;
+    for (Index v = 1; v < level.number_of_vertices(); ++v)
+      largest = (std::max)(largest, size_of((*this)(v, 0)));
+    if (std::isfinite(largest) && largest > 0 && !(largest < most && largest > 1 / most))
+      exponent_ = -std::ilogb(largest);
+  }
+
+  Vector operator()(Index v, Index origin) const
+  {
+    using T = Wide_number<FT>;
+    const auto &p = point_(v), &q = point_(origin);
+    Vector d = to_double_3<T>({T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])});
+    if (exponent_ != 0)
+      for (double& x : d) x = std::ldexp(x, exponent_);
+    return d;
+  }
+
+  // of differences to a point, at most of a size, by the rounding of the coordinates
+  double rounding(Index origin, double size) const
+  {
+    constexpr double of_double = std::numeric_limits<double>::epsilon();
+    if constexpr (is_exact_v<FT>)
+      return of_double * size;
+    else {
+      const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
+      double coordinate = size_of(to_double_3<FT>(point_(origin)));
+      if (exponent_ != 0) coordinate = std::ldexp(coordinate, exponent_);
+      return (std::max)(epsilon * (coordinate + size), of_double * size);
+    }
+  }
+
+  static double size_of(const Vector& a)
+  {
+    return (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+  }
+
+private:
+  const Point_of& point_;
+  int exponent_ = 0;
+};
+
+// The sums of the area vectors of the faces of sectors.
+class Area_normals
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = Coordinates<double, 3>;
+
+  template <class FT, class Point_of, class Sectors>
+  Area_normals(const Level_connectivity& level, const Sectors& sectors,
+               const Scaled_differences<FT, Point_of>& difference)
+    : sums_(sectors.number_of_sectors())
+  {
+    for (Index f = 0; f < level.number_of_faces(); ++f)
+      add(level, sectors, difference, level.halfedge_of_face(f));
+  }
+
+  // the unit vector of the sum of a sector; zero if rounding could have made it
+  Vector operator()(Index s) const
+  {
+    const Sum& sum = sums_[s];
+    const double size = quick_length(sum.area);
+    if (!(size > sum.rounding) || !std::isfinite(size)) return {0, 0, 0};
+    return quotient(sum.area, size);
+  }
+
+private:
+  struct Sum
+  {
+    Vector area{0, 0, 0};
+    double rounding = 0;
+  };
+
+  template <class FT, class Point_of, class Sectors>
+  void add(const Level_connectivity& level, const Sectors& sectors,
+           const Scaled_differences<FT, Point_of>& difference, Index first)
+  {
+    const Index origin = level.target(first);
+    Vector area{0, 0, 0}, before{0, 0, 0};
+    double size = 0;
+    for (Index h = level.next(first); h != first; h = level.next(h)) {
+      const Vector d = difference(level.target(h), origin);
+      if (size > 0) add_multiple<double, 3>(area, 1, cross(before, d));
+      size = (std::max)(size, difference.size_of(d));
+      before = d;
+    }
+    const double rounding = 16 * size * difference.rounding(origin, size) +
+                            3 * vanishing_tolerance<FT>() * difference.size_of(area);
+    Index h = first;
+    do {
+      Sum& sum = sums_[sectors.at_target(h)];
+      add_multiple<double, 3>(sum.area, 1, area);
+      sum.rounding += rounding;
+      h = level.next(h);
+    } while (h != first);
+  }
+
+  std::vector<Sum> sums_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_AREA_NORMALS_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ESTIMATE_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ESTIMATE_NORMALS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Coherent_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+struct Ignore_roundness
+{
+  void operator()(Level_connectivity::Index, double) const {}
+};
+
+// into the values of sectors, if they have one
+template <class Value>
+struct Set_roundness_of_value
+{
+  void operator()([[maybe_unused]] Level_connectivity::Index s, [[maybe_unused]] double w) const
+  {
+    if constexpr (has_roundness_v<Value>) values[s].roundness = w;
+  }
+  Value* values;
+};
+
+template <class FT>
+struct No_given_normals
+{
+  const Coordinates<FT, 3>* operator()(Level_connectivity::Index) const { return nullptr; }
+};
+
+template <class FT, class Sectors, class Point_of, class Given, class Set_normal>
+void estimate_normals_alone(const Level_connectivity& level, Control_normal_estimate estimate,
+                            const Sectors& sectors, const Point_of& point, const Given& given,
+                            const Set_normal& set_normal)
+{
+  if (estimate == Control_normal_estimate::reciprocal) {
+    Normal_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
+    estimation(given, set_normal);
+    return;
+  }
+  Angle_weighted_normals<FT, Sectors> normals(level, sectors);
+  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
+    normals.add_face(f, point);
+  for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
+    if (given(s) == nullptr) set_normal(s, normals.normal(s));
+}
+
+// Calls set_normal(s, n) and set_roundness(s, w) for every sector that is not given, where point(v)
+// returns Coordinates<FT, 3>; given(s) points to the given normal of a sector, a unit vector or zero,
+// or is null. The roundness is in double, 1 if the estimate has no other.
+template <class FT, class Sectors, class Point_of, class Given, class Set_normal,
+          class Set_roundness = Ignore_roundness>
+void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                      const Sectors& sectors, const Point_of& point, const Given& given,
+                      const Set_normal& set_normal,
+                      const Set_roundness& set_roundness = Set_roundness())
+{
+  decided<FT>(
+    [&] {
+      if (estimate == Control_normal_estimate::coherent) {
+        Coherent_estimation<FT, Sectors, Point_of> estimation(level, sectors, point);
+        estimation(given, set_normal, set_roundness);
+        return;
+      }
+      estimate_normals_alone<FT>(level, estimate, sectors, point, given, set_normal);
+      for (Level_connectivity::Index s = 0; s < sectors.number_of_sectors(); ++s)
+        if (given(s) == nullptr) set_roundness(s, 1.);
+    },
+    [] { return "whether an estimated control normal vanishes"; });
+}
+
+// the same for whole vertices, none of them given
+template <class FT, class Point_of, class Set_normal, class Set_roundness = Ignore_roundness>
+void estimate_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                      const Point_of& point, const Set_normal& set_normal,
+                      const Set_roundness& set_roundness = Set_roundness())
+{
+  const Vertex_sectors sectors(level);
+  estimate_normals<FT>(level, estimate, sectors, point, No_given_normals<FT>(), set_normal,
+                       set_roundness);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ESTIMATE_NORMALS_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ROUNDNESS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ROUNDNESS_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The windows by which Coherent_estimation decides, each from 0 to 1 and smooth.
+
+inline double smooth_window(double x, double low, double high)
+{
+  return smoothstep<double>((x - low) / (high - low));
+}
+
+// How much the reciprocal normal counts beside the area normal, by their curvature mismatches to the
+// neighbors, of which the former is zero on spheres and cylinders.
+inline double share_of_reciprocal(double mismatch_of_reciprocal, double mismatch_of_area)
+{
+  const double sum = mismatch_of_reciprocal + mismatch_of_area;
+  return sum > 0 ? smooth_window(mismatch_of_area / sum, 0.2, 0.5) : 1;
+}
+
+// Two planes at a right angle turn by 45 degrees from any normal between them, a regular pentagon by
+// 36. 0 where no corner has an area.
+template <class FT>
+double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
+{
+  constexpr double cos_36 = 0.80901699437494742410, cos_45 = 0.70710678118654752440;
+  double least = 2;
+  for (const auto& corner : fan.corners()) {
+    if (!corner.has_area) continue;
+    const auto d = dot<double, 3>(n, corner.normal);
+    if (d > 0 && d * d >= cos_36 * cos_36 * corner.squared)
+      least = (std::min)(least, 1.);
+    else
+      least = (std::min)(least, d / std::sqrt(corner.squared));
+  }
+  return least > 1 ? 0 : smooth_window(least, cos_45, cos_36);
+}
+
+// Wide fans are round, too, if both normals and all arcs agree: a cube is a sphere.
+inline double regularity(double distance_of_normals, double largest_arc_error)
+{
+  return (1 - smooth_window(distance_of_normals, 0.1, 0.3)) *
+         (1 - smooth_window(largest_arc_error, 0.1, 0.3));
+}
+
+// a or b
+inline double either(double a, double b)
+{
+  return 1 - (1 - a) * (1 - b);
+}
+
+// what is left of the roundness of a vertex beside another one, by the error of the arc between them
+inline double roundness_beside(double neighbor, double arc_error)
+{
+  return 1 - (1 - neighbor) * smooth_window(arc_error, 0.3, 0.6);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_NORMALS_ROUNDNESS_H

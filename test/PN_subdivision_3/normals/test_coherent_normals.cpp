@@ -1,0 +1,413 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Control_normal_estimate::coherent: normals and roundness from points.
+
+#include "Estimated_normals.h"
+#include "Named_shapes.h"
+#include "reference/Coherent_normals.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+
+#include <numeric>
+
+using namespace estimated_normals;
+using namespace sampled_surfaces;
+using named_shapes::renamed;
+namespace PN = CGAL::PN_subdivision_3;
+
+namespace {
+
+struct Result
+{
+  std::vector<Triple> normals;
+  std::vector<double> roundness;
+};
+
+template <class K = CGAL::Simple_cartesian<double>>
+Result coherent(const Control_mesh& control)
+{
+  auto mesh = to_mesh<K>(control);
+  Result result;
+  for (const auto& n : estimate<K>(control, Control_normal_estimate::coherent))
+    result.normals.push_back(
+      {CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z())});
+  result.roundness.assign(mesh.number_of_vertices(), -1);
+  std::vector<std::array<typename K::FT, 3>> points;
+  for (auto v : mesh.vertices())
+    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  PN::internal::with_mesh_access(mesh, [&](const auto& access) {
+    PN::internal::estimate_normals<typename K::FT>(
+      PN::internal::checked_level(access),
+      Control_normal_estimate::coherent, [&](unsigned v) -> const auto& { return points[v]; },
+      [](unsigned, const auto&) {}, [&](unsigned v, double w) { result.roundness[v] = w; });
+  });
+  return result;
+}
+
+Control_mesh moved(Control_mesh mesh, const std::function<Vector(const Vector&)>& f)
+{
+  for (Triple& p : mesh.points) {
+    const Vector q = f(Vector(p[0], p[1], p[2]));
+    p = {double(q[0]), double(q[1]), double(q[2])};
+  }
+  return mesh;
+}
+
+Control_mesh scaled(const Control_mesh& mesh, double x, double y, double z)
+{
+  return moved(mesh, [&](const Vector& p) -> Vector { return p.cwiseProduct(Vector(x, y, z)); });
+}
+
+Control_mesh on_unit_sphere(Control_mesh mesh)
+{
+  mesh.normals.clear();
+  for (Triple& p : mesh.points) mesh.normals.push_back(p = test_meshes::unit(p));
+  return mesh;
+}
+
+Control_mesh octahedron()
+{
+  Control_mesh mesh = test_meshes::bipyramid(4);
+  for (std::size_t i = 0; i < 4; ++i)
+    mesh.points[i] = {double(i == 0) - double(i == 2), double(i == 1) - double(i == 3), 0};
+  mesh.points[4] = {0, 0, 1};
+  mesh.points[5] = {0, 0, -1};
+  return renamed(on_unit_sphere(mesh), "octahedron");
+}
+
+// n x n squares bent by a right angle along the middle
+Control_mesh bent_plane(int n)
+{
+  Control_mesh mesh = test_meshes::grid(2 * n, n, false, false, Cells::quads);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const int i = int(v) % (2 * n + 1), j = int(v) / (2 * n + 1);
+    mesh.points[v] = {double((std::max)(i - n, 0)), double(j), double((std::max)(n - i, 0))};
+  }
+  return mesh;
+}
+
+// a closed ring of `rows` strips around a rectangle with corners rounded by arcs of 90 degrees
+Control_mesh rounded_beam(double a, double b, double radius, int steps, int rows)
+{
+  std::vector<Sample> outline;
+  for (int corner = 0; corner < 4; ++corner)
+    for (int k = 0; k <= steps; ++k) {
+      const Real t = pi / 2 * (corner + Real(k) / steps);
+      const Vector n(std::cos(t), std::sin(t), 0);
+      const Real x = corner == 0 || corner == 3 ? a / 2 - radius : radius - a / 2;
+      const Real y = corner < 2 ? b / 2 - radius : radius - b / 2;
+      outline.push_back({Vector(x, y, 0) + radius * n, n});
+    }
+  Control_mesh mesh{"rounded beam", {}, {}, {}};
+  const int n = int(outline.size());
+  for (int j = 0; j <= rows; ++j)
+    for (const Sample& s : outline) add(mesh, {s.point + Vector(0, 0, 0.4L * j), s.normal});
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < n; ++i)
+      mesh.faces.push_back(
+        {n * j + i, n * j + (i + 1) % n, n * (j + 1) + (i + 1) % n, n * (j + 1) + i});
+  return mesh;
+}
+
+std::vector<Control_mesh> exact_shapes()
+{
+  std::vector<Control_mesh> shapes{on_unit_sphere(named_shapes::cube()), octahedron(),
+                                   scattered(0, 0, 4, on_sphere)};
+  shapes.push_back(on_unit_sphere(named_shapes::dual(shapes[2], "dodecahedron")));
+  for (unsigned seed : {1u, 2u, 3u})
+    for (int rounds : {1, 2}) shapes.push_back(scattered(rounds, 0.3, seed, on_sphere));
+  std::mt19937 generator(5);
+  for (Cells cells : {Cells::quads, Cells::triangles, Cells::mixed})
+    shapes.push_back(patch(12, 8, 0.3, cells, 6, cap(0.6)));
+  const Numbers heights = uneven(6, 0.5, generator);
+  for (int n = 3; n <= 16; ++n)
+    for (Real unevenness : {0., 0.25}) {
+      if (unevenness == 0 ? n > 12 : n < 7) continue;
+      const Numbers turns = uneven(n + 1, unevenness, generator);
+      shapes.push_back(renamed(cylinder(turns, heights, 3, Cells::quads),
+                               "cylinder of " + std::to_string(n)));
+    }
+  return shapes;
+}
+
+std::vector<Control_mesh> any_shapes()
+{
+  std::vector<Control_mesh> shapes = exact_shapes();
+  for (const Control_mesh& mesh : test_meshes::all())
+    if (!test_meshes::has_isolated_vertex(mesh)) shapes.push_back(mesh);
+  std::mt19937 generator(7);
+  const Numbers u = uneven(13, 0.4, generator), v = uneven(9, 0.5, generator);
+  shapes.push_back(torus(u, v, Cells::mixed));
+  shapes.push_back(cone(u, v, Cells::quads));
+  shapes.push_back(patch(12, 8, 0.25, Cells::triangles, 1, on_waves));
+  shapes.push_back(scattered(1, 0.3, 1, on_ellipsoid));
+  shapes.push_back(scattered(0, 0.2, 3, on_ellipsoid));
+  shapes.push_back(bent_plane(5));
+  for (int steps : {1, 2, 3, 6}) shapes.push_back(rounded_beam(4.6, 2.6, 0.3, steps, 4));
+  for (double length : {1.3, 3., 50.})
+    shapes.push_back(scaled(named_shapes::cube(), 1, 1.5, length));
+  for (int n : {3, 4, 5, 8}) shapes.push_back(scaled(named_shapes::prism(n), 1, 1.1, 1.4));
+  return shapes;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    if (!(std::abs(a[i] - b[i]) <= largest)) largest = std::abs(a[i] - b[i]);
+  return largest;
+}
+
+} // namespace
+
+TEST(Coherent_normals, AreExactOnRoundShapes)
+{
+  for (const Control_mesh& mesh : exact_shapes()) {
+    const Result result = coherent(mesh);
+    EXPECT_LE(largest_distance(result.normals, mesh.normals), 16 * ulp) << mesh.name;
+    for (double w : result.roundness) EXPECT_EQ(w, 1) << mesh.name;
+  }
+}
+
+TEST(Coherent_normals, AgreeWithTheReference)
+{
+  double worst = 0, worst_w = 0;
+  int between = 0;
+  for (const Control_mesh& mesh : any_shapes()) {
+    const reference::Face_list list = test_meshes::face_list(mesh);
+    const auto points = reference_points(mesh);
+    const reference::Coherent_normals expected(list, points);
+    const Result result = coherent(mesh);
+    const double n = largest_distance(result.normals, triples(expected.normals));
+    const double w =
+      largest_difference(result.roundness, {expected.roundness.begin(), expected.roundness.end()});
+    EXPECT_LE(n, 64 * ulp) << mesh.name;
+    EXPECT_LE(w, 256 * ulp) << mesh.name;
+    worst = (std::max)(worst, n);
+    worst_w = (std::max)(worst_w, w);
+    for (double x : result.roundness) between += x > 0.01 && x < 0.99;
+  }
+  std::cout << "normals " << worst / ulp << ", roundness " << worst_w / ulp << " in 2^-52; "
+            << between << " between 0 and 1\n";
+  EXPECT_GE(between, 100);
+}
+
+TEST(Coherent_normals, SimilaritiesCommute)
+{
+  const Eigen::AngleAxis<Real> turn(0.7L, Vector(1, 2, -0.5).normalized());
+  for (const Control_mesh& mesh : any_shapes()) {
+    const Result expected = coherent(mesh);
+    for (int exponent : {-600, -300, 300, 600}) {
+      const Real factor = std::ldexp(1.L, exponent);
+      const Result result = coherent(moved(mesh, [&](const Vector& p) { return factor * p; }));
+      EXPECT_EQ(result.normals, expected.normals) << mesh.name << ", 2^" << exponent;
+      EXPECT_EQ(result.roundness, expected.roundness) << mesh.name << ", 2^" << exponent;
+    }
+    const Result turned = coherent(
+      moved(mesh, [&](const Vector& p) -> Vector { return 3 * (turn * p) + Vector(1, -2, 3); }));
+    EXPECT_LE(largest_difference(turned.roundness, expected.roundness), 2048 * ulp) << mesh.name;
+    for (std::size_t v = 0; v < expected.normals.size(); ++v) {
+      const Triple& m = expected.normals[v];
+      const Vector n = turn * Vector(m[0], m[1], m[2]);
+      EXPECT_LE(distance(turned.normals[v], {double(n[0]), double(n[1]), double(n[2])}), 512 * ulp)
+        << mesh.name << ", vertex " << v;
+    }
+  }
+}
+
+TEST(Coherent_normals, NumberingHasNoPart)
+{
+  std::mt19937 generator(8);
+  for (const Control_mesh& mesh : any_shapes()) {
+    std::vector<int> place(mesh.points.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::shuffle(place.begin(), place.end(), generator);
+    Control_mesh other = mesh;
+    for (std::size_t v = 0; v < place.size(); ++v)
+      other.points[std::size_t(place[v])] = mesh.points[v];
+    for (reference::Face& f : other.faces) {
+      for (int& v : f) v = place[std::size_t(v)];
+      std::rotate(f.begin(), f.begin() + 1, f.end());
+    }
+    std::shuffle(other.faces.begin(), other.faces.end(), generator);
+    const Result expected = coherent(mesh), result = coherent(other);
+    for (std::size_t v = 0; v < place.size(); ++v) {
+      const auto w = std::size_t(place[v]);
+      EXPECT_LE(distance(result.normals[w], expected.normals[v]), 64 * ulp) << mesh.name;
+      EXPECT_NEAR(result.roundness[w], expected.roundness[v], 256 * ulp) << mesh.name;
+    }
+  }
+}
+
+TEST(Coherent_normals, ReversedFacesReverseThem)
+{
+  for (Control_mesh mesh : any_shapes()) {
+    Result expected = coherent(mesh);
+    for (Triple& n : expected.normals)
+      for (double& x : n) x = -x;
+    for (reference::Face& f : mesh.faces) std::reverse(f.begin(), f.end());
+    const Result result = coherent(mesh);
+    EXPECT_LE(largest_distance(result.normals, expected.normals), 64 * ulp) << mesh.name;
+    EXPECT_LE(largest_difference(result.roundness, expected.roundness), 256 * ulp) << mesh.name;
+  }
+}
+
+TEST(Coherent_normals, AreTheReciprocalOnesBitForBitWhereTheseAreRight)
+{
+  int count = 0;
+  for (const Control_mesh& mesh : exact_shapes()) {
+    const bool is_wide = mesh.name == "cylinder of 3" || mesh.name == "cylinder of 4";
+    if (is_wide || (mesh.name.find("cylinder") != 0 && mesh.name != "scattered")) continue;
+    EXPECT_EQ(coherent(mesh).normals, estimated(mesh)) << mesh.name;
+    ++count;
+  }
+  EXPECT_GE(count, 20);
+}
+
+TEST(Coherent_normals, RightAnglesBetweenPlanesAreNotRound)
+{
+  constexpr int n = 5;
+  const Control_mesh mesh = bent_plane(n);
+  const Result result = coherent(mesh);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const int from_bend = std::abs(int(v) % (2 * n + 1) - n);
+    EXPECT_EQ(result.roundness[v], from_bend < 2 ? 0 : 1) << v;
+    if (from_bend == 0) continue;
+    const Triple normal = int(v) % (2 * n + 1) < n ? Triple{1, 0, 0} : Triple{0, 0, 1};
+    const Triple& m = result.normals[v];
+    EXPECT_LE((std::min)(distance(m, normal), distance({-m[0], -m[1], -m[2]}, normal)), 4 * ulp);
+  }
+}
+
+// Reciprocal weights bow the planes of a beam.
+TEST(Coherent_normals, PlanesJoinBends)
+{
+  for (int steps : {2, 3, 6}) {
+    const Control_mesh mesh = rounded_beam(4.6, 2.6, 0.3, steps, 4);
+    const auto inside = [&](int v) {
+      return v >= 4 * (steps + 1) && v < 16 * (steps + 1) && (v % (steps + 1) == 0);
+    };
+    const double now = angles(mesh, coherent(mesh).normals, inside).largest;
+    const double before = angles(mesh, estimated(mesh), inside).largest;
+    EXPECT_LT(now, before / 3) << steps;
+  }
+}
+
+// the normals of the ellipsoid through the corners: a / (a^2, b^2, c^2)
+TEST(Coherent_normals, BoxesHaveAreaNormals)
+{
+  const Control_mesh mesh = scaled(named_shapes::cube(), 1, 2, 5);
+  const Result result = coherent(mesh);
+  for (std::size_t v = 0; v < 8; ++v) {
+    const Triple& p = mesh.points[v];
+    const Triple expected = test_meshes::unit({1 / p[0], 1 / p[1], 1 / p[2]});
+    EXPECT_LE(distance(result.normals[v], expected), 4 * ulp);
+    EXPECT_EQ(result.roundness[v], 0);
+  }
+}
+
+TEST(Coherent_normals, DegenerateMeshes)
+{
+  std::vector<Control_mesh> shapes;
+  shapes.push_back({"empty", {}, {}, {}});
+  shapes.push_back({"isolated", {{1, 2, 3}}, {}, {}});
+  Control_mesh flat = scaled(scattered(1, 0.3, 1, on_sphere), 1, 1, 0);
+  shapes.push_back(renamed(flat, "flat"));
+  shapes.push_back(renamed(scaled(flat, 1, 0, 0), "a line"));
+  shapes.push_back(renamed(scaled(flat, 0, 0, 0), "a point"));
+  Control_mesh repeated = scattered(1, 0.3, 1, on_sphere);
+  for (std::size_t v = 0; v + 1 < repeated.points.size(); v += 3)
+    repeated.points[v] = repeated.points[v + 1];
+  shapes.push_back(renamed(repeated, "repeated points"));
+  shapes.push_back(
+    renamed(scaled(scattered(1, 0.3, 1, on_sphere), 0x1p600, 0x1p-600, 1), "wide range"));
+  shapes.push_back(
+    renamed(scaled(scattered(1, 0.3, 1, on_sphere), 1e-320, 1e-320, 1e-320), "denormal"));
+  for (const Control_mesh& mesh : shapes) {
+    for (const Result& result :
+         {coherent(mesh), coherent<CGAL::Exact_predicates_exact_constructions_kernel>(mesh)})
+      for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        const Triple& n = result.normals[v];
+        const double length = std::hypot(n[0], n[1], n[2]), w = result.roundness[v];
+        EXPECT_TRUE(length == 0 || std::abs(length - 1) < 64 * ulp) << mesh.name << ' ' << v;
+        EXPECT_TRUE(w >= 0 && w <= 1) << mesh.name << ' ' << v << ' ' << w;
+        if (length == 0 && mesh.name != "isolated") EXPECT_EQ(w, 0) << mesh.name << ' ' << v;
+      }
+  }
+  EXPECT_EQ(coherent(shapes[1]).roundness[0], 1);
+}
+
+TEST(Coherent_normals, ExactTypesKeepExactDirections)
+{
+  using FT = CGAL::Exact_rational;
+  using K = CGAL::Simple_cartesian<FT>;
+  const Control_mesh rough = patch(6, 5, 0.3, Cells::mixed, 9, cap(0.5));
+  auto mesh = to_mesh<K>(rough);
+  for (auto v : mesh.vertices()) { // stereographic projection
+    const FT x(rough.points[v][0] / 2), y(rough.points[v][1] / 2), d = 1 + x * x + y * y;
+    mesh.point(v) = K::Point_3(2 * x / d, 2 * y / d, (1 - x * x - y * y) / d);
+  }
+  auto n = mesh.add_property_map<CGAL::SM_Vertex_index, K::Vector_3>("n").first;
+  PN::estimate_control_normals(mesh, n);
+  int interior = 0;
+  for (auto v : mesh.vertices())
+    if (!mesh.is_border(v)) {
+      EXPECT_EQ(CGAL::cross_product(n[v], mesh.point(v) - CGAL::ORIGIN), K::Vector_3(0, 0, 0));
+      ++interior;
+    }
+  EXPECT_EQ(interior, 20);
+}
+
+TEST(Coherent_normals, GivenNormalsAreRound)
+{
+  const Control_mesh control = bent_plane(4);
+  const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
+  PN::internal::with_mesh_access(mesh, [&](const auto& access) {
+    const auto level = PN::internal::checked_level(access);
+    const PN::internal::Vertex_sectors sectors(level);
+    const Triple between = test_meshes::unit({-1, 0, -1});
+    const auto is_given = [](unsigned v) { return v % 9 == 4; }; // the bend
+    std::size_t normals = 0, others = 0;
+    PN::internal::estimate_normals<double>(
+      level, Control_normal_estimate::coherent, sectors,
+      [&](unsigned v) -> const Triple& { return control.points[v]; },
+      [&](unsigned v) { return is_given(v) ? &between : nullptr; },
+      [&](unsigned v, const Triple&) {
+        EXPECT_FALSE(is_given(v));
+        ++normals;
+      },
+      [&](unsigned v, double w) {
+        EXPECT_FALSE(is_given(v));
+        EXPECT_EQ(w, 1) << v;
+        ++others;
+      });
+    EXPECT_EQ(normals, 40u);
+    EXPECT_EQ(others, 40u);
+  });
+}
+
+TEST(Coherent_normals, OtherEstimatesAreRound)
+{
+  const Control_mesh control = bent_plane(4);
+  const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
+  for (auto how : {Control_normal_estimate::reciprocal, Control_normal_estimate::angle})
+    PN::internal::with_mesh_access(mesh, [&](const auto& access) {
+      std::size_t count = 0;
+      PN::internal::estimate_normals<double>(
+        PN::internal::checked_level(access), how,
+        [&](unsigned v) -> const Triple& { return control.points[v]; },
+        [](unsigned, const Triple&) {},
+        [&](unsigned, double w) {
+          EXPECT_EQ(w, 1);
+          ++count;
+        });
+      EXPECT_EQ(count, control.points.size());
+    });
+}

@@ -1,0 +1,157 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Normals and roundness from points, as the manual defines them: vertex by vertex and face by face, in long double,
+// with no guards but against division by zero. Includes nothing of the package.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_REFERENCE_COHERENT_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_TEST_REFERENCE_COHERENT_NORMALS_H
+
+#include "Control_normals.h"
+
+#include <vector>
+
+namespace reference {
+
+class Coherent_normals
+{
+public:
+  std::vector<Point_3> normals;
+  std::vector<Real> roundness;
+
+  Coherent_normals(const Face_list& mesh, const std::vector<Point_3>& points)
+    : normals(points.size(), Point_3::Zero())
+    , mesh_(mesh)
+    , p_(points)
+    , reciprocal_(Control_normals(mesh, points).reciprocal())
+  {
+    const int n = int(points.size());
+    for (int v = 0; v < n; ++v) {
+      area_.push_back(area_normal(v));
+      if (mesh.is_border(v)) continue;
+      Point_3& r = reciprocal_[std::size_t(v)];
+      r = fan_normal(v);
+      if (r.isZero()) r = area_.back();
+    }
+    std::vector<Real> alone;
+    for (int v = 0; v < n; ++v) alone.push_back(make_normal(v));
+    for (int v = 0; v < n; ++v) {
+      Real least = 1;
+      for (int j : mesh.ring(v)) {
+        const Real other = alone[std::size_t(j)];
+        least = std::min(least, 1 - (1 - other) * window(arc_error(v, j, normals), 0.3L, 0.6L));
+      }
+      roundness.push_back(alone[std::size_t(v)] * least);
+    }
+  }
+
+private:
+  const Point_3& at(int v) const { return p_[std::size_t(v)]; }
+
+  static Real window(Real x, Real low, Real high)
+  {
+    if (x <= low) return 0;
+    if (x >= high) return 1;
+    const Real y = (x - low) / (high - low);
+    return y * y * (3 - 2 * y);
+  }
+
+  static Point_3 unit(const Point_3& x)
+  {
+    return x.norm() > 0 ? Point_3(x / x.norm()) : Point_3(Point_3::Zero());
+  }
+
+  Point_3 area_normal(int v) const
+  {
+    Point_3 sum = Point_3::Zero();
+    for (const Face& f : mesh_.faces())
+      for (int corner : f) {
+        if (corner != v) continue;
+        for (std::size_t i = 0; i < f.size(); ++i)
+          sum += (at(f[i]) - at(f[0])).cross(at(f[(i + 1) % f.size()]) - at(f[0]));
+      }
+    return unit(sum);
+  }
+
+  // corners of the fan as pairs of vectors, counterclockwise
+  std::vector<std::pair<Point_3, Point_3>> corners(int v) const
+  {
+    std::vector<std::pair<Point_3, Point_3>> result;
+    for (const Face& f : mesh_.faces())
+      for (std::size_t i = 0; i < f.size(); ++i)
+        if (f[i] == v)
+          result.emplace_back(at(f[(i + 1) % f.size()]) - at(v),
+                              at(f[(i + f.size() - 1) % f.size()]) - at(v));
+    return result;
+  }
+
+  Point_3 fan_normal(int v) const
+  {
+    Point_3 sum = Point_3::Zero();
+    for (const auto& [a, b] : corners(v)) sum += (a / a.squaredNorm()).cross(b / b.squaredNorm());
+    return unit(sum);
+  }
+
+  Real turn_share(int v, const Point_3& n) const
+  {
+    const Real degree = std::acos(Real(-1)) / 180;
+    Real least = 1;
+    for (const auto& [a, b] : corners(v)) {
+      const Point_3 c = a.cross(b);
+      if (c.norm() > 1e-14L * std::max(a.squaredNorm(), b.squaredNorm()))
+        least = std::min(least, n.dot(c) / c.norm());
+    }
+    return window(least, std::cos(45 * degree), std::cos(36 * degree));
+  }
+
+  Real arc_error(int v, int j, const std::vector<Point_3>& n) const
+  {
+    const Point_3 e = at(j) - at(v);
+    return std::abs((n[std::size_t(v)] + n[std::size_t(j)]).dot(e)) / e.norm();
+  }
+
+  Real mismatch(int v, const Point_3& n) const
+  {
+    Real sum = 0;
+    for (int j : mesh_.ring(v)) {
+      const Point_3 e = at(j) - at(v);
+      const Real x = (n + reciprocal_[std::size_t(j)]).dot(e) / e.squaredNorm();
+      sum += x * x;
+    }
+    return sum;
+  }
+
+  // returns its roundness without regard to the neighbors
+  Real make_normal(int v)
+  {
+    const Point_3 &r = reciprocal_[std::size_t(v)], &a = area_[std::size_t(v)];
+    Point_3& n = normals[std::size_t(v)];
+    if (mesh_.ring(v).empty()) return 1;
+    Real g = 0;
+    for (int j : mesh_.ring(v)) g = std::max(g, arc_error(v, j, reciprocal_));
+    const Real rho = (1 - window((r - a).norm(), 0.1L, 0.3L)) * (1 - window(g, 0.1L, 0.3L));
+    n = r;
+    if (!mesh_.is_border(v)) {
+      const Real er = mismatch(v, r), ea = mismatch(v, a);
+      const Real t = er + ea > 0 ? window(ea / (er + ea), 0.2L, 0.5L) : 1;
+      const Real f = turn_share(v, r), s = t * (f + (1 - f) * rho);
+      n = unit(s * r + (1 - s) * a);
+    }
+    if (n.isZero()) return 0;
+    const Real f = turn_share(v, n);
+    return f + (1 - f) * rho;
+  }
+
+  const Face_list& mesh_;
+  const std::vector<Point_3>& p_;
+  std::vector<Point_3> reciprocal_, area_;
+};
+
+} // namespace reference
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_REFERENCE_COHERENT_NORMALS_H
