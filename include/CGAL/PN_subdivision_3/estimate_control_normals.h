@@ -9,23 +9,72 @@
 #ifndef CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
+
+namespace internal {
+
+// what read_values() reads here
+template <class Number>
+struct Estimated_values
+{
+  using FT = Number;
+  using Value = Point_normal_roundness<FT, 3>;
+};
+
+template <class Map, class Vertex, class FT>
+void put_roundness(Map map, Vertex v, const FT& w)
+{
+  if constexpr (!std::is_same_v<Map, No_roundness>)
+    put(map, v, roundness_as<std::decay_t<typename boost::property_traits<Map>::value_type>>(w));
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-estimates control normals from the points of a mesh. Those of `Control_normal_estimate::reciprocal`
-are exact, up to rounding, for points on a sphere in any arrangement, and for points on a cylinder, a
-cone or a torus at the crossings of parallels and straight or circular meridians, as quads or
-triangulated; the others are those of Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>,
-Section 6. \ref PN_subdivision_3_control_normals "The manual" compares them.
+estimates control normals from the points of a mesh, and how round it is at each of its vertices. The normals
+are exact, up to rounding, for points on a sphere in any arrangement that turns by less than 36 degrees from vertex
+to face, and for points on a cylinder, a cone or a torus at the crossings of parallels and straight or circular
+meridians, as quads or triangulated. \ref PN_subdivision_3_control_normals "The manual" compares the estimates.
+
+<b>Coherent.</b> Two normals are at hand: at an interior vertex r, the reciprocal one (below), which fits a
+sphere, and a, the unit sum of the area vectors of its faces, which fits a box. With the edges \f$ e_j \f$ of the
+vertex, the reciprocal normals \f$ r_j \f$ of its neighbors and S the smoothstep function, 0 below 0 and 1 above 1,
+
+\f[ E(n) = \sum_j \left( \frac{(n + r_j) \cdot e_j}{|e_j|^2} \right)^2, \quad x = \frac{E(a)}{E(r) + E(a)}, \quad
+t = S \left( \frac{x - 0.2}{0.3} \right) \f]
+
+tells which of the two is on arcs with the neighbors: on spheres and cylinders E(r) = 0 and t = 1, where a plane joins
+a bend t = 0. Let c(n) be the smallest cosine of the angles between n and the cross products of neighboring edges,
+g(n) the largest \f$ |(n + n_j) \cdot e_j| / |e_j| \f$, and
+
+\f[ f(n) = S \left( \frac{c(n) - \cos 45^\circ}{\cos 36^\circ - \cos 45^\circ} \right), \quad
+\rho = \left( 1 - S \left( \frac{|r - a| - 0.1}{0.2} \right) \right) \left( 1 - S \left( \frac{g(r) - 0.1}{0.2}
+\right) \right), \f]
+
+1 where the vertex turns no more than a regular pentagon and 0 where it turns as two planes at a right angle do; and 1
+where a coarse mesh is regular, as a cube is. The normal is the unit vector of s r + (1 - s) a with s = t (f(r) + (1 -
+f(r)) &rho;), the reciprocal one itself where s = 1. The roundness is w' = f(n) + (1 - f(n)) &rho;, but that a
+vertex without an arc to a neighbor that is not round is not round either:
+
+\f[ w = w' \min_j \left( 1 - (1 - w'_j) \, S \left( \frac{g_j - 0.3}{0.3} \right) \right), \quad g_j = \frac{|(n + n_j)
+\cdot e_j|}{|e_j|}. \f]
+
+At a border vertex r and n are the normal of the reciprocal estimate. Where one of r and a vanishes the other one
+is taken for both; where E(r) is no more than rounding t = 1. The roundness is 0 where the normal vanishes and 1 at
+vertices without edges. The other estimates find everything round, w = 1.
 
 <b>Reciprocal.</b> At an interior vertex, with its edges \f$ e_i \f$ in order and \f$ W_i =
 e_i/|e_i|^2 \f$, the unit vector of \f$ \sum_i W_i \times W_{i+1} \f$ (N. Max, <em>Weights for
@@ -37,7 +86,7 @@ themselves. Where this does not determine a normal (no such neighbor; a border t
 result turned by more than 73 degrees from it) it is the unit vector of \f$ \sum_i W_i \times W_{i+1}
 \f$ over the faces of the vertex.
 
-These fit a curved surface, and a box only with a ball around it. Hence let \f$ \alpha \f$ be the
+Those of `Control_normal_estimate::reciprocal` fit a curved surface, and a box only with a ball around it. Hence let \f$ \alpha \f$ be the
 largest angle between the normal and the cross product of two neighboring edges, zero ones left out;
 if this is below 60 degrees, the area vector of the face between the edges counts if it is closer.
 Up to 40 degrees the normal is as above; from 60 degrees on, and where the sum vanishes (is shorter
@@ -45,17 +94,17 @@ than 2<sup>12</sup> times the machine epsilon times the sum of the lengths of it
 angle-weighted one; in between both are mixed, smoothly in \f$ \cos\alpha \f$. Edges of length zero are
 left out.
 
-<b>Angle.</b> The unit vector of the sum of the normals of the faces, weighted by the angles of the
+<b>Angle.</b> (Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>, Section 6.) The unit vector of the sum of the normals of the faces, weighted by the angles of the
 faces at the vertex. The normal of a polygon that is not planar is that of its area vector; the angle
 at a corner is the angle between its two edges. Faces without area add nothing, nor do those that
 would have none but for the rounding of their coordinates.
 
 A vertex without faces, or one at which the sum vanishes, gets the zero vector, "no control normal".
 
-<b>Number types.</b> In exact number types the reciprocal normals of interior vertices where \f$ \alpha
-\f$ is at most 40 degrees have their exact direction; in multiprecision types they are as precise as
+<b>Number types.</b> In exact number types the reciprocal normals of interior vertices where s = 1, or \f$ \alpha
+\f$ is at most 40 degrees, have their exact direction; in multiprecision types they are as precise as
 the type, as are angle-weighted ones where the type has its own `atan2()` (`Gmpfr`, Boost's floats). Everything else (the choice
-between the two, its weights, borders, angles) is computed in `double` from the differences of the points; `float` is widened to `double`.
+between the two, its weights, borders, areas, angles, roundness) is computed in `double` from the differences of the points; `float` is widened to `double`.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam VertexNormalMap a model of `WritablePropertyMap` with
@@ -65,7 +114,8 @@ between the two, its weights, borders, angles) is computed in `double` from the 
 \param mesh an oriented 2-manifold with border
 \param normals the map to write; if it throws, some normals may have been written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
-  and `geom_traits` as in `subdivide()`
+  and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` with a model of
+  `WritablePropertyMap` whose values are numbers: the roundness is written into it
 \param estimate which estimate
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border or a point is
@@ -87,11 +137,13 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
     const auto points = Parameters::const_point_map(mesh, np);
     internal::with_mesh_access(mesh, [&](const auto& access) {
       const Level_connectivity level = internal::checked_level(access);
-      const auto values = internal::read_values<PN_average<FT, 3>>(
+      const auto values = internal::read_values<internal::Estimated_values<FT>>(
         access, level, points, internal::No_normal_map(), estimate);
       for (Index v = 0; v < level.number_of_vertices(); ++v) {
         const Coordinates<FT, 3>& n = values[v].normal;
         put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
+        internal::put_roundness(Parameters::roundness_map(np), access.vertex(v),
+                                values[v].roundness);
       }
     });
   }

@@ -34,20 +34,17 @@ template <class K = CGAL::Simple_cartesian<double>>
 Result coherent(const Control_mesh& control)
 {
   auto mesh = to_mesh<K>(control);
+  using Vertex = CGAL::SM_Vertex_index;
+  const auto normals = mesh.template add_property_map<Vertex, typename K::Vector_3>("n").first;
+  const auto roundness = mesh.template add_property_map<Vertex, double>("w", -1).first;
+  PN::estimate_control_normals(mesh, normals, PN::parameters::vertex_roundness_map(roundness));
   Result result;
-  for (const auto& n : estimate<K>(control, Control_normal_estimate::coherent))
+  for (auto v : mesh.vertices()) {
+    const auto& n = normals[v];
     result.normals.push_back(
       {CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z())});
-  result.roundness.assign(mesh.number_of_vertices(), -1);
-  std::vector<std::array<typename K::FT, 3>> points;
-  for (auto v : mesh.vertices())
-    points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-  PN::internal::with_mesh_access(mesh, [&](const auto& access) {
-    PN::internal::estimate_normals<typename K::FT>(
-      PN::internal::checked_level(access),
-      Control_normal_estimate::coherent, [&](unsigned v) -> const auto& { return points[v]; },
-      [](unsigned, const auto&) {}, [&](unsigned v, double w) { result.roundness[v] = w; });
-  });
+    result.roundness.push_back(roundness[v]);
+  }
   return result;
 }
 
@@ -131,8 +128,8 @@ std::vector<Control_mesh> exact_shapes()
     for (Real unevenness : {0., 0.25}) {
       if (unevenness == 0 ? n > 12 : n < 7) continue;
       const Numbers turns = uneven(n + 1, unevenness, generator);
-      shapes.push_back(renamed(cylinder(turns, heights, 3, Cells::quads),
-                               "cylinder of " + std::to_string(n)));
+      shapes.push_back(
+        renamed(cylinder(turns, heights, 3, Cells::quads), "cylinder of " + std::to_string(n)));
     }
   return shapes;
 }

@@ -21,7 +21,7 @@ namespace PN_subdivision_3 {
 /// \ingroup PkgPNSubdivision3Functions
 /// How control normals are estimated from the points of a mesh, see `estimate_control_normals()`.
 enum class Control_normal_estimate {
-  coherent,   ///< the reciprocal ones where they agree with their neighbors, with roundness
+  coherent,   ///< the reciprocal ones where they fit, area-weighted ones elsewhere, and roundness
   reciprocal, ///< exact on spheres and on grids on cylinders, cones and tori, borders included
   angle       ///< the normals of the faces weighted by their angles
 };

@@ -229,6 +229,22 @@ private:
   std::vector<std::array<bool, 2>> is_at_crease_vertex_; // indexed as Crease_edge::tangent_from
 };
 
+// Whole vertices of a level that is cut open. Who says what is sharp says what is smooth: slots at
+// creases and corners are round.
+class Wedge_sectors : public Vertex_sectors
+{
+public:
+  Wedge_sectors(const Level_connectivity& level, std::vector<bool> is_at_crease)
+    : Vertex_sectors(level)
+    , is_at_crease_(std::move(is_at_crease))
+  {}
+
+  bool is_at_crease(Index slot) const { return is_at_crease_[slot]; }
+
+private:
+  const std::vector<bool> is_at_crease_;
+};
+
 // The control data of a level with creases, once before the first round: the wedges' normals where
 // none are given, and the tangents.
 template <class FT, class Value = Point_normal<FT, 3>>
@@ -261,8 +277,7 @@ public:
     if (std::find(is_given_.begin(), is_given_.end(), false) == is_given_.end()) return;
     estimate_normals();
     for (const Crease_star& star : creases_.stars) {
-      const Vertex_rule rule = creases_.rule(star);
-      if (rule != Vertex_rule::crease && rule != Vertex_rule::corner) continue;
+      if (!is_at_crease_or_corner(star)) continue;
       decided<FT>(
         [&] { strip_normals(star); },
         [&] { return "the normals at the creases of vertex " + std::to_string(star.vertex); });
@@ -274,24 +289,30 @@ private:
   void estimate_normals()
   {
     const Cut_level<FT> cut(level_, creases_);
+    const Wedge_sectors sectors(cut.connectivity(), slots_at_creases());
     internal::estimate_normals<FT>(
-      cut.connectivity(), estimate_, Vertex_sectors(cut.connectivity()),
+      cut.connectivity(), estimate_, sectors,
       [&](Index slot) -> const Vector& { return values_[slot].point; },
       [&](Index slot) -> const Vector* {
         return is_given_[slot] ? &values_[slot].normal : nullptr;
       },
       [&](Index slot, const Vector& n) { values_[slot].normal = n; },
       Set_roundness_of_value<Value>{values_.data()});
-    if constexpr (has_roundness_v<Value>) put_roundness_of_creases();
   }
-  // who says what is sharp says what is smooth
-  void put_roundness_of_creases()
+
+  std::vector<bool> slots_at_creases() const
   {
-    for (const Crease_star& star : creases_.stars) {
-      const Vertex_rule rule = creases_.rule(star);
-      if (rule == Vertex_rule::crease || rule == Vertex_rule::corner)
-        for (Index w = 0; w < star.number_of_wedges; ++w) values_[star.slot(w)].roundness = FT(1);
-    }
+    std::vector<bool> is_at_crease(values_.size(), false);
+    for (const Crease_star& star : creases_.stars)
+      if (is_at_crease_or_corner(star))
+        for (Index w = 0; w < star.number_of_wedges; ++w) is_at_crease[star.slot(w)] = true;
+    return is_at_crease;
+  }
+
+  bool is_at_crease_or_corner(const Crease_star& star) const
+  {
+    const Vertex_rule rule = creases_.rule(star);
+    return rule == Vertex_rule::crease || rule == Vertex_rule::corner;
   }
 
   // makes the estimated normals orthogonal to the tangents of the edges beside their wedges

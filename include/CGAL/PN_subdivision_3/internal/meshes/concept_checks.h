@@ -279,6 +279,27 @@ constexpr bool check_roundness()
   }
 }
 
+// the map for roundness that is estimated, if there is one
+template <class Mesh, class Map>
+constexpr bool check_written_roundness()
+{
+  if constexpr (std::is_same_v<Map, No_roundness>)
+    return true;
+  else if constexpr (!Is_property_map_of<
+                       Map, typename boost::graph_traits<Mesh>::vertex_descriptor>::value) {
+    static_assert(!std::is_same_v<Map, Map>,
+                  "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
+    return false;
+  } else {
+    constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;
+    static_assert(is_writable, "PN_subdivision_3: vertex_roundness_map cannot be written");
+    constexpr bool is_number =
+      Is_roundness<std::decay_t<typename boost::property_traits<Map>::value_type>>::value;
+    static_assert(is_number, "PN_subdivision_3: the values of vertex_roundness_map are no numbers");
+    return is_writable && is_number;
+  }
+}
+
 // \name Schemes
 
 template <class Scheme, class FT, class = void>
@@ -413,9 +434,11 @@ constexpr bool check_attributes()
 template <class Mesh, class Normal_map, class NamedParameters>
 constexpr bool check_estimation_arguments()
 {
-  constexpr bool are_used = are_used_v<Mesh_parameters, NamedParameters>;
+  using Used =
+    Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, vertex_roundness_map_t>;
+  constexpr bool are_used = are_used_v<Used, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, geom_traits");
+                          "those that are: vertex_point_map, vertex_roundness_map, geom_traits");
   if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
     return false;
   else {
@@ -423,7 +446,9 @@ constexpr bool check_estimation_arguments()
     if constexpr (check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag,
                                   typename Parameters::FT>())
       return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
-                              typename Parameters::Geom_traits, boost::writable_property_map_tag>();
+                              typename Parameters::Geom_traits,
+                              boost::writable_property_map_tag>() &&
+             check_written_roundness<Mesh, typename Parameters::Roundness_map>();
     else
       return false;
   }
