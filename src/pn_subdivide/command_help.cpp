@@ -30,8 +30,8 @@ const std::vector<Option_group>& option_groups()
 {
   static const std::vector<Option_group> groups = {
     {"Common options",
-     {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--linear", "--limit",
-      "--threads", "--quiet", "--help"}},
+     {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--roundness", "--linear",
+      "--limit", "--threads", "--quiet", "--help"}},
     {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
     {"What is read",
      {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},

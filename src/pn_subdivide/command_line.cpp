@@ -226,9 +226,14 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option(
     "--normals", options.normals,
     "Control normals: auto (the file's if it has any that are not zero or those of the "
-    "faces, else estimated), file, "
-    "estimate, angle (estimated by the faces' angles), none, sphere:X,Y,Z or "
-    "cylinder:X,Y,Z,DX,DY,DZ");
+    "faces or shading, else estimated), file, "
+    "estimate or coherent, reciprocal, angle (estimated by the faces' angles), none, sphere:X,Y,Z "
+    "or cylinder:X,Y,Z,DX,DY,DZ");
+  surface.add_option("--roundness", options.roundness,
+                     "How far points leave those of the linear scheme: auto (default; the file's "
+                     "property roundness beside its control normals, 1 with other given normals, "
+                     "else as estimate), file, estimate (read off the points), or a number for all "
+                     "vertices from 0 (linear points) to 1");
   add_crease_options(surface, options.creases);
   surface.add_option("--write-tags", options.write_tags,
                      "Write what is sharp in the result as a selection file of CGAL, "
@@ -279,6 +284,9 @@ void add_curve_command(CLI::App& app, Curve_options& options)
                    "dual (even degrees)");
   add_levels(curve, options.levels);
   add_linear(curve, options.linear);
+  curve.add_option("--roundness", options.roundness,
+                   "How far points leave those of the linear scheme, from 0 (linear points) to 1 "
+                   "(default)");
   curve.add_flag("--closed", options.closed,
                  "The polygon is closed; its first vertex is not repeated");
   curve.add_option("--end", options.end,

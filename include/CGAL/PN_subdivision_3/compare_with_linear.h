@@ -69,6 +69,10 @@ struct Comparison_with_linear
 
   /// vertices of the control mesh.
   std::size_t control_vertices = 0;
+  /// control vertices of roundness 0, if the roundness varies; else 0.
+  std::size_t vertices_of_roundness_0 = 0;
+  /// the same of a roundness below 1.
+  std::size_t vertices_of_roundness_below_1 = 0;
   /// control edges that are not sharp and turn by more than 40 degrees: what `detect_creases()` finds beyond those that
   /// are sharp.
   std::size_t turning_edges = 0;
@@ -155,6 +159,8 @@ Comparison_with_linear compare_levels(const Access& access, Level_with_points<FT
                                 std::to_string(linear.points.size()));
   Comparison_with_linear comparison;
   comparison.control_vertices = control.points.size();
+  comparison.vertices_of_roundness_0 = result.of_roundness_0;
+  comparison.vertices_of_roundness_below_1 = result.of_roundness_below_1;
   comparison.turning_edges = count_turning_edges(access, control, edge_map);
   const Unit_frame<FT> frame(control.points);
   const auto shape = [&](Level_with_points<FT>& level) {
@@ -192,7 +198,8 @@ point of the mesh and to its size, in `double`.
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
   `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated),
-  `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`; the maps are read only
+  `edge_is_constrained_map`, `vertex_is_constrained_map`, `parameters::vertex_roundness_map()` or `parameters::roundness()`,
+  and `geom_traits`, as in `subdivide()`; the maps are read only
 
 \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as `subdivide()` does
 <br><b>Cost:</b> that of both subdivisions; both results are held in flat arrays
@@ -219,9 +226,8 @@ Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme
       };
       const unsigned rounds = Parameters::number_of_iterations(np);
       internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        comparison =
-          internal::compare_levels(access, refined(linear(scheme), 0), edge_map, refined(s, rounds),
-                                   refined(linear(scheme), rounds));
+        comparison = internal::compare_levels(access, refined(linear(scheme), 0), edge_map,
+                                              refined(s, rounds), refined(linear(scheme), rounds));
       });
     });
   }

@@ -16,12 +16,14 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -51,7 +53,8 @@ the cylinder through its points, and of its flat ends.
 \param normals the map to write, for all half-edges that have a face: the normal of the corner of that
   face at the target. If it throws, some normals may have been written.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_is_constrained_map` and `geom_traits` as in `subdivide()`
+  `vertex_is_constrained_map` and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` as in
+  `estimate_control_normals()`; vertices on creases and corners are round
 \param estimate which estimate, see `estimate_control_normals()`
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not
@@ -89,14 +92,14 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
           else
             return 0.;
         });
-      std::vector<Point_normal<FT, 3>> values(creases.number_of_slots);
+      using Value = Point_normal_roundness<FT, 3>;
+      std::vector<Value> values(creases.number_of_slots);
       const std::vector<Index> extra = internal::vertices_of_extra_slots(creases, n);
       for (Index slot = 0; slot < values.size(); ++slot)
-        values[slot] = {
-          internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]),
-          internal::zero_vector<FT, 3>()};
-      internal::Control_creases<FT>(level, creases, values, std::vector<bool>(values.size(), false),
-                                    estimate)();
+        internal::point_of(values[slot]) =
+          internal::checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
+      internal::Control_creases<FT, Value>(level, creases, values,
+                                           std::vector<bool>(values.size(), false), estimate)();
       const internal::Cut_level<FT> cut(level, creases);
       static_assert(internal::is_of_halfedges_v<Access, HalfedgeNormalMap>,
                     "PN_subdivision_3: the normal map is no property map of the mesh's half-edges");
@@ -104,6 +107,13 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
         const Coordinates<FT, 3>& m = values[slot].normal;
         put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
       });
+      if constexpr (!std::is_same_v<typename Parameters::Roundness_map, internal::No_roundness>) {
+        using Number =
+          typename boost::property_traits<typename Parameters::Roundness_map>::value_type;
+        const auto roundness = Parameters::roundness_map(np);
+        for (Index v = 0; v < n; ++v)
+          put(roundness, access.vertex(v), internal::roundness_as<Number>(values[v].roundness));
+      }
     });
   }
 }

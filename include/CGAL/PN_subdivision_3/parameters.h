@@ -68,7 +68,7 @@ auto roundness(const FT& x, const NamedParameters& np)
 the roundness of each control vertex. A map that can be written gets that of the refined vertices, so that further calls go
 on from there.
 \param map a model of `ReadablePropertyMap` or `ReadWritePropertyMap` with the vertices of the mesh as keys and numbers from 0
-  to 1 as values
+  to 1 as values; up to 1/2 beyond is taken, since masks with negative weights refine 0 and 1 to what is a little beyond
 */
 template <class VertexRoundnessMap>
 auto vertex_roundness_map(const VertexRoundnessMap& map)

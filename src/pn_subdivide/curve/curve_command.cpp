@@ -17,6 +17,7 @@
 #include "io/Report.h"
 #include "io/curve_io.h"
 #include "io/mesh_io.h"
+#include "io/parse_numbers.h"
 #include "pieces/Ranks.h"
 #include "surface/verification.h"
 
@@ -49,6 +50,22 @@ PN::Curve_end parse_end(const Curve_options& options, const Curve_scheme& scheme
   throw Usage_error("--end '" + *options.end + "': it takes reflect or none");
 }
 
+double roundness_of(const Curve_options& options)
+{
+  if (options.linear)
+    throw Usage_error("--roundness and --linear exclude each other: without normals nothing is "
+                      "round");
+  const double roundness = parse_roundness(*options.roundness);
+  const bool has_limit = options.limit.is_used() || options.interpolate;
+  if (roundness != 1 && has_limit)
+    throw Usage_error(std::string("--roundness and ") +
+                      (options.interpolate    ? "--interpolate"
+                       : options.limit.points ? "--limit"
+                                              : "--curve-normals") +
+                      " exclude each other: limits of curves are known with roundness 1 only");
+  return roundness;
+}
+
 Curve_rule parse_rule(const Curve_options& options)
 {
   Curve_rule rule{parse_curve_scheme("--scheme", options.scheme), std::nullopt, options.linear};
@@ -61,6 +78,7 @@ Curve_rule parse_rule(const Curve_options& options)
   if (options.sharp && rule.end == PN::Curve_end::none)
     throw Usage_error("--sharp and --end none exclude each other: the parts between corners end "
                       "where the corners are");
+  if (options.roundness) rule.roundness = roundness_of(options);
   if (!options.normal_scheme) return rule;
   if (options.linear)
     throw Usage_error("--normal-scheme and --linear exclude each other: in linear schemes normals "

@@ -40,6 +40,7 @@ struct Curve_rule
   Curve_scheme scheme;
   std::optional<Curve_scheme> normal_scheme;
   bool linear = false;
+  double roundness = 1; // of all vertices
   CGAL::PN_subdivision_3::Curve_end end = CGAL::PN_subdivision_3::Curve_end::closed;
 };
 

@@ -115,6 +115,7 @@ std::size_t merge(Mesh_data& mesh, const std::vector<Index>& first, Point_merge&
   }
   merge_normals(mesh, first);
   keep_first(mesh.normals, first);
+  keep_first(mesh.roundness, first);
   std::vector<Index> number(first.size());
   Index kept = 0;
   for (std::size_t v = 0; v < first.size(); ++v)

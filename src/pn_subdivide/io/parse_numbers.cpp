@@ -64,4 +64,12 @@ void require_direction(const double* direction, const std::string& option)
     throw Usage_error(option + ": the axis has no direction");
 }
 
+double parse_roundness(const std::string& text, const std::string& expected)
+{
+  char* end = nullptr;
+  const double x = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0' && x >= 0 && x <= 1) return x;
+  throw Usage_error("--roundness '" + text + "': expected " + expected + "a number from 0 to 1");
+}
+
 } // namespace pn_subdivide

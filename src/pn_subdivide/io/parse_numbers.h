@@ -28,6 +28,9 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t number,
 // Throws Usage_error if the three numbers are zero.
 void require_direction(const double* direction, const std::string& option);
 
+// The number of --roundness, from 0 to 1. Throws Usage_error, which says what else might have been `expected`.
+double parse_roundness(const std::string& text, const std::string& expected = "");
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_PARSE_NUMBERS_H

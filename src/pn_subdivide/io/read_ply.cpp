@@ -203,6 +203,10 @@ private:
     mesh_.points.reserve(plausible);
     if (has_normals) mesh_.normals.reserve(plausible);
     std::vector<std::string> others = names_at_vertices();
+    others.emplace_back("roundness");
+    const std::size_t roundness = element.find("roundness");
+    if (roundness != Ply_element::none && element.properties[roundness].is_list)
+      throw Error("the vertex property roundness is a list");
     const std::size_t sharpness = tags_.any() ? element.find("sharpness") : Ply_element::none;
     if (sharpness != Ply_element::none) others.emplace_back("sharpness");
     begin(element, others);
@@ -211,6 +215,7 @@ private:
       read_item(element, i, Lists());
       mesh_.points.push_back({scalars_[p[0]], scalars_[p[1]], scalars_[p[2]]});
       if (has_normals) add_normal(element, n);
+      if (roundness != Ply_element::none) mesh_.roundness.push_back(scalars_[roundness]);
       columns_.add(scalars_);
       if (sharpness != Ply_element::none) add_sharpness(element, i, scalars_[sharpness]);
     }

@@ -178,6 +178,7 @@ struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor
     ++repair->added_vertices;
     mesh->copied_from.push_back(static_cast<Index>(old_vertex));
     if (mesh->has_normals()) mesh->normals.push_back(mesh->normals[old_vertex]);
+    if (!mesh->roundness.empty()) mesh->roundness.push_back(mesh->roundness[old_vertex]);
     for (Column& column : mesh->attributes.of_vertices)
       column.values.push_back(column.values[old_vertex]);
   }

@@ -67,6 +67,7 @@ struct Ply_content
     return !mesh.corner_control_normals.empty() ||
            (mesh.has_control_normals() && !mesh.tags.edges.empty());
   }
+  bool has_roundness() const { return !mesh.roundness.empty(); }
   bool has_tags() const { return mesh.tags.any(); }
   double sharpness(std::size_t v) const
   {
@@ -182,12 +183,13 @@ void write_header(Output_file& out, const Ply_content& content, Encoding encodin
   std::string of_faces = properties(content.of_faces);
   for (const Corner_list& list : content.lists)
     of_faces += shape.list() + traits(list.type).ply + " " + list.name + "\n";
-  const std::string sharpness = content.has_tags() ? "property double sharpness\n" : "";
+  std::string own = content.has_roundness() ? "property double roundness\n" : "";
+  if (content.has_tags()) own += "property double sharpness\n";
   const Mesh_origin& origin = content.mesh.origin;
-  out.text(header(shape, encoding,
-                  {origin_comments(origin) + comments(attributes),
-                   sharpness + properties(content.of_vertices), of_faces,
-                   edge_header(content) + origin_header(origin)}));
+  out.text(
+    header(shape, encoding,
+           {origin_comments(origin) + comments(attributes), own + properties(content.of_vertices),
+            of_faces, edge_header(content) + origin_header(origin)}));
 }
 
 void write_triple_in_binary(Output_file& out, const Triple& t)
@@ -254,6 +256,7 @@ void write_in_binary(Output_file& out, const Ply_content& content)
     write_triple_in_binary(out, mesh.points[v]);
     if (mesh.has_normals()) write_triple_in_binary(out, mesh.normals[v]);
     if (mesh.has_control_normals()) write_triple_in_binary(out, mesh.control_normals[v]);
+    if (content.has_roundness()) out.little_endian(mesh.roundness[v]);
     if (content.has_tags()) out.little_endian(content.sharpness(v));
     write_values_in_binary(out, content.of_vertices, v);
   }
@@ -282,6 +285,10 @@ void write_in_text(Output_file& out, const Ply_content& content)
       if (content.mesh.has_control_normals()) {
         out.text(" ");
         write_triple(out, content.mesh.control_normals[v]);
+      }
+      if (content.has_roundness()) {
+        out.text(" ");
+        out.number(content.mesh.roundness[v]);
       }
       if (content.has_tags()) {
         out.text(" ");

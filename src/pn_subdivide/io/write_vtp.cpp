@@ -29,6 +29,7 @@ struct Vtp_content
   std::vector<Texture_point> texture; // per vertex
   Column_group own_texture, scalars;  // of vertices
   Scalar_type corner_texture_type;
+  Column roundness;
 
   explicit Vtp_content(const Mesh_data& mesh)
     : held(mesh)
@@ -38,6 +39,7 @@ struct Vtp_content
     , corner_texture_type(mesh.attributes.texture_type)
   {
     const Attributes& attributes = mesh.attributes;
+    roundness.values = mesh.roundness;
     held.take(all_of(attributes.of_vertices));
     held.take(all_of(attributes.of_faces));
     held.take_texture_files();
@@ -81,6 +83,7 @@ void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content&
   vtp.line((tag + ">").c_str());
   if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
   if (mesh.has_control_normals()) vtp.triples("control_normals", mesh.control_normals);
+  if (!mesh.roundness.empty()) vtp.columns("roundness", {&content.roundness});
   for (const Column* column : content.scalars) vtp.columns(column->name, {column});
   if (!content.vertex_color.empty()) vtp.columns("colors", content.vertex_color);
   if (!content.texture.empty()) vtp.texture(content.texture, content.texture_type());

@@ -63,10 +63,14 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
                             np);
   }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  const Roundness_map roundness = given ? *given : add_roundness(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return pieces_of_scheme(
       surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-      number, np.vertex_normal_map(Control_corner_normals{&of_corners}));
+      number,
+      PN::parameters::vertex_roundness_map(
+        roundness, np.vertex_normal_map(Control_corner_normals{&of_corners})));
   });
 }
 
@@ -82,8 +86,12 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
   if (!normals)
     return pieces_of_scheme(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
                             number, rounds);
+  const auto given = rounds.vertex_normal_map(*normals);
+  const std::optional<Roundness_map> roundness = roundness_of(surface);
   return with_scheme(choice, [&](const auto& scheme) {
-    return pieces_of_scheme(surface, scheme, number, rounds.vertex_normal_map(*normals));
+    return roundness ? pieces_of_scheme(surface, scheme, number,
+                                        PN::parameters::vertex_roundness_map(*roundness, given))
+                     : pieces_of_scheme(surface, scheme, number, given);
   });
 }
 

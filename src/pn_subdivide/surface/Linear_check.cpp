@@ -80,6 +80,8 @@ void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, c
     set_limits(net_, scheme, limit, rounds.levels, rounds.threads);
   comparison_ = PN::compare_results_with_linear(
     control_, result, net_, CGAL::parameters::edge_is_constrained_map(control_creases_->edges));
+  comparison_.vertices_of_roundness_0 = choices_.of_roundness_0;
+  comparison_.vertices_of_roundness_below_1 = choices_.of_roundness_below_1;
   net_ = Surface(); // the maps of a mesh go with it
   net_creases_.reset();
 }
@@ -117,6 +119,10 @@ std::vector<std::string> Linear_check::lines() const
                   linear(c.linear_sharply_folded_edges));
   lines.push_back("farthest from the linear result " + decimals(c.largest_distance, 2) +
                   " of the local edge length, at vertex " + std::to_string(c.farthest_vertex));
+  if (c.vertices_of_roundness_below_1 > 0)
+    lines.push_back("roundness 0 at " + std::to_string(c.vertices_of_roundness_0) + " of " +
+                    std::to_string(c.control_vertices) + " vertices, below 1 at " +
+                    std::to_string(c.vertices_of_roundness_below_1));
   const std::string words = verdict();
   lines.push_back(words.empty() ? "as good as linear" : words + ". " + advice());
   return lines;
@@ -143,6 +149,10 @@ std::vector<Report::Value> Linear_check::values() const
   values.emplace_back("linear_edges_folded_by_150_degrees", c.linear_sharply_folded_edges);
   values.emplace_back("largest_distance_in_edge_lengths", c.largest_distance);
   values.emplace_back("farthest_vertex", c.farthest_vertex);
+  if (c.vertices_of_roundness_below_1 > 0) {
+    values.emplace_back("vertices_of_roundness_0", c.vertices_of_roundness_0);
+    values.emplace_back("vertices_of_roundness_below_1", c.vertices_of_roundness_below_1);
+  }
   values.emplace_back("edges_that_turn_by_40_degrees", c.turning_edges);
   values.emplace_back("swollen", c.is_swollen());
   values.emplace_back("folded", c.is_folded());

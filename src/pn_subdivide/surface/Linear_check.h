@@ -42,6 +42,8 @@ public:
     bool may_tag = false; // edges could be sharp, and nobody said which
     bool has_given_normals = false;
     std::optional<double> roundness; // the same everywhere
+    // if it varies, of control vertices
+    std::size_t of_roundness_0 = 0, of_roundness_below_1 = 0;
   };
   struct Rounds
   {

@@ -34,6 +34,7 @@ using Halfedge = Surface::Halfedge_index;
 constexpr Index none = std::numeric_limits<Index>::max();
 constexpr const char* normals_name = "v:normal";
 constexpr const char* corner_normals_name = "h:normal";
+constexpr const char* roundness_name = "v:roundness";
 
 // The sides of all faces, numbered through; side i of a face goes from its vertex i to the next.
 struct Side_list
@@ -164,6 +165,13 @@ void put_corner_normals(Surface& surface, const Mesh_data& mesh,
   }
 }
 
+void put_roundness(Surface& surface, const Mesh_data& mesh)
+{
+  if (mesh.roundness.empty()) return;
+  const Roundness_map roundness = add_roundness(surface);
+  for (const Vertex v : surface.vertices()) roundness[v] = mesh.roundness[v];
+}
+
 // All in the order of to_mesh_data().
 void put_values(Surface& surface, const Mesh_data& mesh)
 {
@@ -186,6 +194,7 @@ Surface make_surface(const Mesh_data& mesh)
   require_room(mesh);
   if (std::optional<Surface> replayed = replayed_rounds(mesh)) {
     put_values(*replayed, mesh);
+    put_roundness(*replayed, mesh);
     return std::move(*replayed);
   }
   Surface surface;
@@ -201,12 +210,25 @@ Surface make_surface(const Mesh_data& mesh)
     for (const Vertex v : surface.vertices()) normals[v] = to_vector(mesh.normals[v]);
   }
   if (mesh.has_corner_normals()) put_corner_normals(surface, mesh, halfedge_of);
+  put_roundness(surface, mesh);
   return surface;
 }
 
 std::optional<Normal_map> normals_of(const Surface& surface)
 {
   return find_property_map<Vertex, Vector_3>(surface, normals_name);
+}
+
+std::optional<Roundness_map> roundness_of(const Surface& surface)
+{
+  return find_property_map<Vertex, double>(surface, roundness_name);
+}
+
+Roundness_map add_roundness(Surface& surface)
+{
+  const Roundness_map roundness = surface.add_property_map<Vertex, double>(roundness_name, 1).first;
+  for (const Vertex v : surface.vertices()) roundness[v] = 1;
+  return roundness;
 }
 
 Normal_map add_normals(Surface& surface)
@@ -316,6 +338,9 @@ Mesh_data to_mesh_data(const Surface& surface, const Wedge_list& wedges)
     mesh.normals.reserve(surface.number_of_vertices());
     for (const Vertex v : surface.vertices()) mesh.normals.push_back(to_triple((*normals)[v]));
   }
+
+  if (const std::optional<Roundness_map> roundness = roundness_of(surface))
+    for (const Vertex v : surface.vertices()) mesh.roundness.push_back((*roundness)[v]);
 
   mesh.reserve_faces(surface.number_of_faces(), surface.number_of_halfedges());
   const std::optional<Corner_normal_map> corner_normals = corner_normals_of(surface);

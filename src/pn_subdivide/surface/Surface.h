@@ -26,6 +26,7 @@ using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 using Surface = CGAL::Surface_mesh<Point_3>;
 using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
+using Roundness_map = Surface::Property_map<Surface::Vertex_index, double>;
 // the normal of a half-edge's face at its target
 using Corner_normal_map = Surface::Property_map<Surface::Halfedge_index, Vector_3>;
 
@@ -57,6 +58,11 @@ Surface make_surface(const Mesh_data& mesh);
 // Those of a mesh that has some.
 std::optional<Normal_map> normals_of(const Surface& surface);
 std::optional<Corner_normal_map> corner_normals_of(const Surface& surface);
+
+// That of a mesh that has one.
+std::optional<Roundness_map> roundness_of(const Surface& surface);
+// 1 at all vertices, whatever it has been
+Roundness_map add_roundness(Surface& surface);
 
 // Gives each corner the normal of its vertex, which there must be.
 Corner_normal_map add_corner_normals(Surface& surface);

@@ -30,6 +30,13 @@ namespace PN = CGAL::PN_subdivision_3;
 
 using Source = Normals_option::Source;
 
+constexpr PN::Control_normal_estimate default_estimate = PN::Control_normal_estimate::coherent;
+
+PN::Control_normal_estimate default_of(const Normals_option& option)
+{
+  return option.is_reciprocal ? PN::Control_normal_estimate::reciprocal : default_estimate;
+}
+
 // In long double, so that normals of exact control data are correct to the last bit or nearly so.
 using Long_vector = CGAL::Simple_cartesian<long double>::Vector_3;
 
@@ -59,12 +66,24 @@ void point_away(Mesh_data& mesh, const Normals_option& option)
   }
 }
 
+void put_roundness(Mesh_data& mesh, const Roundness_map& roundness)
+{
+  mesh.roundness.clear();
+  mesh.roundness.reserve(mesh.points.size());
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    mesh.roundness.push_back(roundness[Surface::Vertex_index(Mesh_data::Index(v))]);
+}
+
+// With the roundness that the estimate has.
 void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
 {
   mesh.normals.clear();
   Surface surface = make_surface(mesh);
   auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
-  PN::estimate_control_normals(surface, normals, CGAL::parameters::default_values(), how);
+  const Roundness_map roundness = add_roundness(surface);
+  PN::estimate_control_normals(surface, normals, PN::parameters::vertex_roundness_map(roundness),
+                               how);
+  put_roundness(mesh, roundness);
   mesh.normals.reserve(mesh.points.size());
   for (const Surface::Vertex_index v : surface.vertices())
     mesh.normals.push_back(to_triple(normals[v]));
@@ -119,9 +138,13 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
   Surface surface = make_surface(mesh);
   const Crease_maps maps = add_creases(surface, creases);
   const Corner_normal_map normals = add_corner_normals(surface);
-  PN::estimate_corner_normals(surface, maps.edges, normals,
-                              CGAL::parameters::vertex_is_constrained_map(maps.vertices),
-                              of_all.value_or(PN::Control_normal_estimate::reciprocal));
+  const Roundness_map roundness = add_roundness(surface);
+  PN::estimate_corner_normals(
+    surface, maps.edges, normals,
+    PN::parameters::vertex_roundness_map(
+      roundness, CGAL::parameters::vertex_is_constrained_map(maps.vertices)),
+    of_all.value_or(default_estimate));
+  if (of_all) put_roundness(mesh, roundness);
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const Normal_map of_vertices = *normals_of(surface);
   for (const Surface::Halfedge_index h : surface.halfedges())
@@ -151,9 +174,10 @@ std::optional<PN::Control_normal_estimate> estimate_of_all(const Mesh_data& mesh
                                                            const Normals_option& option)
 {
   if (option.source == Source::angle) return PN::Control_normal_estimate::angle;
+  if (option.source == Source::reciprocal) return PN::Control_normal_estimate::reciprocal;
   if (option.source == Source::estimate ||
       (option.source == Source::automatic && !mesh.has_normals()))
-    return PN::Control_normal_estimate::reciprocal;
+    return default_of(option);
   return std::nullopt;
 }
 
@@ -192,8 +216,10 @@ Normals_option parse_normals_option(const std::string& text)
     option.source = Source::automatic;
   else if (text == "file")
     option.source = Source::file;
-  else if (text == "estimate")
+  else if (text == "estimate" || text == "coherent")
     option.source = Source::estimate;
+  else if (text == "reciprocal")
+    option.source = Source::reciprocal;
   else if (text == "angle")
     option.source = Source::angle;
   else if (text == "none")
@@ -210,8 +236,9 @@ Normals_option parse_normals_option(const std::string& text)
     const double largest = (std::max)({std::abs(x[3]), std::abs(x[4]), std::abs(x[5])});
     option.axis = {x[3] / largest, x[4] / largest, x[5] / largest};
   } else
-    throw Usage_error("--normals '" + text + "': expected auto, file, estimate, angle, none, " +
-                      "sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
+    throw Usage_error("--normals '" + text +
+                      "': expected auto, file, estimate, coherent, reciprocal, " +
+                      "angle, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
   return option;
 }
 
@@ -224,9 +251,12 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
                   "some");
     break;
   case Source::automatic:
-    if (!mesh.has_normals()) estimate(mesh, PN::Control_normal_estimate::reciprocal);
+    if (!mesh.has_normals()) estimate(mesh, default_of(option));
     break;
   case Source::estimate:
+    estimate(mesh, default_of(option));
+    break;
+  case Source::reciprocal:
     estimate(mesh, PN::Control_normal_estimate::reciprocal);
     break;
   case Source::angle:
@@ -262,6 +292,16 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
     estimate_between_creases(mesh, of_all, creases);
     if (from_file) report_estimated_wedges(mesh, creases, name, report);
   }
+}
+
+std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& creases)
+{
+  Mesh_data points = mesh;
+  points.corner_normals.clear();
+  points.attributes = Attributes();
+  estimate(points, default_estimate);
+  if (creases.any()) estimate_between_creases(points, default_estimate, creases);
+  return std::move(points.roundness);
 }
 
 void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,

@@ -20,14 +20,15 @@ namespace pn_subdivide {
 // Where control normals come from, as --normals says it.
 struct Normals_option
 {
-  enum class Source { automatic, file, estimate, angle, none, sphere, cylinder };
+  enum class Source { automatic, file, estimate, reciprocal, angle, none, sphere, cylinder };
 
   Source source = Source::automatic;
+  bool is_reciprocal = false; // what automatic and estimate estimate
   Triple center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
   Triple axis{0, 0, 1};   // of the cylinder
 };
 
-// auto | file | estimate | angle | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
+// auto | file | estimate or coherent | reciprocal | angle | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
 Normals_option parse_normals_option(const std::string& text);
 
 // Sets, keeps or drops `mesh.normals`; all are unit vectors or zero afterwards. Throws Error if the
@@ -38,9 +39,12 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option);
 // The same for a mesh with creases. Corners keep the normals that the file gives them, if it is asked
 // for normals. Otherwise corners have the normal of their vertex where it has one wedge, and elsewhere
 // an estimate; that estimates stand in the place of normals which the file gives to vertices is said.
-// Estimates of all normals are those of the wedges.
+// Estimates of all normals are those of the wedges, and set the roundness, too, which is that of the file before.
 void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          const std::string& name, Report& report);
+
+// That which an estimate of the normals has, also where they are given.
+std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& creases);
 
 // To be called before these, when the creases are known: says in one line what normals in the file are taken for
 // where they differ, and drops them, if --normals leaves it open, where they say nothing: zero everywhere,

@@ -62,9 +62,13 @@ Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& 
   if (!normals)
     return PN::limit_points<Tag>(
       surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), limits, options);
+  const auto given = CGAL::parameters::vertex_normal_map(*normals);
+  const std::optional<Roundness_map> roundness = roundness_of(surface);
   return with_scheme(choice, [&](const auto& scheme) {
-    return PN::limit_points<Tag>(surface, scheme, limits, options,
-                                 CGAL::parameters::vertex_normal_map(*normals));
+    return roundness
+             ? PN::limit_points<Tag>(surface, scheme, limits, options,
+                                     PN::parameters::vertex_roundness_map(*roundness, given))
+             : PN::limit_points<Tag>(surface, scheme, limits, options, given);
   });
 }
 
@@ -74,10 +78,13 @@ template <class S>
 Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S& scheme,
                             const Crease_maps& creases, const Limit_options& options)
 {
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  const Roundness_map roundness = given ? *given : add_roundness(surface);
   return PN::move_to_limit<Tag>(surface, scheme, options,
-                                CGAL::parameters::vertex_normal_map(normals)
-                                  .edge_is_constrained_map(creases.edges)
-                                  .vertex_is_constrained_map(creases.vertices));
+                                PN::parameters::vertex_roundness_map(
+                                  roundness, CGAL::parameters::vertex_normal_map(normals)
+                                               .edge_is_constrained_map(creases.edges)
+                                               .vertex_is_constrained_map(creases.vertices)));
 }
 
 Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,

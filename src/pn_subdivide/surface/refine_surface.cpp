@@ -93,10 +93,14 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
   const Isolated_normals isolated(surface, *of_vertices);
   const Wedge_normals normals{{&of_corners}, *of_vertices, refinement.wedges};
+  // edges that end change it
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  const Roundness_map roundness = given ? *given : add_roundness(surface);
   with_scheme(choice, [&](const auto& scheme) {
     refine(surface,
            PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-           refinement, sharp.vertex_normal_map(normals));
+           refinement,
+           PN::parameters::vertex_roundness_map(roundness, sharp.vertex_normal_map(normals)));
   });
   isolated.put_back(*of_vertices);
 }
@@ -113,8 +117,13 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
   if (!normals)
     return refine(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), refinement,
                   CGAL::parameters::default_values());
+  const auto given = CGAL::parameters::vertex_normal_map(*normals);
+  const std::optional<Roundness_map> roundness = roundness_of(surface);
   with_scheme(choice, [&](const auto& scheme) {
-    refine(surface, scheme, refinement, CGAL::parameters::vertex_normal_map(*normals));
+    if (roundness)
+      refine(surface, scheme, refinement, PN::parameters::vertex_roundness_map(*roundness, given));
+    else
+      refine(surface, scheme, refinement, given);
   });
 }
 

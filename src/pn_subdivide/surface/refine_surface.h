@@ -36,7 +36,8 @@ void require_threads(unsigned threads);
 
 // Refines with the scheme, point-normal if the mesh has normals, linear if not. Old vertices come
 // first in the result, in their order, but for Doo-Sabin. With creases, which the schemes must have
-// rules for, the normals of vertices that have several are in the list of wedges afterwards. Passes on the library's
+// rules for, the normals of vertices that have several are in the list of wedges afterwards. The roundness of the mesh, if it has one, is refined with
+// it. Passes on the library's
 // exceptions.
 void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinement& refinement);
 

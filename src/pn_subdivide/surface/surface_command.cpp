@@ -27,6 +27,7 @@
 #include "surface/output_mesh.h"
 #include "surface/output_tags.h"
 #include "surface/refine_surface.h"
+#include "surface/roundness.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
 
@@ -46,6 +47,7 @@ struct Plan
 {
   Mesh_file input, output;
   Normals_option normals;
+  Roundness_option roundness;
   Output_normals output_normals;
   Limit_choice limit; // with the normals of the surface, if they are written
   Crease_plan creases;
@@ -79,6 +81,10 @@ void require_consistent(const Surface_options& options)
   if (options.normals == "none" && options.scheme.normal_scheme)
     throw Usage_error("--normal-scheme and --normals none exclude each other: there are no normals "
                       "for it to average");
+  if (options.roundness && (options.linear || options.normals == "none"))
+    throw Usage_error(std::string("--roundness and ") +
+                      (options.linear ? "--linear" : "--normals none") +
+                      " exclude each other: without normals nothing is round");
   require_consistent_check(options);
   if (!options.linear || (!options.normals && !options.scheme.normal_scheme)) return;
   throw Usage_error(std::string(options.normals ? "--normals" : "--normal-scheme") +
@@ -121,6 +127,7 @@ Plan make_plan(const Surface_options& options)
             {},
             {},
             {},
+            {},
             parse_interpolation(options.interpolate),
             std::nullopt,
             std::nullopt,
@@ -135,6 +142,15 @@ Plan make_plan(const Surface_options& options)
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
+  if (options.roundness && plan.interpolation)
+    throw Usage_error(
+      "--roundness and --interpolate exclude each other: surfaces through points are "
+      "known with roundness 1 only");
+  if (plan.interpolation) { // the estimate that natural normals begin with
+    plan.roundness = {Roundness_option::Source::constant, 1};
+    plan.normals.is_reciprocal = true;
+  }
+  if (options.roundness) plan.roundness = parse_roundness_option(*options.roundness);
   if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);
   plan.threads = number_of_threads(options);
   if (options.verify.shape) {
@@ -195,19 +211,25 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
     report.warn(input + ": " + std::to_string(mesh.vertices_with_several_normals) +
                 (mesh.vertices_with_several_normals == 1 ? " vertex has" : " vertices have") +
                 " several normals; their normalized sum is taken");
+  const bool has_other_normals = mesh.normal_kind != Normal_kind::control;
+  std::vector<double> roundness_of_file = std::exchange(mesh.roundness, {});
   set_control_normals(mesh, plan.normals, creases, input, report);
+  if (source != Source::none)
+    set_roundness(mesh, plan.roundness, std::move(roundness_of_file),
+                  from_file && !has_other_normals, creases);
+  const std::string round = roundness_description(mesh.roundness);
   if (from_file) {
     if (are_all_zero(mesh)) return "no normals, those of the file are zero";
     warn_of_opposing_normals(opposing, input, report);
-    if (plan.output_normals.copies) return "normals of the file";
+    if (plan.output_normals.copies) return "normals of the file" + round;
     warn_of_other_normals(mesh.normal_kind, input, report);
     mesh.normal_kind = Normal_kind::control;
-    return "normals of the file";
+    return "normals of the file" + round;
   }
   mesh.normal_kind = Normal_kind::control;
   if (source == Source::none) return "no normals";
   const bool is_shape = source == Source::sphere || source == Source::cylinder;
-  return is_shape ? "normals of the given shape" : "estimated normals";
+  return (is_shape ? "normals of the given shape" : "estimated normals") + round;
 }
 
 Refinement refinement(const Surface_options& options, unsigned threads, const Report& report)
@@ -328,7 +350,8 @@ Linear_check::Choices choices(const Plan& plan, const Surface_options& options,
                               const Scheme_choice& scheme, bool has_file_normals)
 {
   return {may_suggest_tags(plan, options, scheme),
-          has_shape_normals(plan) || takes_file_normals(plan, has_file_normals), std::nullopt};
+          has_shape_normals(plan) || takes_file_normals(plan, has_file_normals),
+          plan.roundness.constant()};
 }
 
 // For the closing line: ", 12 edges turn ...", if somebody could want them sharp.
@@ -357,7 +380,8 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
       !must_split && !has_tags) {
     mesh.tags = Crease_tags();
     mesh.origin = std::move(origin);
-    return put_control_normals(mesh, plan.output_normals);
+    put_control_normals(mesh, plan.output_normals);
+    return suit_roundness(mesh);
   }
   Surface surface = make_surface(mesh);
   Attributes attributes = std::move(mesh.attributes);
@@ -397,6 +421,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   if (has_tags) tags = tags_of(surface, *rounds.creases);
   if (must_split) split_for_output(surface, plan.output, report);
   mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
+  suit_roundness(mesh);
   mesh.attributes = std::move(attributes);
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);

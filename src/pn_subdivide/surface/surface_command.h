@@ -28,8 +28,8 @@ struct Surface_options
   Scheme_choice scheme;
   unsigned levels = 1;
   bool linear = false;
-  std::optional<std::string> normals, output_normals, curvature, interpolate, merge_distance,
-    texture_rule, write_tags;
+  std::optional<std::string> normals, roundness, output_normals, curvature, interpolate,
+    merge_distance, texture_rule, write_tags;
   unsigned threads = 1; // 0: all cores
   Crease_options creases;
   Limit_choice limit;

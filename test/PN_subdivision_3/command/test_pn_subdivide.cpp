@@ -456,29 +456,6 @@ TEST_F(Pn_subdivide, WithoutASchemeTheFacesDecide)
 
 // --- warnings ---
 
-TEST_F(Pn_subdivide, ASurfaceFarOutsideTheControlBoxIsWarnedOf)
-{
-  const auto warning = [&](const std::string& off, const std::string& options) {
-    const std::string input = folder.write("w.off", off);
-    const Outcome outcome = surface(input, folder.file("o.ply"), "--quiet " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome.err;
-  };
-  const auto box = [](const std::string& length) {
-    std::string off = cube;
-    for (std::size_t i = off.find("\n-1 -1"); i < off.find("\n4 3"); i = off.find('\n', i + 1))
-      off.insert(off[i + 1] == '-' ? i + 3 : i + 2, length); // x is -1 or 1 and becomes longer
-    return off;
-  };
-  // the sphere around a beam of 20 x 2 x 2, radius sqrt(102): (sqrt(102) - 1) / 2 = 4.5498
-  EXPECT_NE(warning(box("0"), "--levels 5 --normals sphere:0,0,0").find("by 4.55 times"),
-            std::string::npos);
-  EXPECT_EQ(warning(box("0"), "--levels 5 --normals sphere:0,0,0").rfind("warning: ", 0), 0u);
-  EXPECT_EQ(warning(box("0"), "--levels 5 --linear"), "");
-  EXPECT_EQ(warning(box("0"), "--levels 0 --normals sphere:0,0,0"), "");
-  EXPECT_EQ(warning(cube, "--levels 5 --normals sphere:0,0,0"), ""); // 0.37
-}
-
 TEST_F(Pn_subdivide, WhatIsNotCarriedIsSaidOnceTheOutputIsComplete)
 {
   const std::string input = folder.write(

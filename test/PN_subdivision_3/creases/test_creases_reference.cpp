@@ -11,6 +11,7 @@
 #include "Random_creases.h"
 #include "reference/Crease_tangents.h"
 #include "reference/Creases.h"
+#include "reference/Semi_sharp.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
@@ -45,6 +46,7 @@ reference::Creased_mesh state(const Run& run, const Control& control)
   run.for_each_corner([&](Index f, Index v, Index slot) {
     faces[f].push_back(int(v));
     mesh.normals[{int(f), int(v)}] = vector(run.normal(slot));
+    mesh.roundness[{int(f), int(v)}] = run.roundness(slot);
     for (int k = 0; k < 3; ++k)
       EXPECT_EQ(run.point(slot)[std::size_t(k)], run.point(v)[std::size_t(k)])
         << "slots of one vertex at different points";
@@ -65,7 +67,7 @@ reference::Creased_mesh state(const Run& run, const Control& control)
 
 struct Greatest_differences
 {
-  double point = 0, normal = 0, tangent = 0;
+  double point = 0, normal = 0, roundness = 0, tangent = 0;
 };
 
 template <class Key, class Number>
@@ -94,8 +96,11 @@ void compare(const reference::Creased_mesh& got, const reference::Creased_mesh& 
     const Face& face = got.mesh.faces()[std::size_t(f)];
     const int g = expected.mesh.face(face[0], face[1]);
     ASSERT_GE(g, 0);
-    for (const int v : face)
+    for (const int v : face) {
       grow(differences.normal, got.normals.at({f, v}), expected.normals.at({g, v}));
+      const auto w = [](reference::Real x) { return reference::Vector(x, 0, 0); };
+      grow(differences.roundness, w(got.round({f, v})), w(expected.round({g, v})));
+    }
   }
   expect_same_sharpness(got.sharp_edges, expected.sharp_edges);
   expect_same_sharpness(got.sharp_vertices, expected.sharp_vertices);
@@ -113,11 +118,15 @@ void compare_rounds(const Control& control, const Scheme& scheme, bool is_loop, 
     SCOPED_TRACE("round " + std::to_string(k));
     const reference::Creased_mesh old = state(run, control);
     run.refine();
-    const reference::Crease_round expected(old, is_loop, is_modified);
     Greatest_differences d;
-    compare(state(run, control), expected.result(), d);
+    if (old.is_linear)
+      compare(state(run, control), reference::Crease_round(old, is_loop, is_modified).result(), d);
+    else
+      compare(state(run, control),
+              reference::Semi_sharp_round(old, is_loop, is_modified).result(), d);
     EXPECT_LE(d.point, 1e-13);
     EXPECT_LE(d.normal, 1e-12);
+    EXPECT_LE(d.roundness, 1e-13);
     EXPECT_LE(d.tangent, 1e-12);
     if (::testing::Test::HasFailure()) return;
   }
@@ -125,13 +134,13 @@ void compare_rounds(const Control& control, const Scheme& scheme, bool is_loop, 
 
 void compare_all(const Control& control, int rounds)
 {
-  compare_rounds(control, CatmullClark_scheme(), false, false, rounds);
+  compare_rounds(control, with_roundness(CatmullClark_scheme()), false, false, rounds);
   compare_rounds(control, linear(CatmullClark_scheme()), false, false, rounds);
-  compare_rounds(control, modified_CatmullClark_scheme(), false, true, rounds);
+  compare_rounds(control, with_roundness(modified_CatmullClark_scheme()), false, true, rounds);
   const Control triangles = triangulated(control);
-  compare_rounds(triangles, Loop_scheme(), true, false, rounds);
+  compare_rounds(triangles, with_roundness(Loop_scheme()), true, false, rounds);
   compare_rounds(triangles, linear(Loop_scheme()), true, false, rounds);
-  compare_rounds(triangles, modified_Loop_scheme(), true, true, rounds);
+  compare_rounds(triangles, with_roundness(modified_Loop_scheme()), true, true, rounds);
 }
 
 struct Case

@@ -64,7 +64,7 @@ public:
       all += w;
       mean += carry_.back();
     }
-    point_ = q;
+    point_ = linear_point_ = q;
     if (all < Real(1) / 64) return;
     // q + sum w T (p - q) / W
     point_ -= mean * q / all;
@@ -72,6 +72,8 @@ public:
   }
 
   const Vector& point() const { return point_; }
+  // at this part of the way from the linear point
+  Vector point(Real w) const { return linear_point_ + w * (point_ - linear_point_); }
   const Vector& tangent() const { return tangent_; }
   Vector normal(const std::vector<Vector>& normals) const
   {
@@ -87,7 +89,7 @@ public:
 private:
   Crease_entries entries_;
   Real threshold_;
-  Vector tangent_, point_;
+  Vector tangent_, point_, linear_point_;
   std::vector<Square> carry_;
 };
 

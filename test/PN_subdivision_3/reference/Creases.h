@@ -40,6 +40,7 @@ struct Creased_mesh
   Face_list mesh;
   std::vector<Vector> points;
   std::map<Corner, Vector> normals;
+  std::map<Corner, Real> roundness; // 1 where there is none
   std::map<Edge, Real> sharp_edges; // undirected
   std::map<int, Real> sharp_vertices;
   std::map<Edge, Vector> tangents; // of (v, a) at v towards a
@@ -58,12 +59,72 @@ struct Creased_mesh
   }
   const Vector& point(int v) const { return points[std::size_t(v)]; }
   const Vector& normal(const Corner& c) const { return normals.at(c); }
+  Real round(const Corner& c) const
+  {
+    const auto it = roundness.find(c);
+    return it == roundness.end() ? 1 : it->second;
+  }
   const Vector& tangent(int v, int a) const { return tangents.at({v, a}); }
 };
 
 inline Real after_round(Real s)
 {
   return (std::max)(s - 1, Real(0));
+}
+
+// for each face at v the wedge that it is in, if edges vu are passed where pass(u)
+template <class Pass>
+std::map<int, int> wedges_at(const Face_list& mesh, int v, const Pass& pass)
+{
+  std::map<int, int> wedge;
+  for (const int u : mesh.ring(v))
+    if (mesh.face(v, u) >= 0) wedge.emplace(mesh.face(v, u), int(wedge.size()));
+  for (std::size_t i = 0; i < wedge.size(); ++i)
+    for (const int u : mesh.ring(v)) {
+      const int f = mesh.face(v, u), g = mesh.face(u, v);
+      if (f < 0 || g < 0 || !pass(u)) continue;
+      const int least = (std::min)(wedge[f], wedge[g]);
+      wedge[f] = wedge[g] = least;
+    }
+  return wedge;
+}
+inline std::map<int, int> wedges_at(const Creased_mesh& mesh, int v)
+{
+  return wedges_at(mesh.mesh, v, [&](int u) { return !(mesh.sharpness(v, u) > 0); });
+}
+
+inline Vector unit_vector(const Vector& v)
+{
+  return v.norm() < 1e-12L ? Vector(Vector::Zero()) : Vector(v / v.norm());
+}
+inline Vector mean_direction(const std::map<int, Vector>& parts)
+{
+  Vector sum = Vector::Zero();
+  for (const auto& part : parts) sum += part.second;
+  return unit_vector(sum);
+}
+
+// Calls f(face) for the faces at v that touch an edge at v which ends there, in the wedge that is joined over it:
+// large(face) is that wedge, ends(u) says whether the edge vu ends.
+template <class Ends, class Function>
+void for_each_touching_face(const Face_list& mesh, int v, const std::map<int, int>& large,
+                            const Ends& ends, const Function& f)
+{
+  std::set<int> joined;
+  for (const int u : mesh.ring(v))
+    if (!mesh.is_border(v, u) && ends(u)) joined.insert(large.at(mesh.face(v, u)));
+  for (const auto& [face, wedge] : large)
+    if (joined.count(wedge) != 0) f(face);
+}
+
+// sets w in whole wedges
+inline void set_roundness(Creased_mesh& mesh, const std::set<Corner>& corners, Real w)
+{
+  for (const auto& [face, v] : corners) {
+    const std::map<int, int> wedge = wedges_at(mesh, v);
+    for (const auto& [other, number] : wedge)
+      if (number == wedge.at(face)) mesh.roundness[{other, v}] = w;
+  }
 }
 
 enum class Kind { smooth, crease, corner };
@@ -84,7 +145,6 @@ public:
     , mesh_(old.mesh)
     , is_loop_(is_loop)
   {
-    soften();
     if (is_modified)
       for (int i = 0; i < mesh_.number_of_vertices(); ++i) tune(i);
     const int v = mesh_.number_of_vertices(), e = int(mesh_.edges().size());
@@ -101,29 +161,53 @@ public:
     if (!is_loop)
       for (int f = 0; f < mesh_.number_of_faces(); ++f)
         set_point_normal(v + e + f, average(face_row(f)));
+    if (old.is_linear)
+      result_.roundness.clear();
+    else
+      flatten();
   }
 
   const Creased_mesh& result() const { return result_; }
+
+  // the corners whose values a new vertex depends on
+  std::set<Corner> reads(int v) const
+  {
+    const int n = mesh_.number_of_vertices(), e = int(mesh_.edges().size());
+    std::set<Corner> corners;
+    const auto add_row = [&](const Corner_row& row) {
+      for (const auto& entry : row) corners.insert(entry.first);
+    };
+    const auto add_all = [&](int u) {
+      for (const int f : faces_at(u)) corners.insert({f, u});
+    };
+    if (v >= n + e)
+      add_row(face_row(v - n - e));
+    else if (v >= n) {
+      const auto& [a, b] = mesh_.edges()[std::size_t(v - n)];
+      if (old_.sharpness(a, b) > 0)
+        for (const int u : {a, b}) add_row(beside(u, u == a ? b : a));
+      else
+        add_row(edge_row(a, b));
+    } else if (kind(v, false) == Kind::smooth) {
+      const auto tuned = tuned_vertex_.find(v);
+      if (!mesh_.ring(v).empty())
+        add_row(tuned == tuned_vertex_.end() ? smooth_vertex(v) : tuned->second);
+    } else {
+      add_all(v);
+      if (kind(v, false) == Kind::crease)
+        for (const int u : crease_neighbors(v, false)) add_row(beside(u, v));
+    }
+    return corners;
+  }
 
 private:
   static Real limited(Real s) { return (std::min)(Real(1), s); }
 
   // \name Wedges
-  // for each face at v the wedge that it is in, if edges vu are passed where pass(u)
   template <class Pass>
   std::map<int, int> wedges(int v, const Pass& pass) const
   {
-    std::map<int, int> wedge;
-    for (const int u : mesh_.ring(v))
-      if (mesh_.face(v, u) >= 0) wedge.emplace(mesh_.face(v, u), int(wedge.size()));
-    for (std::size_t i = 0; i < wedge.size(); ++i)
-      for (const int u : mesh_.ring(v)) {
-        const int f = mesh_.face(v, u), g = mesh_.face(u, v);
-        if (f < 0 || g < 0 || !pass(u)) continue;
-        const int least = (std::min)(wedge[f], wedge[g]);
-        wedge[f] = wedge[g] = least;
-      }
-    return wedge;
+    return wedges_at(mesh_, v, pass);
   }
   std::map<int, int> wedges(int v) const
   {
@@ -147,50 +231,6 @@ private:
     if ((afterwards ? after_round(s) : s) > 0 || a.size() > 2 || (mesh_.is_border(v) && inner))
       return Kind::corner;
     return a.size() == 2 ? Kind::crease : Kind::smooth;
-  }
-
-  // \name Reading
-  // normals of wedges that semi-sharp edges separate, softened
-  void soften()
-  {
-    normals_ = old_.normals;
-    for (int v = 0; v < mesh_.number_of_vertices(); ++v) {
-      bool semi_sharp = false;
-      for (const int u : mesh_.ring(v))
-        semi_sharp = semi_sharp || (old_.sharpness(v, u) > 0 && old_.sharpness(v, u) < 1);
-      if (semi_sharp) soften(v);
-    }
-  }
-  void soften(int v)
-  {
-    const std::map<int, int> wedge = wedges(v);
-    std::vector<int> ring; // counter-clockwise, faces and the edges before them
-    std::vector<Real> coupling;
-    for (const int u : mesh_.ring(v)) {
-      if (mesh_.face(v, u) < 0) continue;
-      ring.push_back(mesh_.face(v, u));
-      coupling.push_back(mesh_.is_border(v, u) ? 0 : 1 - limited(old_.sharpness(v, u)));
-    }
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      Vector sum = Vector::Zero();
-      std::set<int> seen;
-      for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t j = (i + k) % n;
-        if (!seen.insert(wedge.at(ring[j])).second) continue;
-        Real one_way = 1, other_way = 1;
-        for (std::size_t l = 1; l <= k; ++l) one_way *= coupling[(i + l) % n];
-        for (std::size_t l = k + 1; l <= n; ++l) other_way *= coupling[(i + l) % n];
-        const bool same = wedge.at(ring[j]) == wedge.at(ring[i]);
-        const Real kappa = same ? 1 : 1 - (1 - one_way) * (1 - other_way);
-        sum += kappa * old_.normal({ring[j], v});
-      }
-      normals_[{ring[i], v}] = unit(sum);
-    }
-  }
-  static Vector unit(const Vector& v)
-  {
-    return v.norm() < 1e-12L ? Vector(Vector::Zero()) : Vector(v / v.norm());
   }
 
   // \name The schemes' own rules, as sums over faces
@@ -324,17 +364,27 @@ private:
     return it == tuned_face_.end() ? centroid(f) : it->second;
   }
 
-  Point_normal average(const Corner_row& row) const
+  struct Average : Point_normal
+  {
+    Real round;
+  };
+  Average average(const Corner_row& row) const
   {
     Values values;
     Row weights(Eigen::Index(row.size()));
     Eigen::Index j = 0;
+    Vector q = Vector::Zero();
+    Real round = 0;
     for (const auto& [corner, w] : row) {
       weights[j++] = w;
+      q += w * old_.point(corner.second);
+      round += w * old_.round(corner);
       values.points.push_back(old_.point(corner.second));
-      values.normals.push_back(old_.is_linear ? Vector(Vector::Zero()) : normals_.at(corner));
+      values.normals.push_back(old_.is_linear ? Vector(Vector::Zero()) : old_.normal(corner));
     }
-    return pn_rule(weights, weights, values);
+    Average result{pn_rule(weights, weights, values), round};
+    result.point = q + round * (result.point - q);
+    return result;
   }
 
   // \name New vertices
@@ -343,6 +393,7 @@ private:
   {
     Vector point;
     std::map<int, Vector> normals;
+    std::map<int, Real> rounds;
     std::map<int, Vector> tangents; // by the neighbor
   };
 
@@ -353,65 +404,67 @@ private:
     const std::vector<int> along = crease_neighbors(v, afterwards);
     if (rule == Kind::corner) {
       star.point = old_.point(v);
-      for (const int f : faces_at(v)) star.normals[f] = old_.normal({f, v});
+      for (const int f : faces_at(v)) {
+        star.normals[f] = old_.normal({f, v});
+        star.rounds[f] = old_.round({f, v});
+      }
       for (const int u : along) star.tangents[u] = old_.tangent(v, u);
     } else if (rule == Kind::crease)
-      crease_vertex(v, along[0], along[1], afterwards, star);
+      crease_vertex(v, along[0], along[1], star);
     else {
       const auto tuned = tuned_vertex_.find(v);
-      const Point_normal value =
+      const Average value =
         average(tuned == tuned_vertex_.end() ? smooth_vertex(v) : tuned->second);
       star.point = value.point;
-      for (const int f : faces_at(v)) star.normals[f] = value.normal;
+      for (const int f : faces_at(v)) {
+        star.normals[f] = value.normal;
+        star.rounds[f] = value.round;
+      }
       for (const int u : along) {
         const Vector t = old_.tangent(v, u);
-        star.tangents[u] = unit(t - t.dot(value.normal) * value.normal);
+        star.tangents[u] = unit_vector(t - t.dot(value.normal) * value.normal);
       }
     }
     return star;
   }
 
-  void crease_vertex(int v, int a, int b, bool afterwards, Star& star) const
+  void crease_vertex(int v, int a, int b, Star& star) const
   {
-    const bool is_crease_now = kind(v, false) == Kind::crease;
     Crease_entries entries;
     entries.weights = {Real(0.125), Real(0.125), Real(0.75)};
     entries.points = {old_.point(a), old_.point(b), old_.point(v)};
-    entries.tangents = {old_.tangent(a, v), -old_.tangent(b, v),
-                        is_crease_now ? old_.tangent(v, b)
-                                      : unit(old_.tangent(v, b) - old_.tangent(v, a))};
+    entries.tangents = {old_.tangent(a, v), -old_.tangent(b, v), old_.tangent(v, b)};
     if (old_.is_linear) entries.tangents.assign(3, Vector::Zero());
     const Crease_rule rule(entries);
-    star.point = rule.point();
+    const std::map<int, int> wedge = wedges(v);
+    Real all = 0;
+    for (const int u : {a, b}) all += Real(0.125) * (round_beside(u, v) + 3 * round_beside(v, u));
+    star.point = rule.point(all);
     star.tangents[a] = -rule.tangent();
     star.tangents[b] = rule.tangent();
     if (old_.is_linear) {
       for (const int f : faces_at(v)) star.normals[f] = Vector::Zero();
       return;
     }
-    const std::map<int, int> wedge = wedges(v, [&](int u) {
-      const Real s = old_.sharpness(v, u);
-      return !((afterwards ? after_round(s) : s) > 0);
-    });
-    const std::map<int, int> small = wedges(v);
     for (const int f : faces_at(v)) {
       const auto in_wedge = [&](int u) { // the face beside vu in the wedge of f
         for (const int g : {mesh_.face(v, u), mesh_.face(u, v)})
           if (g >= 0 && wedge.at(g) == wedge.at(f)) return g;
         throw std::logic_error("reference::Crease_round: no face of the wedge at the crease");
       };
-      std::map<int, Vector> parts;
-      for (const auto& [g, w] : wedge)
-        if (w == wedge.at(f)) parts[small.at(g)] = normals_.at({g, v});
-      star.normals[f] = rule.normal({normals_.at({in_wedge(a), a}), normals_.at({in_wedge(b), b}),
-                                     parts.size() == 1 ? parts.begin()->second : mean(parts)});
+      const Corner at_a{in_wedge(a), a}, at_b{in_wedge(b), b}, at_v{f, v};
+      star.normals[f] = rule.normal({old_.normal(at_a), old_.normal(at_b), old_.normal(at_v)});
+      star.rounds[f] =
+        Real(0.125) * (old_.round(at_a) + old_.round(at_b)) + Real(0.75) * old_.round(at_v);
     }
   }
-  static Vector mean(const std::map<int, Vector>& parts)
+
+  // of the vertex u of a crease, where it is one number for the sides of the edge uv
+  Real round_beside(int u, int v) const
   {
-    Vector sum = Vector::Zero();
-    for (const auto& part : parts) sum += part.second;
-    return unit(sum);
+    Real sum = 0;
+    for (const auto& [corner, w] : beside(u, v)) sum += w * old_.round(corner);
+    return sum;
   }
 
   void make_vertex(int v)
@@ -421,7 +474,14 @@ private:
       return;
     }
     Star star = vertex_by_rule(v, false);
-    if (kind(v, false) != kind(v, true)) blend_with_child(v, star);
+    if (old_.is_linear && kind(v, false) != kind(v, true)) blend_with_child(v, star);
+    if (!old_.is_linear && kind(v, false) == Kind::corner && kind(v, true) == Kind::crease) {
+      // one direction of travel
+      const std::vector<int> along = crease_neighbors(v, true);
+      const Vector t = unit_vector(star.tangents.at(along[1]) - star.tangents.at(along[0]));
+      star.tangents[along[1]] = t;
+      star.tangents[along[0]] = -t;
+    }
     // edges that end join wedges: the sum over the old wedges of each new one
     const std::map<int, int> small = wedges(v);
     const std::map<int, int> large =
@@ -431,10 +491,13 @@ private:
     std::map<int, Vector> normals;
     for (const int f : faces_at(v)) {
       const auto& own = parts[large.at(f)];
-      normals[f] = own.size() == 1 ? own.begin()->second : mean(own);
+      normals[f] = own.size() == 1 ? own.begin()->second : mean_direction(own);
     }
     result_.points[std::size_t(v)] = star.point;
-    for (const int f : faces_at(v)) result_.normals[{child_.at({f, v}), v}] = normals[f];
+    for (const int f : faces_at(v)) {
+      result_.normals[{child_.at({f, v}), v}] = normals[f];
+      result_.roundness[{child_.at({f, v}), v}] = star.rounds[f];
+    }
     for (const int u : crease_neighbors(v, true))
       result_.tangents[{v, on_edge_.at({v, u})}] = star.tangents.at(u);
     if (after_round(old_.sharpness(v)) > 0)
@@ -454,17 +517,7 @@ private:
         ++number;
       }
     const Real f = limited(sum / number);
-    const std::vector<int> along = crease_neighbors(v, true);
-    if (kind(v, false) == Kind::corner && kind(v, true) == Kind::crease) {
-      const Vector t = unit(star.tangents.at(along[1]) - star.tangents.at(along[0]));
-      star.tangents[along[1]] = t;
-      star.tangents[along[0]] = -t;
-    }
     star.point = f * star.point + (1 - f) * child.point;
-    if (f == 1) return;
-    for (auto& [face, n] : star.normals) n = unit(f * n + (1 - f) * child.normals.at(face));
-    for (const int u : along)
-      star.tangents[u] = unit(f * star.tangents[u] + (1 - f) * child.tangents.at(u));
   }
 
   void make_edge(int a, int b)
@@ -479,25 +532,22 @@ private:
     entries.tangents = {old_.tangent(a, b), -old_.tangent(b, a)};
     if (old_.is_linear) entries.tangents.assign(2, Vector::Zero());
     const Crease_rule rule(entries);
-    Vector point = rule.point();
+    Vector point = rule.point((round_beside(a, b) + round_beside(b, a)) / 2);
     std::map<int, Vector> normals;
     for (const int face : {f, g})
       if (face >= 0)
         normals[face] = old_.is_linear
                           ? Vector(Vector::Zero())
-                          : rule.normal({normals_.at({face, a}), normals_.at({face, b})});
-    if (s < 1) {
-      const Point_normal smooth = average(smooth_edge(a, b));
-      point = s * point + (1 - s) * smooth.point;
-      for (auto& n : normals) n.second = unit(s * n.second + (1 - s) * smooth.normal);
-    }
+                          : rule.normal({old_.normal({face, a}), old_.normal({face, b})});
+    if (old_.is_linear && s < 1) point = s * point + (1 - s) * average(smooth_edge(a, b)).point;
     const Real child = after_round(s);
     if (child == 0) {
-      const Vector joined = unit(normals[f] + normals[g]);
+      const Vector joined = unit_vector(normals[f] + normals[g]);
       normals[f] = normals[g] = joined;
     }
     result_.points[std::size_t(m)] = point;
-    for (const auto& [face, n] : normals) set_corners(face, a, b, m, n);
+    for (const auto& [face, n] : normals)
+      set_corners(face, a, b, m, n, (old_.round({face, a}) + old_.round({face, b})) / 2);
     if (child == 0) return;
     for (const int end : {a, b}) {
       result_.sharp_edges[undirected(end, m)] = child;
@@ -529,24 +579,45 @@ private:
     result_.mesh = Face_list(int(result_.points.size()), faces);
   }
   // the corners at the vertex m on the edge ab of the face
-  void set_corners(int face, int a, int b, int m, const Vector& n)
+  void set_corners(int face, int a, int b, int m, const Vector& n, Real w)
   {
-    for (const int end : {a, b}) result_.normals[{child_.at({face, end}), m}] = n;
-    if (is_loop_) result_.normals[{middle_[std::size_t(face)], m}] = n;
+    const auto set = [&](int child) {
+      result_.normals[{child, m}] = n;
+      result_.roundness[{child, m}] = w;
+    };
+    for (const int end : {a, b}) set(child_.at({face, end}));
+    if (is_loop_) set(middle_[std::size_t(face)]);
   }
-  void set_point_normal(int v, const Point_normal& value)
+  // what ends is not round
+  void flatten()
+  {
+    std::set<Corner> corners;
+    for (int v = 0; v < mesh_.number_of_vertices(); ++v) {
+      const auto remains = [&](int u) { return after_round(old_.sharpness(v, u)) > 0; };
+      for_each_touching_face(
+        mesh_, v, wedges(v, [&](int u) { return !remains(u); }),
+        [&](int u) { return old_.sharpness(v, u) > 0 && !remains(u); },
+        [&](int face) {
+          const int child = child_.at({face, v});
+          for (const int u : result_.mesh.faces()[std::size_t(child)]) corners.insert({child, u});
+        });
+    }
+    set_roundness(result_, corners, 0);
+  }
+  void set_point_normal(int v, const Average& value)
   {
     result_.points[std::size_t(v)] = value.point;
     for (const int u : result_.mesh.ring(v))
-      if (result_.mesh.face(v, u) >= 0)
+      if (result_.mesh.face(v, u) >= 0) {
         result_.normals[{result_.mesh.face(v, u), v}] = value.normal;
+        result_.roundness[{result_.mesh.face(v, u), v}] = value.round;
+      }
   }
 
   const Creased_mesh& old_;
   const Face_list& mesh_;
   bool is_loop_;
   Creased_mesh result_;
-  std::map<Corner, Vector> normals_; // softened
   std::map<Edge, int> on_edge_;
   std::map<Corner, int> child_; // the face at a corner
   std::vector<int> middle_;

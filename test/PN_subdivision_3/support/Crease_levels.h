@@ -24,12 +24,20 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace crease_levels {
 
 using namespace CGAL::PN_subdivision_3;
+
+// a scheme whose values have a roundness of their own
+template <class FT = double, class Scheme>
+internal::With_roundness<Scheme, FT> with_roundness(const Scheme& scheme)
+{
+  return {{scheme}, nullptr};
+}
 
 using Index = Level_connectivity::Index;
 using Triple = std::array<double, 3>;
@@ -163,6 +171,16 @@ public:
       return {FT(0), FT(0), FT(0)};
   }
 
+  // 1 where it does not vary
+  FT roundness(Index slot) const
+  {
+    if constexpr (internal::has_roundness_v<typename Average::Value>) {
+      const typename Average::Value value = refiner_.values()[slot];
+      return value.roundness;
+    } else
+      return FT(1);
+  }
+
   // calls f(face, vertex, slot) for every corner
   template <class Function>
   void for_each_corner(const Function& f) const
@@ -200,8 +218,28 @@ private:
                      undirected(int(level.source(2 * e)), int(level.target(2 * e))));
       },
       [&](Index v) { return value(control.sharp_vertices, int(v)); });
+    if (is_pn && control.normals.empty())
+      internal::keep_without_fractions(level, creases, [&](internal::Creases<FT>& others) {
+        return values_of_slots(control, level, others);
+      });
+    const auto values = values_of_slots(control, level, creases);
+    typename Refiner::Values stored;
+    for (const auto& v : values)
+      if constexpr (is_pn)
+        stored.push_back(v);
+      else
+        stored.push_back(v.point);
+    return Refiner(scheme, std::move(level), std::move(creases), std::move(stored),
+                   internal::For_chunks::with(Concurrency_tag()));
+  }
+
+  static auto values_of_slots(const Control& control, const Level_connectivity& level,
+                              internal::Creases<FT>& creases)
+  {
+    using Value =
+      std::conditional_t<is_pn, typename Average::Value, Point_normal<FT, 3>>;
     const Index n = level.number_of_vertices();
-    std::vector<Point_normal<FT, 3>> values(creases.number_of_slots);
+    std::vector<Value> values(creases.number_of_slots);
     const std::vector<Index> extra = internal::vertices_of_extra_slots(creases, n);
     for (Index slot = 0; slot < values.size(); ++slot) {
       const Triple& p = control.points[slot < n ? slot : extra[slot - n]];
@@ -216,18 +254,11 @@ private:
           values[slot].normal = {FT(m[0]), FT(m[1]), FT(m[2])};
         });
       }
-      internal::Control_creases<FT>(level, creases, values, is_given)();
+      internal::Control_creases<FT, Value>(level, creases, values, is_given)();
       if (control.has_zero_tangents)
         for (auto& e : creases.edges) e.tangent_from.fill({FT(0), FT(0), FT(0)});
     }
-    typename Refiner::Values stored;
-    for (const auto& v : values)
-      if constexpr (is_pn)
-        stored.push_back(v);
-      else
-        stored.push_back(v.point);
-    return Refiner(scheme, std::move(level), std::move(creases), std::move(stored),
-                   internal::For_chunks::with(Concurrency_tag()));
+    return values;
   }
 
   std::shared_ptr<const Scheme> scheme_;

@@ -34,7 +34,7 @@ Real_coordinates<dimension> curvature_vector(const Real_coordinates<dimension>& 
                                              const Real_coordinates<dimension>& b)
 {
   using Real = long double;
-  const auto c = difference(a, b);
+  const auto c = difference_of(a, b);
   const Real aa = dot<Real, dimension>(a, a), bb = dot<Real, dimension>(b, b),
              cc = dot<Real, dimension>(c, c), ab = dot<Real, dimension>(a, b);
   Real_coordinates<dimension> k{};
@@ -50,7 +50,7 @@ void move_curvature_vector(Real_coordinates<dimension>& k, const Real_coordinate
                            const Real_coordinates<dimension>& to)
 {
   const auto square = dot<long double, dimension>(k, k);
-  add_multiple<long double, dimension>(k, square, difference(from, to));
+  add_multiple<long double, dimension>(k, square, difference_of(from, to));
 }
 
 // f(a, b) for every vertex of a polygon, with a and b from it to its neighbors. Ends of an open one
@@ -63,7 +63,7 @@ std::vector<Result> at_vertices(const std::vector<Point>& p, bool closed, const 
   if (n < 3) return result;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t m = closed ? i : (std::min)((std::max)(i, std::size_t(1)), n - 2);
-    result[i] = f(difference(p[(m + n - 1) % n], p[m]), difference(p[(m + 1) % n], p[m]));
+    result[i] = f(difference_of(p[(m + n - 1) % n], p[m]), difference_of(p[(m + 1) % n], p[m]));
   }
   return result;
 }
@@ -177,7 +177,7 @@ auto divided_differences(const Range& curve, Curve_end end, unsigned order, unsi
   for (unsigned m = 0; m < order && !d.empty(); ++m) {
     const auto first = d.front();
     for (std::size_t i = 0; i < d.size(); ++i) {
-      d[i] = internal::difference(i + 1 < d.size() ? d[i + 1] : first, d[i]);
+      d[i] = internal::difference_of(i + 1 < d.size() ? d[i + 1] : first, d[i]);
       for (FT& x : d[i]) x *= scale;
     }
     if (end != Curve_end::closed) d.pop_back();

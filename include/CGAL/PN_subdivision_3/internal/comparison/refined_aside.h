@@ -20,7 +20,10 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/utils.h>
 
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,7 +38,25 @@ struct Level_with_points
 {
   Level_connectivity level;
   std::vector<Coordinates<FT, 3>> points;
+  // of control vertices, if their roundness varies
+  std::size_t of_roundness_0 = 0, of_roundness_below_1 = 0;
 };
+
+template <class FT, class Value>
+void count_roundness([[maybe_unused]] const std::vector<Value>& values,
+                     [[maybe_unused]] Level_connectivity::Index number_of_vertices,
+                     [[maybe_unused]] Level_with_points<FT>& result)
+{
+  if constexpr (has_roundness_v<Value>) {
+    bool varies = false;
+    for (Level_connectivity::Index v = 0; v < number_of_vertices; ++v)
+      varies = varies || CGAL::possibly(values[v].roundness != values[0].roundness);
+    for (Level_connectivity::Index v = 0; varies && v < number_of_vertices; ++v) {
+      result.of_roundness_0 += CGAL::certainly(values[v].roundness == FT(0));
+      result.of_roundness_below_1 += CGAL::certainly(values[v].roundness < FT(1));
+    }
+  }
+}
 
 // the points of the vertices, which are the first values
 template <class Average, class Values>
@@ -72,13 +93,14 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
     rounds = number_of_rounds(level, rounds);
     checked_refined_size<typename Scheme::Host>(level.size(), rounds, Level_connectivity::null);
     const auto values = of_mesh.values(level, points, normals, creases);
+    Level_with_points<FT> result;
+    count_roundness(values, level.number_of_vertices(), result);
     Level_refiner<Scheme, Average, decltype(creases)> refiner(
       scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
       For_chunks::with(Concurrency_tag()));
     while (refiner.rounds_done() < rounds) refiner.refine();
-    const Level_connectivity& last = refiner.level();
-    Level_with_points<FT> result{last,
-                                 points_of<Average>(refiner.values(), last.number_of_vertices())};
+    result.level = refiner.level();
+    result.points = points_of<Average>(refiner.values(), result.level.number_of_vertices());
     for (Level_connectivity::Index v = 0; v < result.points.size(); ++v)
       check_in_range(result.points[v],
                      [&] { return "the point of the new vertex " + std::to_string(v); });

@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Crease_rules.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Round.h>
@@ -23,6 +24,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -32,6 +35,15 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// f a + (1 - f) b
+template <class FT>
+Coordinates<FT, 3> mixed(Coordinates<FT, 3> a, const Coordinates<FT, 3>& b, const FT& f)
+{
+  scale<FT, 3>(a, f);
+  add_multiple<FT, 3>(a, FT(FT(1) - f), b);
+  return a;
+}
 
 // The new values on the creases of a round, for all slots of a new vertex together, and the tangents
 // of the refined creases.
@@ -78,6 +90,8 @@ private:
   using Rule_value = typename Rules::Value;
   using Vector = Coordinates<FT, 3>;
   using Precision = Caller_precision<FT>;
+
+  static void mix(Vector& a, const Vector& b, const FT& f) { a = mixed<FT>(a, b, f); }
 
   Index new_vertex(Index crease) const
   {
@@ -130,20 +144,31 @@ private:
                                           star.is_border && join.has_inner_end);
     Rule_value value = rules.vertex(star, parent, all);
     keep_tangents(join, value);
-    if (!is_same_rule(parent, child)) {
+    if constexpr (is_pn) {
       // a corner that becomes a crease vertex passes on one direction of travel
       if (parent == Vertex_rule::corner && child == Vertex_rule::crease)
         make_opposite_vectors<FT>(value.tangents[0], value.tangents[1]);
+      value.normals = join_normals<FT>(value.normals, join);
+      join_roundness(join, value.roundness);
+    } else if (!is_same_rule(parent, child)) {
       const FT f(weight_of_parent_rule(creases, star));
-      if (f < FT(1)) blend(value, rules.vertex(star, child, join), f, join.wedge);
+      if (f < FT(1)) mix(value.point, rules.vertex(star, child, join).point, f);
     }
-    if constexpr (is_pn) value.normals = join_normals<FT>(value.normals, join);
     put(i, refined_.star[i], star.vertex, value, [](Index w) { return w; });
     for (std::size_t j = 0; j < join.ends.size(); ++j) {
       const Crease_end& e = creases.end(star, join.ends[j]);
       const Index half = refined_.second_half(refined_.rank[e.crease], e.side);
       refined_.creases.edges[half].tangent_from[1 - e.side] = value.tangents[j];
     }
+  }
+
+  // what is joined is not round: any of its numbers will do
+  static void join_roundness(const Wedge_join& join, std::vector<FT>& roundness)
+  {
+    if (!Rules::has_roundness || roundness.size() == join.number_of_wedges) return;
+    std::vector<FT> joined(join.number_of_wedges, FT(0));
+    for (std::size_t w = 0; w < roundness.size(); ++w) joined[join.wedge[w]] = roundness[w];
+    roundness = joined;
   }
 
   static void keep_tangents(const Wedge_join& join, Rule_value& value)
@@ -158,7 +183,8 @@ private:
   {
     const Crease_edge<FT>& e = data_.creases.edges[i];
     Rule_value value = rules.edge(e);
-    if (e.sharpness < 1) blend(value, rules.smooth_edge(e), FT(e.sharpness), {0, 1});
+    if constexpr (!is_pn)
+      if (e.sharpness < 1) mix(value.point, rules.smooth_edge(e).point, FT(e.sharpness));
     const Index rank = refined_.rank[i];
     if (rank == null) {
       Wedge_join join;
@@ -175,28 +201,6 @@ private:
   }
 
   // \name Both
-  // value becomes f value + (1 - f) other; wedge w of value is in wedge[w] of other
-  static void blend(Rule_value& value, const Rule_value& other, const FT& f,
-                    const Short_vector<Index>& wedge)
-  {
-    value.point = mixed(value.point, other.point, f);
-    if (!(value.roundness == other.roundness))
-      value.roundness = f * value.roundness + (FT(1) - f) * other.roundness;
-    if constexpr (is_pn)
-      for (std::size_t w = 0; w < value.normals.size(); ++w)
-        value.normals[w] =
-          unit_or_zero<FT, 3>(mixed(value.normals[w], other.normals[wedge[w]], f), FT(1));
-    for (std::size_t j = 0; j < other.tangents.size(); ++j)
-      value.tangents[j] =
-        unit_or_zero<FT, 3>(mixed(value.tangents[j], other.tangents[j], f), FT(1));
-  }
-  static Vector mixed(Vector a, const Vector& b, const FT& f)
-  {
-    scale<FT, 3>(a, f);
-    add_multiple<FT, 3>(a, FT(FT(1) - f), b);
-    return a;
-  }
-
   // normal_of(w) is the position in `value` of the normal of wedge w of the refined star
   template <class Normal_of>
   void put(Index owner, Index refined_star, Index vertex, const Rule_value& value,
@@ -208,16 +212,17 @@ private:
     for (Index w = 0; w < wedges; ++w, ++result) {
       result->first = refined_star == null ? vertex : refined_.creases.stars[refined_star].slot(w);
       if constexpr (is_pn)
-        result->second = slot_value(value, value.normals[normal_of(w)]);
+        result->second = slot_value(value, w, value.normals[normal_of(w)]);
       else
         result->second = value.point;
     }
   }
 
-  static Value slot_value(const Rule_value& value, const Vector& normal)
+  static Value slot_value(const Rule_value& value, [[maybe_unused]] Index wedge,
+                          const Vector& normal)
   {
-    if constexpr (has_roundness_v<Value>)
-      return {value.point, normal, value.roundness};
+    if constexpr (Rules::has_roundness)
+      return {value.point, normal, value.roundness[wedge]};
     else
       return {value.point, normal};
   }
@@ -228,11 +233,38 @@ private:
   std::vector<std::size_t> first_result_; // of the stars, then of the edges
 };
 
+// the new vertices that are listed, as their rows have them
+template <class One_round>
+std::vector<typename One_round::Value>
+values_of_rows(const One_round& round, const std::vector<Level_connectivity::Index>& vertices,
+               const typename One_round::Stored_value* old, const For_chunks& for_chunks)
+{
+  using Index = Level_connectivity::Index;
+  using Value = typename One_round::Value;
+  std::vector<Value> values(vertices.size());
+  const Caller_precision<typename One_round::FT> precision;
+  for_chunks(static_cast<Index>(vertices.size()), [&](Index begin, Index end) {
+    const typename Caller_precision<typename One_round::FT>::In_this_thread scope(precision);
+    round.evaluate(vertices.data() + begin, vertices.data() + end, old,
+                   [&](const Index* first, const Value* v, Index n) {
+                     std::copy(v, v + n, values.begin() + (first - vertices.data()));
+                   });
+  });
+  return values;
+}
+
+template <class Scheme, class Average>
+class Gone_round;
+
 // One round of a scheme on a level with creases.
 //
 // The mask is that of the level cut open, so that rows far from creases and beside them are those of
 // an ordinary round, over slots. What they give for new vertices on creases is replaced by the values
 // of the crease pass, which has those of all their slots.
+//
+// Of point-normal schemes, what ends is not round: the edges that end in the round join their wedges, and the faces of the
+// refined level that touch them get the roundness 0. Edges of which less than a round is left, 0 < s < 1, are sharp in this
+// round as a whole; another one has them gone, and what reads it is blended, see Gone_round.
 //
 // Where nothing can be sharp it is an ordinary round, see Round.h.
 template <class Scheme, class Average, class Level_creases>
@@ -246,10 +278,9 @@ public:
   using Stored_value = typename One_round::Stored_value;
   using Slot_value = std::pair<Index, Value>;
 
-  // `old` has the values of the slots; it is changed where normals are read softened. The level is cut
-  // open until close() is called.
+  // `old` has the values of the slots. The level is cut open until close() is called.
   Crease_round(const Scheme& scheme, Level_connectivity& level, const Creases<FT>& creases,
-               Stored_value* old, unsigned number)
+               const Stored_value* old, unsigned number)
     : Crease_round(scheme, level, creases, number)
   {
     read(old);
@@ -264,36 +295,25 @@ public:
     , refined_(creases, level, number_of_vertices())
   {
     if (needs_smooth_rules()) make_smooth_rows(number);
+    if constexpr (has_roundness_v<Value>)
+      if (std::any_of(creases.edges.begin(), creases.edges.end(), ends))
+        ended_ = slots_at_ended(Host(level, number), level, creases, refined_);
+    if constexpr (is_pn)
+      if (has_fractions(creases))
+        gone_ = std::make_unique<Gone_round<Scheme, Average>>(scheme, level, creases, number);
     round_.emplace(scheme, level, number, [&] { cut_.emplace(level, creases); });
-    if constexpr (!std::is_floating_point_v<FT>)
-      round_->set_vertices_of_others(vertices_on_creases());
+    const std::vector<Index> on_creases = vertices_on_creases();
+    find_others(on_creases);
+    if constexpr (!std::is_floating_point_v<FT>) round_->set_vertices_of_others(on_creases);
   }
 
   Crease_round(const Crease_round&) = delete;
   Crease_round& operator=(const Crease_round&) = delete;
 
-  // the values of the slots; changed where normals are read softened
-  void read(Stored_value* old)
-  {
-    old_ = old;
-    stored_normals_.clear();
-    if constexpr (!Is_linear<Scheme>::value) soften();
-  }
-  // makes them again what they were
-  void put_back_softened()
-  {
-    if constexpr (!Is_linear<Scheme>::value)
-      for (const auto& [slot, normal] : stored_normals_) put_normal(slot, normal);
-    stored_normals_.clear();
-  }
-  // calls f(slot) for the slots whose normals are read softened
-  template <class Function>
-  void for_each_softened(const Function& f) const
-  {
-    for (const auto& stored : stored_normals_) f(stored.first);
-  }
+  // the values of the slots
+  void read(const Stored_value* old) { old_ = old; }
 
-  // of all new vertices; values on creases do not hold
+  // of all new vertices; those of which crease_values() has values do not hold
   const One_round& round() const { return *round_; }
   Index number_of_vertices() const { return static_cast<Index>(refined_size_.vertices); }
 
@@ -303,10 +323,10 @@ public:
   {
     return std::any_of(creases_.stars.begin(), creases_.stars.end(),
                        [this](const Crease_star& s) { return has_smooth_rule(s); }) ||
-           std::any_of(creases_.edges.begin(), creases_.edges.end(),
-                       [](const Crease_edge<FT>& e) { return e.sharpness < 1; });
+           (!is_pn && std::any_of(creases_.edges.begin(), creases_.edges.end(),
+                                  [](const Crease_edge<FT>& e) { return e.sharpness < 1; }));
   }
-  // the values on the creases, for each of their slots
+  // the values on the creases, for each of their slots, and beside them where creases end
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
   {
     const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
@@ -316,9 +336,28 @@ public:
                                                            *round_,
                                                            pointer(smooth_rows_),
                                                            pointer(smooth_normal_rows_),
-                                                           old_,
-                                                           stored_normals_};
-    return Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
+                                                           old_};
+    std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
+    if (!others_.empty())
+      values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
+    if constexpr (has_roundness_v<Value>)
+      if (!ended_.empty())
+        for (Slot_value& v : values)
+          if (std::binary_search(ended_.begin(), ended_.end(), v.first)) v.second.roundness = FT(0);
+    if constexpr (is_pn)
+      if (gone_) gone_->blend(creases_, old_, refined_, values, for_chunks);
+    return values;
+  }
+
+  // calls f(slot) for what the smooth rule of a dart reads
+  template <class Function>
+  void for_each_smooth_entry(const Crease_star& star, const Function& f) const
+  {
+    for (const auto* rows : {&smooth_rows_, &smooth_normal_rows_}) {
+      if (!*rows) continue;
+      const auto row = (*rows)->of_star(std::size_t(&star - creases_.stars.data()));
+      for (const auto* e = row.first; e != row.second; ++e) f(e->vertex);
+    }
   }
 
   // makes the level whole again; to be called before a host connects the child
@@ -328,6 +367,23 @@ public:
   Creases<FT>& refined_creases() { return refined_.creases; }
 
   // the new vertices that crease_values() has values for, in increasing order
+  std::vector<Index> vertices_of_values() const
+  {
+    std::vector<Index> all, on_creases = vertices_on_creases();
+    std::merge(on_creases.begin(), on_creases.end(), others_.begin(), others_.end(),
+               std::back_inserter(all));
+    return all;
+  }
+
+private:
+  using Host = typename Scheme::Host;
+  static constexpr bool is_pn = !Is_linear<Scheme>::value;
+
+  static bool ends(const Crease_edge<FT>& e)
+  {
+    return !(refined_sharpness(e.sharpness) > 0);
+  }
+
   std::vector<Index> vertices_on_creases() const
   {
     std::vector<Index> vertices;
@@ -337,17 +393,49 @@ public:
     return vertices;
   }
 
-private:
-  using Host = typename Scheme::Host;
+  // what is beside creases and not as its row has it
+  void find_others(const std::vector<Index>& on_creases)
+  {
+    std::vector<Index> all(
+      ended_.begin(), std::lower_bound(ended_.begin(), ended_.end(), number_of_vertices()));
+    if constexpr (is_pn)
+      if (gone_) {
+        const std::vector<Index> blended = gone_->vertices();
+        all.insert(all.end(), blended.begin(), blended.end());
+      }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::set_difference(all.begin(), all.end(), on_creases.begin(), on_creases.end(),
+                        std::back_inserter(others_));
+  }
+
+  // in the order of the vertices, of which the slots follow one another
+  std::vector<Slot_value> with_others(const std::vector<Slot_value>& on_creases,
+                                      const std::vector<Value>& values) const
+  {
+    std::vector<Slot_value> all;
+    all.reserve(on_creases.size() + values.size());
+    std::size_t i = 0;
+    const auto add_before = [&](Index end) {
+      for (; i < others_.size() && others_[i] < end; ++i) all.emplace_back(others_[i], values[i]);
+    };
+    for (const Slot_value& v : on_creases) {
+      if (v.first < number_of_vertices()) add_before(v.first);
+      all.push_back(v);
+    }
+    add_before(Level_connectivity::null);
+    return all;
+  }
 
   static bool is_smooth(Vertex_rule r)
   {
     return r == Vertex_rule::smooth || r == Vertex_rule::dart;
   }
 
-  // before the round or after it
+  // before the round or, without normals, after it
   bool has_smooth_rule(const Crease_star& star) const
   {
+    if (is_pn) return is_smooth(creases_.rule(star));
     const Index child = refined_.star[std::size_t(&star - creases_.stars.data())];
     return is_smooth(creases_.rule(star)) || child == Level_connectivity::null ||
            is_smooth(refined_.creases.rule(refined_.creases.stars[child]));
@@ -365,43 +453,24 @@ private:
       smooth_normal_rows_.emplace(level_, creases_, slots, smooth.normal_mask(), needs_row);
   }
 
-  void soften()
-  {
-    for (const Crease_star& star : creases_.stars)
-      if (is_softened(creases_, star))
-        for (Index w = 0; w < star.number_of_wedges; ++w)
-          stored_normals_.emplace_back(star.slot(w), Value(old_[star.slot(w)]).normal);
-    if (stored_normals_.empty()) return;
-    for (const Crease_star& star : creases_.stars)
-      if (is_softened(creases_, star))
-        soften_normals(
-          creases_, star, [&](Index slot) { return Value(old_[slot]).normal; },
-          [&](Index slot, const Coordinates<FT, 3>& n) { put_normal(slot, n); });
-    std::sort(stored_normals_.begin(), stored_normals_.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-  }
-
-  void put_normal(Index slot, const Coordinates<FT, 3>& n)
-  {
-    Value value = old_[slot];
-    value.normal = n;
-    old_[slot] = value;
-  }
-
   const Scheme& scheme_;
   Level_connectivity& level_;
   const Creases<FT>& creases_;
-  Stored_value* old_ = nullptr;
+  const Stored_value* old_ = nullptr;
   const Level_size refined_size_;
   Refined_creases<FT> refined_;
   std::optional<Smooth_rows<FT>> smooth_rows_, smooth_normal_rows_;
   std::optional<Level_cut<FT>> cut_;
   std::optional<One_round> round_;
-  std::vector<std::pair<Index, Coordinates<FT, 3>>> stored_normals_;
+  std::vector<Index> ended_;  // new slots that are not round, by their numbers
+  std::vector<Index> others_; // new vertices, by their numbers
+  std::unique_ptr<Gone_round<Scheme, Average>> gone_;
 };
 
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
+
+#include <CGAL/PN_subdivision_3/internal/creases/Gone_round.h>
 
 #endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_CREASE_ROUND_H

@@ -39,18 +39,16 @@ struct Crease_value
 
   Coordinates<FT, 3> point;
   Vectors normals, tangents;
-  FT roundness = FT(1); // of all wedges
+  std::vector<FT> roundness; // of the wedges, where it varies
 };
 
-// What the rules of a round read: the level cut open, its creases, the values of the slots and, of
-// slots that are read softened, the normals themselves.
+// What the rules of a round read: the level cut open, its creases and the values of the slots.
 template <class Scheme, class Average>
 struct Crease_round_data
 {
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
   using One_round = Round<Scheme, Average>;
-  using Slot_normal = std::pair<Index, Coordinates<FT, 3>>;
 
   const Scheme& scheme;
   const Level_connectivity& cut;
@@ -59,7 +57,6 @@ struct Crease_round_data
   const Smooth_rows<FT>* smooth_rows;
   const Smooth_rows<FT>* smooth_normal_rows; // of a normal mask
   const typename One_round::Stored_value* old;
-  const std::vector<Slot_normal>& stored_normals; // by their slots
 };
 
 // The rules of creases, corners and darts. Objects of this class are cheap and not shared by threads.
@@ -68,6 +65,7 @@ class Crease_rules
 {
 public:
   static constexpr bool is_pn = !Is_linear<Scheme>::value;
+  static constexpr bool has_roundness = has_roundness_v<typename Average::Value>;
 
   using FT = typename Average::FT;
   using Index = Level_connectivity::Index;
@@ -91,8 +89,12 @@ public:
     const std::array<Entry, 2> entries{
       {{weight[0], point(a), e.tangent_from[0]},
        {weight[1], point(b), opposite_vector<FT, 3>(e.tangent_from[1])}}};
-    const FT roundness = averaged_roundness(entries, {a, b});
-    const Rule average(entries.data(), entries.data() + 2, roundness);
+    std::vector<FT> roundness;
+    for (Index side = 0; has_roundness && side < 2; ++side)
+      if (e.has_after(side))
+        roundness.push_back(averaged_roundness(entries, {side == 0 ? e.before[1] : e.after[1],
+                                                         side == 0 ? e.after[0] : e.before[0]}));
+    const Rule average(entries.data(), entries.data() + 2, mean(roundness));
     Value result{average.point(), {}, {average.tangent()}, roundness};
     if constexpr (is_pn) {
       const Vector none = zero_vector<FT, 3>();
@@ -105,22 +107,21 @@ public:
     return result;
   }
 
-  // the scheme's own rule of an inner edge
+  // the scheme's own rule of an inner edge, without normals
   Value smooth_edge(const Crease_edge<FT>& e)
   {
     const auto i = std::size_t(&e - data_.creases.edges.data());
-    return smooth([i](const Smooth_rows<FT>& rows) { return rows.of_edge(i); }, 2);
+    return smooth([i](const Smooth_rows<FT>& rows) { return rows.of_edge(i); });
   }
 
-  // the vertex by a rule, as if only the ends of `join` existed
+  // the vertex by a rule; without normals as if only the ends of `join` existed
   Value vertex(const Crease_star& star, Vertex_rule rule, const Wedge_join& join)
   {
-    if (rule == Vertex_rule::corner) return corner(star, join);
+    if (rule == Vertex_rule::corner) return corner(star);
     if (rule == Vertex_rule::crease) return crease(star, join);
     const auto star_index = std::size_t(&star - data_.creases.stars.data());
     Value result =
-      smooth([star_index](const Smooth_rows<FT>& rows) { return rows.of_star(star_index); },
-             join.number_of_wedges);
+      smooth([star_index](const Smooth_rows<FT>& rows) { return rows.of_star(star_index); });
     for (const Index i : join.ends) {
       Vector t = tangent_from(data_.creases.end(star, i));
       if constexpr (is_pn) {
@@ -153,7 +154,7 @@ private:
   }
   FT roundness(Index slot) const
   {
-    if constexpr (has_roundness_v<typename Average::Value>) {
+    if constexpr (has_roundness) {
       const typename Average::Value value = data_.old[slot];
       return value.roundness;
     } else
@@ -172,13 +173,12 @@ private:
     }
     return are_equal ? roundness(slots[0]) : sum;
   }
-  // not softened
-  Vector stored_normal(Index slot) const
+  // that of the point, which belongs to all wedges
+  static FT mean(const std::vector<FT>& roundness)
   {
-    const auto& stored = data_.stored_normals;
-    const auto it = std::lower_bound(stored.begin(), stored.end(), slot,
-                                     [](const auto& s, Index i) { return s.first < i; });
-    return it != stored.end() && it->first == slot ? it->second : normal(slot);
+    if (roundness.empty()) return FT(1);
+    // two at most
+    return (roundness.front() + roundness.back()) / FT(2);
   }
   template <std::size_t n>
   static Vector normal(const Rule& average, const std::array<Vector, n>& normals)
@@ -202,24 +202,17 @@ private:
   Index far_after(const Crease_end& e) const { return data_.creases.edge(e).before[1 - e.side]; }
   Index far_before(const Crease_end& e) const { return data_.creases.edge(e).after[1 - e.side]; }
 
-  Value corner(const Crease_star& star, const Wedge_join& join) const
+  Value corner(const Crease_star& star) const
   {
-    Value result{point(star.vertex), {}, {}, roundness(star.vertex)};
+    Value result{point(star.vertex), {}, {}, {}};
     if constexpr (is_pn)
-      result.normals = joined(star, join, [&](Index slot) { return stored_normal(slot); });
-    for (const Index i : join.ends)
+      for (Index w = 0; w < star.number_of_wedges; ++w)
+        result.normals.push_back(normal(star.slot(w)));
+    for (Index w = 0; has_roundness && w < star.number_of_wedges; ++w)
+      result.roundness.push_back(roundness(star.slot(w)));
+    for (Index i = 0; i < star.number_of_ends; ++i)
       result.tangents.push_back(tangent_from(data_.creases.end(star, i)));
     return result;
-  }
-
-  // the normals of the joined wedges
-  template <class Normal_of>
-  typename Value::Vectors joined(const Crease_star& star, const Wedge_join& join,
-                                 const Normal_of& normal_of) const
-  {
-    typename Value::Vectors normals;
-    for (Index w = 0; w < star.number_of_wedges; ++w) normals.push_back(normal_of(star.slot(w)));
-    return join_normals<FT>(normals, join);
   }
 
   Value crease(const Crease_star& star, const Wedge_join& join)
@@ -230,44 +223,43 @@ private:
     const Vector to_last = opposite_vector<FT, 3>(tangent_towards(to_b));
     const Index a = data_.cut.source(data_.creases.halfedge(to_a));
     const Index b = data_.cut.source(data_.creases.halfedge(to_b));
-    const std::array<Entry, 3> entries{
-      {{weights[0], point(a), tangent_towards(to_a)},
-       {weights[1], point(b), to_last},
-       {weights[2], point(star.vertex), tangent_at(star, to_a, to_b)}}};
-    const FT roundness = averaged_roundness(entries, {a, b, star.vertex});
-    const Rule average(entries.data(), entries.data() + 3, roundness);
+    const std::array<Entry, 3> entries{{{weights[0], point(a), tangent_towards(to_a)},
+                                        {weights[1], point(b), to_last},
+                                        {weights[2], point(star.vertex), tangent_from(to_b)}}};
+    std::vector<FT> roundness;
+    if constexpr (has_roundness) {
+      roundness.resize(star.number_of_wedges, FT(1));
+      for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slots) {
+        roundness[w] = averaged_roundness(entries, slots);
+      });
+    }
+    const Rule average(entries.data(), entries.data() + 3, mean(roundness));
     Value result{average.point(), {}, {}, roundness};
     result.tangents = {opposite_vector<FT, 3>(average.tangent()), average.tangent()};
     if constexpr (is_pn) {
-      const auto at_vertex = joined(star, join, [&](Index slot) { return normal(slot); });
-      result.normals.resize(join.number_of_wedges, zero_vector<FT, 3>());
-      add_wedge(star, join, average, at_vertex, {to_a, to_b}, false, result);
-      add_wedge(star, join, average, at_vertex, {to_b, to_a}, true, result);
+      result.normals.resize(star.number_of_wedges, zero_vector<FT, 3>());
+      for_each_wedge(star, to_a, to_b, [&](Index w, const std::array<Index, 3>& slots) {
+        result.normals[w] =
+          normal<3>(average, {normal(slots[0]), normal(slots[1]), normal(slots[2])});
+      });
     }
     return result;
   }
 
-  // the wedge that lies between the ends clockwise, if there is one
-  void add_wedge(const Crease_star& star, const Wedge_join& join, const Rule& average,
-                 const typename Value::Vectors& at_vertex, const std::array<Crease_end, 2>& ends,
-                 bool is_reversed, Value& result) const
+  // calls f(wedge, its slots at a, b and the vertex)
+  template <class Function>
+  void for_each_wedge(const Crease_star& star, const Crease_end& to_a, const Crease_end& to_b,
+                      const Function& f) const
   {
-    const Crease_edge<FT>& first = data_.creases.edge(ends[0]);
-    if (!first.has_after(ends[0].side)) return;
-    const Index w = join.wedge[star.wedge(first.after[ends[0].side])];
-    std::array<Vector, 3> normals{normal(far_after(ends[0])), normal(far_before(ends[1])),
-                                  at_vertex[w]};
-    if (is_reversed) std::swap(normals[0], normals[1]);
-    result.normals[w] = normal<3>(average, normals);
-  }
-
-  // in the direction of travel
-  Vector tangent_at(const Crease_star& star, const Crease_end& to_a, const Crease_end& to_b) const
-  {
-    Vector t = tangent_from(to_b);
-    if (data_.creases.rule(star) == Vertex_rule::crease) return t;
-    t = difference<FT, 3>(t, tangent_from(to_a));
-    return unit_or_zero<FT, 3>(t, FT(2));
+    for (const bool is_reversed : {false, true}) {
+      const Crease_end &first = is_reversed ? to_b : to_a, &last = is_reversed ? to_a : to_b;
+      const Crease_edge<FT>& crease = data_.creases.edge(first);
+      if (!crease.has_after(first.side)) continue;
+      const Index slot = crease.after[first.side];
+      std::array<Index, 3> slots{far_after(first), far_before(last), slot};
+      if (is_reversed) std::swap(slots[0], slots[1]);
+      f(star.wedge(slot), slots);
+    }
   }
 
   // of the neighbors along the crease and of the vertex itself
@@ -284,12 +276,12 @@ private:
 
   // row_of(rows) is the row of the rule
   template <class Row_of>
-  Value smooth(const Row_of& row_of, Index number_of_wedges) const
+  Value smooth(const Row_of& row_of) const
   {
     const auto row = row_of(*data_.smooth_rows);
     const Average average{};
     if constexpr (!is_pn)
-      return {average(row.first, row.second, data_.old), {}, {}, FT(1)};
+      return {average(row.first, row.second, data_.old), {}, {}, {}};
     else {
       const Old_values old{data_.old};
       typename Average::Value value;
@@ -298,9 +290,8 @@ private:
         value = average(row.first, row.second, normal_row.first, normal_row.second, old);
       } else
         value = average(row.first, row.second, old);
-      Value result{value.point, {}, {}, FT(1)};
-      if constexpr (has_roundness_v<typename Average::Value>) result.roundness = value.roundness;
-      result.normals.resize(number_of_wedges, value.normal);
+      Value result{value.point, {value.normal}, {}, {}};
+      if constexpr (has_roundness) result.roundness = {value.roundness};
       return result;
     }
   }

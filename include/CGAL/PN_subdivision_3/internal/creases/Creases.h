@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -105,6 +106,10 @@ inline Vertex_rule vertex_rule(double sharpness, std::size_t number_of_ends, boo
   return number_of_ends == 1 ? Vertex_rule::dart : Vertex_rule::smooth;
 }
 
+// The control level without the edges and vertices of which less than a round is left.
+template <class FT>
+struct Control_without_fractions;
+
 // The creases of a level: what is sharp, the slots, and the tangents. All sizes are those of the
 // tagged part of the level.
 template <class FT>
@@ -117,6 +122,8 @@ struct Creases
   std::vector<Crease_star> stars;
   Index number_of_slots = 0;
   bool has_fixed_border = false; // all vertices of border creases are corners
+  // of a control level whose normals are not those of corners
+  std::shared_ptr<const Control_without_fractions<FT>> without_fractions;
 
   explicit Creases(Index number_of_vertices = 0)
     : number_of_slots(number_of_vertices)
@@ -157,6 +164,13 @@ struct Creases
     number_of_slots += wedge;
     stars.push_back(star);
   }
+};
+
+template <class FT>
+struct Control_without_fractions
+{
+  Creases<FT> creases;
+  std::vector<Point_normal_roundness<FT, 3>> values; // of their slots
 };
 
 // The creases of a level of which is known, when the call is compiled, that nothing can be sharp.

@@ -143,8 +143,8 @@ struct Curve_points : Curve_maps<Range, NamedParameters>
 };
 
 template <class FT, std::size_t dimension>
-std::array<FT, dimension> difference(const std::array<FT, dimension>& a,
-                                     const std::array<FT, dimension>& b)
+std::array<FT, dimension> difference_of(const std::array<FT, dimension>& a,
+                                        const std::array<FT, dimension>& b)
 {
   std::array<FT, dimension> c;
   for (std::size_t i = 0; i < dimension; ++i) c[i] = a[i] - b[i];

@@ -55,7 +55,7 @@ private:
 
   Edge edge(std::size_t i) const
   {
-    const Vector e = difference(points_[(i + 1) % points_.size()], points_[i]);
+    const Vector e = difference_of(points_[(i + 1) % points_.size()], points_[i]);
     Vector u = e;
     normalize_control_normal<FT, 2>(u);
     return {u, dot<FT, 2>(u, e)};

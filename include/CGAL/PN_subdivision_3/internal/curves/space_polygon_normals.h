@@ -104,8 +104,8 @@ private:
   // shorter edge is scaled to a size of about 1, so that nothing overflows.
   Coordinates<FT, 3> outward(std::size_t i) const
   {
-    auto a = difference(points_[before(i)], points_[i]),
-         b = difference(points_[after(i)], points_[i]);
+    auto a = difference_of(points_[before(i)], points_[i]),
+         b = difference_of(points_[after(i)], points_[i]);
     const int e = std::ilogb((std::min)(length_[before(i)], length_[i]));
     const FT scale(std::ldexp(1., -e / 2)), rest(std::ldexp(1., -e + e / 2));
     for (FT& x : a) x = x * scale * rest;
@@ -123,7 +123,7 @@ private:
     length_.resize(size());
     tangent_.assign(size(), Vector{0, 0, 0});
     for (std::size_t i = 0; i < size(); ++i) {
-      edge_[i] = to_double_3<FT>(difference(points_[after(i)], points_[i]));
+      edge_[i] = to_double_3<FT>(difference_of(points_[after(i)], points_[i]));
       length_[i] = length(edge_[i]);
       if (length_[i] > 0) edge_[i] = quotient(edge_[i], length_[i]);
     }

@@ -238,8 +238,8 @@ inline void estimate_missing_normals(const Level_connectivity& level,
   const auto is_missing = [](const Eigen_vector<3>& n) { return n.isZero(0); };
   if (std::none_of(data.normals.begin(), data.normals.end(), is_missing)) return;
   auto values = to_values<3>(data.points, data.normals, true);
-  estimate_normals<double>(level, estimate, Point_of_value<double>{values.data()},
-                           Set_normal_of_value<double>{values.data()});
+  estimate_normals<double>(level, estimate, Point_of_value<Point_normal<double, 3>>{values.data()},
+                           Set_normal_of_value<Point_normal<double, 3>>{values.data()});
   for (std::size_t v = 0; v < values.size(); ++v)
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }

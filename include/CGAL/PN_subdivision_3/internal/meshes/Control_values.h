@@ -134,6 +134,16 @@ public:
   void set_vertices_with_several_normals(std::vector<Index> vertices)
   {
     several_normals_ = std::move(vertices);
+    if constexpr (has_normals)
+      for (const Index v : several_normals_) given_to_several_.push_back(values_[v].normal);
+  }
+  // that of a vertex with several normals, too, which holds where it has one; null if none was given
+  const Vector* given_normal(Index v) const
+  {
+    if (is_estimated_ && !is_given_[v]) return nullptr;
+    const auto it = std::lower_bound(several_normals_.begin(), several_normals_.end(), v);
+    if (it == several_normals_.end() || *it != v) return &values_[v].normal;
+    return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
   void set_slot_normals(const std::vector<Value>& slots)
   {
@@ -192,6 +202,7 @@ private:
   std::vector<bool> is_changed_;
   std::vector<bool> is_given_; // where normals are estimated
   std::vector<Index> several_normals_;
+  std::vector<Vector> given_to_several_;
   std::vector<Vector> slot_normals_; // none if they are not given
   Control_normal_estimate estimate_;
   bool is_estimated_;

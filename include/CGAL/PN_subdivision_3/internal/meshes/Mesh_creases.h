@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -152,33 +153,14 @@ public:
 
   // the values of the slots, and the tangents that are missing
   template <class Point_map, class Normal_map>
-  std::vector<Value> values(const Level_connectivity& level, Point_map points,
-                            [[maybe_unused]] Normal_map normals, Creases<FT>& creases) const
+  std::vector<Value> values(const Level_connectivity& level, Point_map points, Normal_map normals,
+                            Creases<FT>& creases) const
   {
-    const Index n = level.number_of_vertices();
-    std::vector<Value> values(creases.number_of_slots);
-    for (Index v = 0; v < n; ++v) point_of(values[v]) = checked_point<FT>(access_, points, v);
-    const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
-    for (std::size_t i = 0; i < extra.size(); ++i)
-      point_of(values[n + i]) = point_of(values[extra[i]]);
-    if constexpr (is_pn_v<Scheme>) {
-      std::vector<bool> is_given(values.size(), false);
-      for (Value& value : values) value.normal = zero_vector<FT, 3>();
-      if constexpr (is_of_halfedges_v<Access, Normal_map>) {
-        is_given.assign(values.size(), true);
-        read_corner_normals<FT>(access_, level, creases, normals, values);
-      } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
-        std::fill_n(is_given.begin(), n, true);
-        for (const Crease_star& star : creases.stars)
-          if (star.number_of_wedges > 1) is_given[star.vertex] = false;
-        read_vertex_normals(normals, is_given, n, values);
-      }
-      Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
-      put_given_roundness(scheme_, n, values);
-      for (std::size_t i = 0; i < extra.size(); ++i)
-        share_roundness(values[extra[i]], values[n + i]);
-    }
-    return values;
+    if constexpr (is_pn_v<Scheme> && !is_of_halfedges_v<Access, Normal_map>)
+      keep_without_fractions(level, creases, [&](Creases<FT>& others) {
+        return values_of_slots(level, points, normals, others);
+      });
+    return values_of_slots(level, points, normals, creases);
   }
 
   // what is sharp besides the seams of attributes
@@ -233,6 +215,37 @@ private:
       return crease_tangents(scheme);
     else
       return {};
+  }
+
+  template <class Point_map, class Normal_map>
+  std::vector<Value> values_of_slots(const Level_connectivity& level, Point_map points,
+                                     [[maybe_unused]] Normal_map normals,
+                                     Creases<FT>& creases) const
+  {
+    const Index n = level.number_of_vertices();
+    std::vector<Value> values(creases.number_of_slots);
+    for (Index v = 0; v < n; ++v) point_of(values[v]) = checked_point<FT>(access_, points, v);
+    const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      point_of(values[n + i]) = point_of(values[extra[i]]);
+    if constexpr (is_pn_v<Scheme>) {
+      std::vector<bool> is_given(values.size(), false);
+      for (Value& value : values) value.normal = zero_vector<FT, 3>();
+      if constexpr (is_of_halfedges_v<Access, Normal_map>) {
+        is_given.assign(values.size(), true);
+        read_corner_normals<FT>(access_, level, creases, normals, values);
+      } else if constexpr (!std::is_same_v<Normal_map, No_normal_map>) {
+        std::fill_n(is_given.begin(), n, true);
+        for (const Crease_star& star : creases.stars)
+          if (star.number_of_wedges > 1) is_given[star.vertex] = false;
+        read_vertex_normals(normals, is_given, n, values);
+      }
+      Control_creases<FT, Value>(level, creases, values, is_given, normal_estimate(scheme_))();
+      put_given_roundness(scheme_, n, values);
+      for (std::size_t i = 0; i < extra.size(); ++i)
+        share_roundness(values[extra[i]], values[n + i]);
+    }
+    return values;
   }
 
   template <class Normal_map>

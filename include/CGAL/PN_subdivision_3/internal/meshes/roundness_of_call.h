@@ -42,17 +42,20 @@ constexpr bool may_be_semi_sharp()
 // Whether the roundness of a call may vary: where normals are estimated it does, sharp edges that end take it away, and
 // it may be given. A call of which its type says that it does not has no memory and no time for it.
 template <class Scheme, class Parameters>
-constexpr bool has_roundness_of_call_v =
-  is_pn_v<Scheme> && (std::is_same_v<typename Parameters::Normal_map, No_normal_map> ||
-                      is_given_roundness_v<typename Parameters::Roundness_map> ||
-                      is_given_roundness_v<typename Parameters::Roundness> ||
-                      (Has_crease_rules<Scheme>::value &&
-                       may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
+constexpr bool
+  has_roundness_of_call_v = is_pn_v<Scheme> &&
+                            (std::is_same_v<typename Parameters::Normal_map, No_normal_map> ||
+                             is_given_roundness_v<typename Parameters::Roundness_map> ||
+                             is_given_roundness_v<typename Parameters::Roundness> ||
+                             (Has_crease_rules<Scheme>::value &&
+                              may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
 
+// Masks with negative weights take what is from 0 to 1 a little beyond, from which a further call goes on.
 template <class FT, class Name>
-FT checked_roundness(const FT& w, const Name& name)
+FT checked_roundness(const FT& w, bool may_be_refined, const Name& name)
 {
-  if (CGAL::certainly(w >= FT(0)) && CGAL::certainly(w <= FT(1))) return w;
+  const FT beyond = may_be_refined ? FT(1) / FT(2) : FT(0);
+  if (CGAL::certainly(w >= -beyond) && CGAL::certainly(w <= FT(1) + beyond)) return w;
   throw std::invalid_argument("PN_subdivision_3: the roundness of " + name() + " is " +
                               std::to_string(CGAL::to_double(w)) + ": it must be from 0 to 1");
 }
@@ -62,14 +65,14 @@ Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& 
 {
   Given_roundness<FT> given;
   if constexpr (is_given_roundness_v<typename Parameters::Roundness>)
-    given.of_all = checked_roundness<FT>(FT(Parameters::roundness(np)),
+    given.of_all = checked_roundness<FT>(FT(Parameters::roundness(np)), false,
                                          [] { return std::string("all vertices"); });
   if constexpr (is_given_roundness_v<typename Parameters::Roundness_map>) {
     const auto map = Parameters::roundness_map(np);
     const auto n = static_cast<Level_connectivity::Index>(access.size().vertices);
     given.of_vertices.reserve(n);
     for (Level_connectivity::Index v = 0; v < n; ++v)
-      given.of_vertices.push_back(checked_roundness<FT>(FT(get(map, access.vertex(v))),
+      given.of_vertices.push_back(checked_roundness<FT>(FT(get(map, access.vertex(v))), true,
                                                         [&] { return access.vertex_name(v); }));
   }
   return given;

@@ -19,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/number_type_basic.h>
@@ -76,7 +77,8 @@ public:
     : scheme_(scheme)
     , rings_(rings)
     , rounds_(rounds)
-    , base_round_(dividing_round<Host>(control.size(), rounds, number_of_pieces))
+    , base_round_(least_base_round(
+        dividing_round<Host>(control.size(), rounds, number_of_pieces), rounds, creases))
     , for_chunks_(for_chunks)
     , base_(scheme_, std::move(control), std::move(creases), std::move(values), for_chunks)
   {
@@ -125,8 +127,18 @@ public:
 private:
   static constexpr bool is_creased = are_creases_v<Level_creases>;
   // The rules of creases read what the mask does, but of each vertex all wedges where creases run out: with one ring
-  // more no vertex that is read misses faces.
-  static constexpr unsigned more_rings = 1;
+  // more no vertex that is read misses faces. With two, nor does a vertex beside it, where a crease may end that takes
+  // away its roundness.
+  static constexpr unsigned more_rings = is_pn_v<Scheme> ? 2 : 1;
+
+  // what stands for the control level where less than a round is left belongs to the whole of it
+  static unsigned least_base_round(unsigned round, unsigned rounds,
+                                   [[maybe_unused]] const Level_creases& creases)
+  {
+    if constexpr (is_creased)
+      if (creases.without_fractions && round == 0) return (std::min)(rounds, 1u);
+    return round;
+  }
 
   struct Nothing
   {};

@@ -278,37 +278,55 @@ private:
   // makes the tangents of the control creases, too
   std::vector<Value> values_of_slots(Control& control)
   {
+    if constexpr (Control::has_normals)
+      if (control.slot_normals().empty())
+        keep_without_fractions(*whole_control_, creases_, [&](Creases<FT>& others) {
+          return values_of_slots(control, others);
+        });
+    const std::vector<Value> values = values_of_slots(control, creases_);
+    if constexpr (Control::has_normals) {
+      for (Index v = 0; v < whole_control_->number_of_vertices(); ++v)
+        if (!control.is_given(v)) control.put_estimate(v, values[v].normal);
+      put_mean_normals(values, control);
+    }
+    return values;
+  }
+  std::vector<Value> values_of_slots(const Control& control, Creases<FT>& creases) const
+  {
     const Index n = whole_control_->number_of_vertices();
-    std::vector<Value> values(creases_.number_of_slots);
+    std::vector<Value> values(creases.number_of_slots);
     for (Index v = 0; v < n; ++v) values[v] = control[v];
-    const std::vector<Index> extra = vertices_of_extra_slots(creases_, n);
+    const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
     for (std::size_t i = 0; i < extra.size(); ++i) values[n + i] = control[extra[i]];
     if constexpr (Control::has_normals) {
       std::vector<bool> is_given(values.size(), false);
-      for (Index v = 0; v < n; ++v) is_given[v] = control.is_given(v);
+      for (Index v = 0; v < n; ++v)
+        if (const auto* given = control.given_normal(v)) {
+          is_given[v] = true;
+          values[v].normal = *given;
+        }
+      for (const Crease_star& star : creases.stars)
+        if (star.number_of_wedges > 1) is_given[star.vertex] = false;
       for (std::size_t s = 0; s < values.size(); ++s)
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
-      put_given_normals(control, values, is_given);
-      for (Crease_edge<FT>& e : creases_.edges) e.tangent_from.fill(zero_vector<FT, 3>());
-      Control_creases<FT, Value>(*whole_control_, creases_, values, is_given,
+      put_given_normals(control, creases, values, is_given);
+      for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
+      Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
         if (control.has_given_roundness()) share_roundness(control[v], values[v]);
       for (std::size_t i = 0; i < extra.size(); ++i)
         share_roundness(values[extra[i]], values[n + i]);
-      for (Index v = 0; v < n; ++v)
-        if (!is_given[v]) control.put_estimate(v, values[v].normal);
-      put_mean_normals(values, control);
     }
     return values;
   }
 
   // those of the wedges of vertices that have several, if they are given
-  void put_given_normals(const Control& control, std::vector<Value>& values,
-                         std::vector<bool>& is_given) const
+  static void put_given_normals(const Control& control, const Creases<FT>& creases,
+                                std::vector<Value>& values, std::vector<bool>& is_given)
   {
     if (control.slot_normals().empty()) return;
-    for (const Crease_star& star : creases_.stars)
+    for (const Crease_star& star : creases.stars)
       for (Index w = 0; star.number_of_wedges > 1 && w < star.number_of_wedges; ++w) {
         const Index slot = star.slot(w);
         values[slot].normal = control.slot_normals()[slot];
@@ -339,7 +357,6 @@ private:
     this->in_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
       round.round().evaluate(begin, end, level.values.data(), {}, sink);
     });
-    round.put_back_softened();
     return on_creases;
   }
 
@@ -349,15 +366,13 @@ private:
   {
     One_round& round = *level.round;
     round.read(level.values.data());
-    round.for_each_softened([&](Index slot) { changed.push_back(slot); });
     changed = level.readers(round.round(), level.values.size(), changed);
-    remove_all(round.vertices_on_creases(), changed);
+    remove_all(round.vertices_of_values(), changed);
     Slot_values on_creases = round.crease_values(this->for_chunks_);
     this->in_chunks(static_cast<Index>(changed.size()), [&](Index begin, Index end) {
       round.round().evaluate(changed.data() + begin, changed.data() + end, level.values.data(),
                              sink);
     });
-    round.put_back_softened();
     return on_creases;
   }
 

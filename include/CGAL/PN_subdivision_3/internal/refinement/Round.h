@@ -284,16 +284,12 @@ public:
   Crease_round& operator=(const Crease_round&) = delete;
 
   void read(const Stored_value*) {}
-  void put_back_softened() {}
-  template <class Function>
-  void for_each_softened(const Function&) const
-  {}
   const One_round& round() const { return *this; }
   Index number_of_vertices() const { return static_cast<Index>(this->refined_size().vertices); }
   std::vector<Slot_value> crease_values(const For_chunks&) const { return {}; }
   void close() {}
   No_creases& refined_creases() { return refined_creases_; }
-  std::vector<Index> vertices_on_creases() const { return {}; }
+  std::vector<Index> vertices_of_values() const { return {}; }
 
 private:
   No_creases refined_creases_;

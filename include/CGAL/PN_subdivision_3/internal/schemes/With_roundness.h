@@ -74,8 +74,9 @@ void put_given_roundness([[maybe_unused]] const Scheme& scheme,
 }
 
 // the wedges of a vertex have one roundness
-template <class Value>
-void share_roundness([[maybe_unused]] const Value& of_vertex, [[maybe_unused]] Value& of_wedge)
+template <class Value, class Other_value>
+void share_roundness([[maybe_unused]] const Value& of_vertex,
+                     [[maybe_unused]] Other_value& of_wedge)
 {
   if constexpr (has_roundness_v<Value>) of_wedge.roundness = of_vertex.roundness;
 }

@@ -1,0 +1,268 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H
+
+#include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// whether less than a round is left
+inline bool is_fraction(double s)
+{
+  return s > 0 && s < 1;
+}
+
+template <class FT>
+bool has_fractions(const Creases<FT>& creases)
+{
+  const auto is_one = [](const auto& element) { return is_fraction(element.sharpness); };
+  return std::any_of(creases.edges.begin(), creases.edges.end(), is_one) ||
+         std::any_of(creases.stars.begin(), creases.stars.end(), is_one);
+}
+inline bool has_fractions(No_creases)
+{
+  return false;
+}
+
+// Calls f(half-edge, wedge) for the corners at a star that has ends.
+template <class FT, class Function>
+void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>& creases,
+                             const Crease_star& star, const Function& f)
+{
+  using Index = Level_connectivity::Index;
+  const Index first = star.is_border
+                        ? level.next_around_target(level.halfedge_of_vertex(star.vertex))
+                        : creases.halfedge(creases.end(star, 0));
+  Index h = first, wedge = 0, i = 0;
+  do {
+    if (i < star.number_of_ends && creases.halfedge(creases.end(star, i)) == h) {
+      const Crease_end& e = creases.end(star, i++);
+      if (creases.edge(e).has_after(e.side))
+        wedge = star.wedge(creases.edge(e).after[e.side]);
+    }
+    if (!level.is_border(h)) f(h, wedge);
+    h = level.next_around_target(h);
+  } while (h != first);
+}
+
+// Calls f(half-edge, joined wedge, s) for the corners at a star in faces that touch an edge of the star that ends: those of
+// the wedges that are joined over it. Of these edges s is the least sharpness.
+template <class FT, class Ends, class Function>
+void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>& creases,
+                              const Crease_star& star, const Ends& ends, const Function& f)
+{
+  using Index = Level_connectivity::Index;
+  const auto is_ended = [&](const Crease_end& e) {
+    return creases.is_inner(e) && ends(creases.edge(e).sharpness);
+  };
+  const Wedge_join join =
+    keep(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
+  if (join.ends.size() == star.number_of_ends) return;
+  Short_vector<double> least(join.number_of_wedges, infinite_sharpness);
+  for (Index i = 0; i < star.number_of_ends; ++i) {
+    const Crease_end& e = creases.end(star, i);
+    const Crease_edge<FT>& crease = creases.edge(e);
+    if (!is_ended(e)) continue;
+    double& s = least[join.wedge[star.wedge(crease.after[e.side])]];
+    s = (std::min)(s, crease.sharpness);
+  }
+  for_each_corner_of_star(level, creases, star, [&](Index h, Index wedge) {
+    const Index joined = join.wedge[wedge];
+    if (least[joined] != infinite_sharpness) f(h, joined, least[joined]);
+  });
+}
+
+// What ends is not round: the slots of a refined level, by their numbers, at the corners of its faces that touch what is
+// left of an edge that ends in this round. `level` is whole.
+template <class Host, class FT>
+std::vector<Level_connectivity::Index>
+slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<FT>& creases,
+               const Refined_creases<FT>& refined)
+{
+  using Index = Level_connectivity::Index;
+  std::vector<Index> slots;
+  const auto edge_slot = [&](Index h) {
+    const auto it = std::lower_bound(
+      creases.edges.begin(), creases.edges.end(), Level_connectivity::edge(h),
+      [](const Crease_edge<FT>& e, Index edge) { return e.edge < edge; });
+    const Index v = host.vertex_of_edge(Level_connectivity::edge(h));
+    if (it == creases.edges.end() || it->edge != Level_connectivity::edge(h)) return v;
+    const Index rank = refined.rank[std::size_t(it - creases.edges.begin())];
+    if (rank == Level_connectivity::null || it->is_border()) return v;
+    return refined.creases.stars[refined.first_edge_star + rank].slot(h & 1u);
+  };
+  const auto ends = [](double s) { return !(refined_sharpness(s) > 0); };
+  for (std::size_t i = 0; i < creases.stars.size(); ++i)
+    for_each_corner_at_ended(
+      level, creases, creases.stars[i], ends, [&](Index h, Index wedge, double) {
+        const Index star = refined.star[i];
+        slots.push_back(star == Level_connectivity::null ? level.target(h)
+                                                         : refined.creases.stars[star].slot(wedge));
+        slots.push_back(edge_slot(h));
+        slots.push_back(edge_slot(level.next(h)));
+        if constexpr (Host::refined_degree == 4)
+          slots.push_back(host.vertex_of_face(level.face(h)));
+      });
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  return slots;
+}
+
+// The creases of a level without those of which less than a round is left.
+template <class FT>
+struct Gone_creases
+{
+  using Index = Level_connectivity::Index;
+
+  Creases<FT> creases;
+  std::vector<double> reach; // of its slots: of the edges that touch a face at the slot and are gone the least, or 1
+
+  // `level` is whole
+  Gone_creases(const Level_connectivity& level, const Creases<FT>& old)
+    : creases(level.number_of_vertices())
+  {
+    creases.has_fixed_border = old.has_fixed_border;
+    for (const Crease_edge<FT>& e : old.edges) {
+      rank_.push_back(static_cast<Index>(creases.edges.size()));
+      if (!is_fraction(e.sharpness)) creases.edges.push_back(e);
+    }
+    for (const Crease_star& star : old.stars) add_star(old, star);
+    take_tangents(old);
+    find_reach(level, old);
+  }
+
+  // those that the old creases have now; a corner that becomes a crease vertex passes on one direction of travel
+  void take_tangents(const Creases<FT>& old)
+  {
+    auto gone = creases.edges.begin();
+    for (const Crease_edge<FT>& e : old.edges)
+      if (!is_fraction(e.sharpness)) (gone++)->tangent_from = e.tangent_from;
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+      if (star_[i] == Level_connectivity::null) continue;
+      const Crease_star& star = creases.stars[star_[i]];
+      if (creases.rule(star) == Vertex_rule::crease && old.rule(old.stars[i]) == Vertex_rule::corner)
+        make_opposite_vectors<FT>(tangent_from(creases.end(star, 0)),
+                                  tangent_from(creases.end(star, 1)));
+    }
+  }
+
+  // The values of its slots: the wedges between which an edge is gone are joined, and the faces that touch it are not
+  // round.
+  template <class Value, class Old_value>
+  std::vector<Value> joined(const Creases<FT>& old, const Old_value& old_value) const
+  {
+    std::vector<Value> values(creases.number_of_slots);
+    const Index n = static_cast<Index>(old.number_of_slots - extra_slots(old));
+    for (Index v = 0; v < n; ++v) values[v] = old_value(v);
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+      const Crease_star& star = old.stars[i];
+      const Wedge_join join = remaining(old, star);
+      std::vector<Coordinates<FT, 3>> normals;
+      for (Index w = 0; w < star.number_of_wedges; ++w) {
+        const Value value = old_value(star.slot(w));
+        values[slot(star, i, join.wedge[w])] = value;
+        normals.push_back(value.normal);
+      }
+      normals = join_normals<FT>(normals, join);
+      for (Index w = 0; w < join.number_of_wedges; ++w)
+        values[slot(star, i, w)].normal = normals[w];
+    }
+    if constexpr (has_roundness_v<Value>)
+      for (std::size_t s = 0; s < values.size(); ++s)
+        if (reach[s] < 1) values[s].roundness = FT(0);
+    return values;
+  }
+
+private:
+  static Wedge_join remaining(const Creases<FT>& old, const Crease_star& star)
+  {
+    return keep(old, star, [&](const Crease_end& e) { return !is_fraction(old.edge(e).sharpness); });
+  }
+  static std::size_t extra_slots(const Creases<FT>& old)
+  {
+    std::size_t n = 0;
+    for (const Crease_star& star : old.stars) n += star.number_of_wedges - 1;
+    return n;
+  }
+  Index slot(const Crease_star& star, std::size_t i, Index wedge) const
+  {
+    return star_[i] == Level_connectivity::null ? star.vertex : creases.stars[star_[i]].slot(wedge);
+  }
+  Coordinates<FT, 3>& tangent_from(const Crease_end& e)
+  {
+    return creases.edges[e.crease].tangent_from[1 - e.side];
+  }
+
+  void add_star(const Creases<FT>& old, const Crease_star& star)
+  {
+    const auto first_end = static_cast<Index>(creases.ends.size());
+    for (Index i = 0; i < star.number_of_ends; ++i) {
+      const Crease_end& e = old.end(star, i);
+      if (!is_fraction(old.edge(e).sharpness)) creases.ends.push_back({rank_[e.crease], e.side});
+    }
+    const double sharpness = is_fraction(star.sharpness) ? 0 : star.sharpness;
+    if (creases.ends.size() == first_end && !(sharpness > 0))
+      return star_.push_back(Level_connectivity::null);
+    star_.push_back(static_cast<Index>(creases.stars.size()));
+    creases.add_star({star.vertex, sharpness, star.is_border}, first_end);
+  }
+
+  void find_reach(const Level_connectivity& level, const Creases<FT>& old)
+  {
+    reach.assign(creases.number_of_slots, 1);
+    const Corner_slots<FT> slots(level, creases);
+    for (const Crease_star& star : old.stars)
+      for_each_corner_at_ended(level, old, star, is_fraction, [&](Index h, Index, double s) {
+        Index g = h;
+        do {
+          reach[slots(g)] = (std::min)(reach[slots(g)], s);
+          g = level.next(g);
+        } while (g != h);
+      });
+  }
+
+  std::vector<Index> rank_; // of the old edges among those that remain
+  std::vector<Index> star_; // of the old stars, or null
+};
+
+// Keeps with control creases what stands for them where less than a round is left: values(creases) are those of the slots of
+// the level without these edges and vertices, and complete its creases.
+template <class FT, class Values>
+void keep_without_fractions(const Level_connectivity& level, Creases<FT>& creases,
+                            const Values& values)
+{
+  if (!has_fractions(creases)) return;
+  auto without = std::make_shared<Control_without_fractions<FT>>();
+  without->creases = Gone_creases<FT>(level, creases).creases;
+  for (const auto& value : values(without->creases)) {
+    without->values.push_back({value.point, value.normal});
+    share_roundness(value, without->values.back());
+  }
+  creases.without_fractions = std::move(without);
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_CREASES_H

@@ -1,0 +1,260 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
+#include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Crease_round.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The other half of a round with edges of which less than a round is left, 0 < s < 1: the round in which they are gone.
+//
+// The result of the round is phi times that in which they are sharp and 1 - phi times this one, normals then unit. An edge's
+// own point has phi = s, a vertex on such edges the mean of their s, and any other new vertex the least s of such edges at
+// the faces that its row touches: 1 almost everywhere.
+template <class Scheme, class Average>
+class Gone_round
+{
+public:
+  using One_round = Crease_round<Scheme, Average, Creases<typename Average::FT>>;
+  using FT = typename Average::FT;
+  using Index = Level_connectivity::Index;
+  using Value = typename Average::Value;
+  using Stored_value = typename One_round::Stored_value;
+  using Slot_value = typename One_round::Slot_value;
+
+  // `level` is whole; it is copied
+  Gone_round(const Scheme& scheme, const Level_connectivity& level, const Creases<FT>& creases,
+             unsigned number)
+    : gone_(level, creases)
+    , level_(level, size_when_cut(level.size(), gone_.creases))
+  {
+    level_.set_size(level.size());
+    round_.emplace(scheme, level_, gone_.creases, number);
+    find_parts_on_creases();
+    find_parts_of_rows(level);
+    find_parts_of_ended(creases);
+    for (auto it = part_.begin(); it != part_.end();) it = it->second < 1 ? ++it : part_.erase(it);
+    const std::vector<Index> all = vertices(), of_values = round_->vertices_of_values();
+    std::set_difference(all.begin(), all.end(), of_values.begin(), of_values.end(),
+                        std::back_inserter(rows_));
+  }
+
+  // the new vertices that are blended, in increasing order
+  std::vector<Index> vertices() const
+  {
+    std::vector<Index> result;
+    for (const auto& part : part_) result.push_back(part.first);
+    return result;
+  }
+
+  // `values` and the tangents of `refined` are those of the round in which the edges are sharp
+  void blend(const Creases<FT>& creases, const Stored_value* old, Refined_creases<FT>& refined,
+             std::vector<Slot_value>& values, const For_chunks& for_chunks)
+  {
+    const std::vector<Slot_value> gone = gone_values(creases, old, for_chunks);
+    auto part = part_.end();
+    for (Slot_value& value : values) {
+      if (value.first < round_->number_of_vertices()) part = part_.find(value.first);
+      if (part == part_.end()) continue;
+      const auto other = std::lower_bound(gone.begin(), gone.end(), value.first,
+                                          [](const Slot_value& v, Index s) { return v.first < s; });
+      decide(part->first, [&] { mix(value.second, other->second, FT(part->second)); });
+    }
+    for (const Crease_star& star : refined.creases.stars)
+      if ((part = part_.find(star.vertex)) != part_.end())
+        decide(star.vertex, [&] { mix_tangents(star, FT(part->second), refined.creases); });
+  }
+
+private:
+  // \name Parts of the sharp round
+  // by the numbers of the new vertices
+
+  // calls f(vertex) for the corners of the face of h
+  template <class Function>
+  static void for_each_corner_of_face(const Level_connectivity& level, Index face, const Function& f)
+  {
+    const Index first = level.halfedge_of_face(face);
+    Index h = first;
+    do {
+      f(h);
+      h = level.next(h);
+    } while (h != first);
+  }
+
+  void find_parts_on_creases()
+  {
+    const Creases<FT>& creases = gone_.creases;
+    const auto grow = [&](double& part, Index slot) {
+      part = (std::min)(part, gone_.reach[slot]);
+    };
+    const auto grow_by_edge = [&](double& part, const Crease_edge<FT>& e) {
+      for (const Index side : {0u, 1u}) {
+        if (e.has_after(side)) grow(part, e.after[side]);
+        if (e.has_before(side)) grow(part, e.before[side]);
+      }
+    };
+    for (const Crease_star& star : creases.stars) {
+      double& part = part_.emplace(star.vertex, 1).first->second;
+      const Vertex_rule rule = creases.rule(star);
+      for (Index w = 0; w < star.number_of_wedges; ++w) grow(part, star.slot(w));
+      if (rule == Vertex_rule::crease)
+        for (Index i = 0; i < 2; ++i) grow_by_edge(part, creases.edge(creases.end(star, i)));
+      else if (rule == Vertex_rule::dart)
+        round_->for_each_smooth_entry(star, [&](Index slot) { grow(part, slot); });
+    }
+    for (const Crease_edge<FT>& e : creases.edges)
+      grow_by_edge(part_.emplace(round_->round().host().vertex_of_edge(e.edge), 1).first->second, e);
+  }
+
+  void find_parts_of_rows(const Level_connectivity& level)
+  {
+    std::vector<bool> is_near(level.number_of_vertices(), false);
+    const std::vector<Index> extra =
+      vertices_of_extra_slots(gone_.creases, level.number_of_vertices());
+    for (std::size_t s = 0; s < gone_.reach.size(); ++s)
+      if (gone_.reach[s] < 1) is_near[s < is_near.size() ? s : extra[s - is_near.size()]] = true;
+    constexpr int rings = 2; // a row reads no vertex farther off
+    for (int i = 0; i < rings; ++i) grow_by_ring(level, is_near);
+    Stencil_block<FT> buffer;
+    const auto add = [&](Index v) {
+      if (part_.count(v) != 0) return;
+      double part = 1;
+      round_->round().for_each_entry(
+        v, buffer, [&](Index slot) { part = (std::min)(part, gone_.reach[slot]); });
+      if (part < 1) part_.emplace(v, part);
+    };
+    const auto& host = round_->round().host();
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      if (is_near[v]) add(v);
+    for (Index e = 0; e < level.number_of_edges(); ++e)
+      if (is_near[level.target(2 * e)] || is_near[level.source(2 * e)]) add(host.vertex_of_edge(e));
+    if constexpr (Scheme::Host::refined_degree == 4)
+      for (Index f = 0; f < level.number_of_faces(); ++f)
+        if (is_near[level.target(level.halfedge_of_face(f))]) add(host.vertex_of_face(f));
+  }
+
+  static void grow_by_ring(const Level_connectivity& level, std::vector<bool>& is_near)
+  {
+    const std::vector<bool> old = is_near;
+    for (Index f = 0; f < level.number_of_faces(); ++f) {
+      bool is_any = false;
+      for_each_corner_of_face(level, f,
+                              [&](Index h) { is_any = is_any || old[level.target(h)]; });
+      if (is_any)
+        for_each_corner_of_face(level, f, [&](Index h) { is_near[level.target(h)] = true; });
+    }
+  }
+
+  void find_parts_of_ended(const Creases<FT>& creases)
+  {
+    for (const Crease_star& star : creases.stars) {
+      double sum = 0;
+      int number = 0;
+      const auto add = [&](double s) {
+        if (!is_fraction(s)) return;
+        sum += s;
+        ++number;
+      };
+      add(star.sharpness);
+      for (Index i = 0; i < star.number_of_ends; ++i)
+        add(creases.edge(creases.end(star, i)).sharpness);
+      if (number != 0) part_[star.vertex] = sum / number;
+    }
+    for (const Crease_edge<FT>& e : creases.edges)
+      if (is_fraction(e.sharpness)) part_[round_->round().host().vertex_of_edge(e.edge)] = e.sharpness;
+  }
+
+  // \name Values
+  // by their slots
+  std::vector<Slot_value> gone_values(const Creases<FT>& creases, const Stored_value* old,
+                                      const For_chunks& for_chunks)
+  {
+    std::vector<Value> values;
+    if (const auto& without = creases.without_fractions) {
+      values.assign(without->values.begin(), without->values.end());
+      for (std::size_t i = 0; i < gone_.creases.edges.size(); ++i)
+        gone_.creases.edges[i].tangent_from = without->creases.edges[i].tangent_from;
+    } else {
+      gone_.take_tangents(creases);
+      decide(Level_connectivity::null, [&] {
+        values = gone_.template joined<Value>(creases, [&](Index slot) { return Value(old[slot]); });
+      });
+    }
+    const std::vector<Stored_value> stored(values.begin(), values.end());
+    round_->read(stored.data());
+    std::vector<Slot_value> result = round_->crease_values(for_chunks);
+    const std::vector<Value> of_rows =
+      values_of_rows(round_->round(), rows_, stored.data(), for_chunks);
+    for (std::size_t i = 0; i < rows_.size(); ++i) result.emplace_back(rows_[i], of_rows[i]);
+    std::sort(result.begin(), result.end(),
+              [](const Slot_value& a, const Slot_value& b) { return a.first < b.first; });
+    return result;
+  }
+
+  static void mix(Value& value, const Value& other, const FT& part)
+  {
+    value.point = mixed<FT>(value.point, other.point, part);
+    value.normal = unit_or_zero<FT, 3>(mixed<FT>(value.normal, other.normal, part), FT(1));
+    if constexpr (has_roundness_v<Value>)
+      value.roundness = part * value.roundness + (FT(1) - part) * other.roundness;
+  }
+
+  void mix_tangents(const Crease_star& star, const FT& part, Creases<FT>& refined) const
+  {
+    const Creases<FT>& gone = round_->refined().creases;
+    for (Index i = 0; i < star.number_of_ends; ++i) {
+      const Crease_end& e = refined.end(star, i);
+      Coordinates<FT, 3>& t = refined.edges[e.crease].tangent_from[1 - e.side];
+      t = unit_or_zero<FT, 3>(mixed<FT>(t, gone.edges[e.crease].tangent_from[1 - e.side], part),
+                              FT(1));
+    }
+  }
+
+  template <class Function>
+  static void decide(Index vertex, const Function& f)
+  {
+    decided<FT>(f, [&] {
+      return vertex == Level_connectivity::null
+               ? std::string("whether the normals of wedges that are joined cancel")
+               : "the normal of vertex " + std::to_string(vertex) + " where a crease ends";
+    });
+  }
+
+  Gone_creases<FT> gone_;
+  Level_connectivity level_; // cut open
+  std::optional<One_round> round_;
+  std::map<Index, double> part_;
+  std::vector<Index> rows_; // of its vertices those whose values are those of rows
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_GONE_ROUND_H

@@ -1,0 +1,375 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// --check, and the edges that the closing line names: what is printed is compared with what is computed here from
+// the files that the command writes, with --linear and without.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Triple = std::array<double, 3>;
+
+// of the edges 2a, 2b, 2c
+std::string box(double a, double b, double c)
+{
+  std::ostringstream off;
+  off << "OFF\n8 6 0\n";
+  for (int i = 0; i < 8; ++i)
+    off << (i % 4 == 1 || i % 4 == 2 ? a : -a) << ' ' << (i % 4 >= 2 ? b : -b) << ' '
+        << (i >= 4 ? c : -c) << '\n';
+  off << "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  return off.str();
+}
+
+// a plane of n x n squares, with normals of any direction or without
+enum class Normals { none, of_any_direction };
+std::string plane(int n, Normals normals)
+{
+  const bool has_normals = normals == Normals::of_any_direction;
+  std::mt19937 random(5);
+  const auto number = [&] { return int(random() % 2001) - 1000; };
+  std::ostringstream obj;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) obj << "v " << i << ' ' << j << " 0\n";
+  for (int i = 0; has_normals && i < (n + 1) * (n + 1); ++i) {
+    const int x = number(), y = number(), z = number();
+    obj << "vn " << x << ' ' << y << ' ' << z << '\n';
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      obj << 'f';
+      const std::array<int, 4> corners{i * (n + 1) + j, (i + 1) * (n + 1) + j,
+                                       (i + 1) * (n + 1) + j + 1, i * (n + 1) + j + 1};
+      for (const int v : corners) {
+        obj << ' ' << v + 1;
+        if (has_normals) obj << "//" << v + 1;
+      }
+      obj << '\n';
+    }
+  return obj.str();
+}
+
+// The points and faces of an OFF or OBJ file.
+struct Faces_of_file
+{
+  explicit Faces_of_file(const std::string& obj)
+  {
+    std::istringstream in(obj);
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream words(line);
+      std::string key;
+      words >> key;
+      if (key == "v") {
+        points.emplace_back();
+        for (double& x : points.back()) words >> x;
+      } else if (key == "f") {
+        faces.emplace_back();
+        for (std::string corner; words >> corner;) faces.back().push_back(std::stoul(corner) - 1);
+      }
+    }
+  }
+
+  // the pyramids over the means of the faces, as triangles
+  double volume() const
+  {
+    double sum = 0;
+    for (const auto& face : faces)
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Triple &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
+        for (const std::size_t v : face) {
+          const Triple& m = points[v];
+          sum += (m[0] * (p[1] * q[2] - p[2] * q[1]) + m[1] * (p[2] * q[0] - p[0] * q[2]) +
+                  m[2] * (p[0] * q[1] - p[1] * q[0])) /
+                 (6 * double(face.size()));
+        }
+      }
+    return sum;
+  }
+
+  // edges of two faces whose area vectors are at an angle with a smaller cosine
+  std::size_t edges_beyond(double cosine) const
+  {
+    std::map<std::pair<std::size_t, std::size_t>, Triple> normals;
+    for (const auto& face : faces) {
+      Triple n{0, 0, 0};
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Triple &p = points[face[i]], &q = points[face[(i + 1) % face.size()]];
+        for (std::size_t c = 0; c < 3; ++c)
+          n[c] += p[(c + 1) % 3] * q[(c + 2) % 3] - p[(c + 2) % 3] * q[(c + 1) % 3];
+      }
+      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      for (double& x : n) x /= length;
+      for (std::size_t i = 0; i < face.size(); ++i)
+        normals[{face[i], face[(i + 1) % face.size()]}] = n;
+    }
+    std::size_t number = 0;
+    for (const auto& [ends, n] : normals) {
+      const auto other = normals.find({ends.second, ends.first});
+      if (ends.first < ends.second && other != normals.end())
+        number += n[0] * other->second[0] + n[1] * other->second[1] + n[2] * other->second[2] <
+                  cosine - 1e-9;
+    }
+    return number;
+  }
+
+  std::vector<Triple> points;
+  std::vector<std::vector<std::size_t>> faces;
+};
+
+class Pn_subdivide_check : public Command_test
+{
+protected:
+  std::string words(const std::string& input, const std::string& output) const
+  {
+    return "'" + input + "' '" + output + "' ";
+  }
+
+  // What is printed; the result is the same as without.
+  std::string check(const std::string& input, const std::string& options,
+                    const std::string& name = "o.obj") const
+  {
+    const std::string output = folder.file(name), plain = folder.file("plain." + name);
+    const Outcome expected = run(words(input, plain) + options);
+    const Outcome outcome = run(words(input, output) + options + " --check");
+    EXPECT_EQ(expected.code, 0) << expected.err;
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(Temporary_folder::content(output), Temporary_folder::content(plain));
+    return outcome.out;
+  }
+
+  std::string closing_line(const std::string& input, const std::string& options) const
+  {
+    const Outcome outcome = run(words(input, folder.file("closing.ply")) + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("warning: "), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  }
+};
+
+void expect_part(const std::string& text, const std::string& part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << text << "lacks: " << part;
+}
+void expect_no_part(const std::string& text, const std::string& part)
+{
+  EXPECT_EQ(text.find(part), std::string::npos) << text << "has: " << part;
+}
+
+// "a of x (linear b)" as the command says it
+std::string ratio_text(double volume, double linear)
+{
+  char text[100];
+  std::snprintf(text, sizeof text, "check: volume %.3f of the control mesh (linear %.3f)\n", volume,
+                linear);
+  return text;
+}
+
+} // namespace
+
+// --- what is measured ---
+
+TEST_F(Pn_subdivide_check, VolumesAndFoldsAreThoseOfTheFiles)
+{
+  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
+                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
+  for (const auto& [input, options] :
+       std::vector<std::pair<std::string, std::string>>{{beam, "--levels 3 --normals angle"},
+                                                        {beam, "--levels 2 --limit"},
+                                                        {beam, "--levels 2 --scheme doo-sabin"},
+                                                        {beam, "--levels 2 --triangulate"},
+                                                        {beam, "--levels 3 --sharp angle:40"},
+                                                        {wild, "--levels 3 --normals file"}}) {
+    SCOPED_TRACE(options);
+    const std::string text = check(input, options), linear_file = folder.file("l.obj");
+    const std::size_t normals = options.find(" --normals");
+    ASSERT_EQ(run(words(input, linear_file) + options.substr(0, normals) + " --linear").code, 0);
+    const Faces_of_file result(Temporary_folder::content(folder.file("o.obj"))),
+      linear(Temporary_folder::content(linear_file));
+    ASSERT_EQ(result.points.size(), linear.points.size());
+    if (input == beam)
+      expect_part(text, ratio_text(result.volume() / 80, linear.volume() / 80));
+    else
+      expect_no_part(text, "volume");
+    const double cosine = -std::sqrt(3.) / 2;
+    std::ostringstream folds;
+    folds << "check: " << result.edges_beyond(0)
+          << (result.edges_beyond(0) == 1 ? " edge folds" : " edges fold")
+          << " by more than 90 degrees (linear " << linear.edges_beyond(0) << "), "
+          << result.edges_beyond(cosine) << " by more than 150 (linear "
+          << linear.edges_beyond(cosine) << ")\n";
+    expect_part(text, folds.str());
+    expect_part(text, "check: farthest from the linear result ");
+  }
+}
+
+// --- verdicts and advice ---
+
+TEST_F(Pn_subdivide_check, ABeamSwells)
+{
+  const std::string beam = folder.write("beam.off", box(10, 1, 1));
+  const std::string edges = "12 control edges turn by more than 40 degrees: tag them "
+                            "(--sharp angle:40)";
+  expect_part(check(beam, "--levels 3 --normals angle"), "check: SWOLLEN. " + edges);
+  // nobody can tag these
+  for (const char* options : {"--sharp none", "--scheme doo-sabin", "--interpolate points"}) {
+    const std::string text = check(beam, std::string("--levels 3 --normals angle ") + options);
+    expect_part(text, "check: SWOLLEN");
+    expect_part(text, ". Try --roundness 0.5\n");
+  }
+  expect_part(check(beam, "--levels 3 --normals sphere:0,0,0 --sharp none"),
+              "check: SWOLLEN. Try --roundness auto --normals estimate\n");
+}
+
+TEST_F(Pn_subdivide_check, NormalsOfAnyDirectionFold)
+{
+  const std::string wild = folder.write("wild.obj", plane(6, Normals::of_any_direction));
+  const std::string text = check(wild, "--levels 3 --normals file");
+  expect_part(text, "check: FOLDED. Try --roundness auto --normals estimate\n");
+  expect_no_part(text, "SWOLLEN");
+}
+
+TEST_F(Pn_subdivide_check, GoodOnesAreSaidToBe)
+{
+  const std::string cube = folder.write("cube.off", box(1, 1, 1)),
+                    beam = folder.write("beam.off", box(10, 1, 1)),
+                    flat = folder.write("flat.obj", plane(4, Normals::none));
+  const std::string good = "check: as good as linear\n";
+  expect_part(check(cube, "--levels 3 --normals sphere:0,0,0"), good);
+  expect_part(check(beam, "--levels 3 --sharp angle:40"), good);
+  expect_part(check(flat, "--levels 3"), good);
+  const std::string none = check(beam, "--levels 3 --normals none"); // the linear one itself
+  expect_part(none, good);
+  expect_part(none, "farthest from the linear result 0.00 of the local edge length");
+}
+
+// --- where it is said ---
+
+TEST_F(Pn_subdivide_check, LinesAreOnStandardOutput)
+{
+  const std::string beam = folder.write("beam.off", box(10, 1, 1));
+  const std::string text = check(beam, "--levels 2 --normals angle");
+  EXPECT_EQ(text.rfind("check: volume ", 0), 0u) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+  const Outcome quiet =
+    run(words(beam, folder.file("q.ply")) + "--levels 2 --normals angle --check --quiet --strict");
+  EXPECT_EQ(quiet.code, 0);
+  EXPECT_EQ(quiet.out, text);
+  EXPECT_EQ(quiet.err, "");
+  const Outcome streams =
+    run("'" + beam + "' - --format obj --levels 2 --normals angle --check --quiet");
+  EXPECT_EQ(streams.code, 0);
+  EXPECT_EQ(streams.err, text);
+  expect_no_part(streams.out, "check");
+  // triangles of .stl are made of the faces that were compared
+  EXPECT_EQ(check(beam, "--levels 2 --normals angle", "o.stl"), text);
+}
+
+TEST_F(Pn_subdivide_check, TheReportHasTheNumbers)
+{
+  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
+                    wild = folder.write("wild.obj", plane(6, Normals::of_any_direction)),
+                    file = work.file("r.json");
+  const auto report = [&](const std::string& input, const std::string& options) {
+    EXPECT_EQ(run(words(input, folder.file("o.obj")) + options + " --report '" + file + "'").code,
+              0);
+    return nlohmann::json::parse(Temporary_folder::content(file)).at("check");
+  };
+  nlohmann::json json = report(beam, "--levels 3 --normals angle --check");
+  const Faces_of_file result(Temporary_folder::content(folder.file("o.obj")));
+  EXPECT_NEAR(json.at("volume"), result.volume() / 80, 1e-9);
+  EXPECT_LT(json.at("linear_volume"), 0.5);
+  EXPECT_EQ(json.at("edges_that_turn_by_40_degrees"), 12);
+  EXPECT_EQ(json.at("swollen"), true);
+  EXPECT_EQ(json.at("folded"), false);
+  EXPECT_EQ(json.at("edges_folded_by_90_degrees"), result.edges_beyond(0));
+  EXPECT_LT(json.at("farthest_vertex"), result.points.size());
+  EXPECT_GT(json.at("largest_distance_in_edge_lengths"), 1);
+  expect_part(json.at("advice"), "--sharp angle:40");
+  json = report(wild, "--levels 3 --normals file --check");
+  EXPECT_FALSE(json.contains("volume"));
+  EXPECT_EQ(json.at("folded"), true);
+  EXPECT_FALSE(report(beam, "--levels 2 --sharp angle:40 --check").contains("advice"));
+  EXPECT_EQ(report(beam, "--levels 2"), nlohmann::json::object());
+}
+
+TEST_F(Pn_subdivide_check, WrongCommandLines)
+{
+  const std::string beam = folder.write("beam.off", box(10, 1, 1)),
+                    polygon = folder.write("p.txt", "0 0\n4 0\n4 3\n0 3\n");
+  const std::string files = words(beam, folder.file("o.ply"));
+  for (const auto& [options, part] :
+       std::vector<std::pair<std::string, std::string>>{{"--linear", "--check and --linear"},
+                                                        {"--levels 0", "--check and --levels 0"},
+                                                        {"--pieces 2", "--check"},
+                                                        {"--memory 1G", "--check"}})
+    expect_one_line(run(files + "--check " + options), 2, part);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("o.ply")));
+  expect_one_line(run("curve " + words(polygon, folder.file("o.txt")) + "--check"), 2,
+                  "no option --check");
+}
+
+// --- the closing line ---
+
+TEST_F(Pn_subdivide_check, TheClosingLineNamesEdgesThatTurn)
+{
+  const std::string cube = folder.write("cube.off", box(1, 1, 1)),
+                    flat = folder.write("flat.obj", plane(4, Normals::none)),
+                    roof = folder.write("roof.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                                    "3 0 1 2\n3 1 0 3\n");
+  const std::string named = ", 12 edges turn by more than 40 degrees: --sharp angle:40, ";
+  expect_part(closing_line(cube, "--levels 2"), named);
+  expect_part(closing_line(cube, "--levels 2 --sharp auto --strict"), named);
+  expect_part(closing_line(cube, "--levels 2 --pieces 2"), named);
+  expect_part(closing_line(roof, ""), ", 1 edge turns by more than 40 degrees: --sharp angle:40, ");
+  for (const char* options : {"--linear", "--normals none", "--levels 0", "--sharp none",
+                              "--sharp angle:40", "--sharp angle:95 --quiet", "--scheme doo-sabin",
+                              "--normals sphere:0,0,0", "--interpolate points", "--quiet"}) {
+    const Outcome outcome = run(words(cube, folder.file("closing.ply")) + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    expect_no_part(outcome.err, "40 degrees");
+  }
+  expect_no_part(closing_line(flat, "--levels 2"), "turn");
+}
+
+// What the file tags is not named again.
+TEST_F(Pn_subdivide_check, TaggedEdgesAreNotCounted)
+{
+  std::string obj;
+  for (int i = 0; i < 8; ++i)
+    obj += "v " + std::to_string(i % 4 == 1 || i % 4 == 2) + ' ' + std::to_string(i % 4 >= 2) +
+           ' ' + std::to_string(i >= 4) + '\n';
+  obj += "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  const std::string input =
+    folder.write("tagged.obj", obj + "t crease 2/1/0 0 1 3.0\nt crease 2/1/0 1 2 3.0\n");
+  const std::string line = run(words(input, folder.file("o.obj")) + "--levels 2").err;
+  expect_part(line, ", 2 sharp edges");
+  expect_part(line, ", 10 edges turn by more than 40 degrees: --sharp angle:40, ");
+}
+
+// A surface far outside of its control mesh is not warned of any more: --check tells.
+TEST_F(Pn_subdivide_check, NoWarningOfTheBox)
+{
+  const std::string beam = folder.write("beam.off", box(10, 1, 1));
+  closing_line(beam, "--levels 5 --normals sphere:0,0,0 --strict");
+}

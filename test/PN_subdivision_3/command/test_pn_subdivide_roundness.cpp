@@ -1,0 +1,340 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// `--roundness`: where it comes from, what is written of it, and what it does to the result.
+
+#include "Refined_files.h"
+
+#include "io/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// A box of quads or triangles with m x m squares a side, stretched; the origin is its center.
+std::string box(int m, bool is_triangles)
+{
+  std::vector<Triple> points;
+  std::string faces;
+  const auto number = [&](const Triple& p) {
+    const auto found = std::find(points.begin(), points.end(), p);
+    if (found != points.end()) return std::to_string(found - points.begin() + 1);
+    points.push_back(p);
+    return std::to_string(points.size());
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int end : {0, 1})
+      for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j) {
+          std::vector<std::string> face;
+          for (const auto& [a, b] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+            Triple p{};
+            p[axis] = 2. * end - 1;
+            p[(axis + 1) % 3] = 2. * (i + (end == 1 ? a : b)) / m - 1;
+            p[(axis + 2) % 3] = 2. * (j + (end == 1 ? b : a)) / m - 1;
+            face.push_back(number({4 * p[0], p[1], 1.5 * p[2]}));
+          }
+          if (is_triangles)
+            faces += "f " + face[0] + " " + face[1] + " " + face[2] + "\nf " + face[0] + " " +
+                     face[2] + " " + face[3] + "\n";
+          else
+            faces += "f " + face[0] + " " + face[1] + " " + face[2] + " " + face[3] + "\n";
+        }
+  std::ostringstream text;
+  text.precision(17);
+  for (const Triple& p : points) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << "\n";
+  return text.str() + faces;
+}
+
+// A ball with a ridge, of which some vertices are round and some are not.
+std::string ply(const std::vector<double>& roundness, bool with_normals)
+{
+  const int points[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -3}};
+  const int faces[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                           {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  std::ostringstream text;
+  text.precision(17);
+  text << "ply\nformat ascii 1.0\nelement vertex 6\n";
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "roundness", "heat"})
+    if ((name[0] != 'n' || with_normals) && (name[0] != 'r' || !roundness.empty()))
+      text << "property double " << name << "\n";
+  text << "element face 8\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t v = 0; v < 6; ++v) {
+    const int* p = points[v];
+    text << p[0] << ' ' << p[1] << ' ' << p[2];
+    const double l = std::hypot(p[0], p[1], p[2]);
+    if (with_normals) text << ' ' << p[0] / l << ' ' << p[1] / l << ' ' << p[2] / l;
+    if (!roundness.empty()) text << ' ' << roundness[v];
+    text << ' ' << 10 * v << "\n";
+  }
+  for (const auto& f : faces) text << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << "\n";
+  return text.str();
+}
+
+const std::vector<double> several = {0, 0.25, 1, 0.5, 0.3, 0};
+
+double largest_difference(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
+  return largest;
+}
+
+class Pn_subdivide_roundness : public Refined_files
+{
+protected:
+  void SetUp() override
+  {
+    folder.write("box.obj", box(2, false));
+    folder.write("triangles.obj", box(2, true));
+    folder.write("ridge.ply", ply({}, true));
+    folder.write("round.ply", ply(several, true));
+    folder.write("points.ply", ply(several, false));
+  }
+  std::string err(const std::string& input, const std::string& options, int code = 0) const
+  {
+    const Outcome outcome =
+      run("'" + folder.file(input) + "' '" + folder.file("e.ply") + "' " + options);
+    EXPECT_EQ(outcome.code, code) << options << outcome.err;
+    return outcome.err;
+  }
+};
+
+} // namespace
+
+// The p = q + w H n, w the same everywhere: between the linear points and those of 1.
+TEST_F(Pn_subdivide_roundness, OneRoundOfANumberIsABlend)
+{
+  for (const std::string input : {"box.obj", "triangles.obj", "ridge.ply"})
+    for (const std::string scheme : {"", " --scheme sqrt3 --triangulate", " --scheme doo-sabin"}) {
+      const std::string options = "--drop-attributes --normals " +
+                                  std::string(input == "ridge.ply" ? "file" : "reciprocal") +
+                                  scheme;
+      const auto points = [&](const std::string& more) {
+        return refined(input, "o.ply", options + more).points;
+      };
+      const std::vector<Triple> linear =
+        refined(input, "o.ply", "--drop-attributes --linear" + scheme).points;
+      const std::vector<Triple> full = points("");
+      EXPECT_EQ(points(" --roundness 1"), full);
+      EXPECT_EQ(points(" --roundness 0"), linear);
+      EXPECT_GT(largest_difference(full, linear), 0.05);
+      for (const double x : {0.25, 0.5, 0.9}) {
+        std::vector<Triple> blend = linear;
+        for (std::size_t i = 0; i < blend.size(); ++i)
+          for (std::size_t k = 0; k < 3; ++k) blend[i][k] += x * (full[i][k] - linear[i][k]);
+        EXPECT_LE(largest_difference(points(" --roundness " + std::to_string(x)), blend), 1e-14);
+      }
+    }
+}
+
+TEST_F(Pn_subdivide_roundness, ZeroIsLinearHoweverManyRounds)
+{
+  for (const std::string more : {" --levels 3", " --levels 2 --sharp angle:50 --normals coherent",
+                                 " --levels 2 --border curve"})
+    EXPECT_EQ(
+      refined("box.obj", "o.ply", "--roundness 0" + more).points,
+      refined("box.obj", "o.ply", "--linear" + more.substr(0, more.find(" --normals"))).points)
+      << more;
+}
+
+// --- where it comes from ---
+
+TEST_F(Pn_subdivide_roundness, AutoTakesThatOfTheFileBesideControlNormals)
+{
+  const std::string of_file = written("round.ply", "a.ply", "--levels 2 --output-normals control");
+  EXPECT_EQ(of_file,
+            written("round.ply", "b.ply", "--levels 2 --output-normals control --roundness file"));
+  EXPECT_EQ(of_file,
+            written("round.ply", "b.ply", "--levels 2 --output-normals control --roundness auto"));
+  EXPECT_NE(of_file,
+            written("round.ply", "b.ply", "--levels 2 --output-normals control --roundness 1"));
+  EXPECT_EQ(written("round.ply", "b.ply", "--levels 2 --roundness 1"),
+            written("ridge.ply", "b.ply", "--levels 2"));
+  EXPECT_TRUE(
+    contains(err("round.ply", ""), "normals of the file, roundness 0 at 2 of 6 vertices"));
+  // it is none of the attributes
+  EXPECT_EQ(read_mesh(folder.file("a.ply")).attributes.of_vertices.size(), 1u);
+  for (const std::string options : {"--linear", "--normals none", "--normals estimate"})
+    EXPECT_EQ(written("round.ply", "a.ply", options), written("ridge.ply", "b.ply", options));
+}
+
+TEST_F(Pn_subdivide_roundness, FileNeedsTheProperty)
+{
+  folder.write("o.ply", "old");
+  expect_one_line(surface("ridge.ply", "o.ply", "--roundness file"), 1, "--roundness file");
+  expect_one_line(surface("box.obj", "o.ply", "--roundness file"), 1, "--roundness estimate");
+  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  // also where the normals are estimated
+  EXPECT_TRUE(contains(err("points.ply", "--roundness file"),
+                       "estimated normals, roundness 0 at 2 of 6 vertices"));
+  EXPECT_NE(written("points.ply", "a.ply", "--roundness file"),
+            written("points.ply", "b.ply", "--roundness auto"));
+  for (const char* const wrong : {"-0.1", "1.5", "nan", "inf"}) {
+    std::string text = ply(several, true);
+    text.replace(text.find(" 0.25 "), 6, std::string(" ") + wrong + " ");
+    folder.write("wrong.ply", text);
+    expect_one_line(surface("wrong.ply", "o.ply", ""), 1, "vertex 1 has the roundness ");
+    expect_one_line(surface("wrong.ply", "o.ply", "--roundness file"), 1, "from 0 to 1");
+  }
+}
+
+// Estimated normals have the roundness of the estimate, and given ones 1, unless it is asked for.
+TEST_F(Pn_subdivide_roundness, EstimateReadsItOffThePoints)
+{
+  for (const std::string input : {"box.obj", "triangles.obj"}) {
+    const Mesh_data mesh = refined(input, "a.ply", "--levels 0 --output-normals control");
+    ASSERT_EQ(mesh.roundness.size(), mesh.points.size());
+    const auto zeros = std::count(mesh.roundness.begin(), mesh.roundness.end(), 0.);
+    EXPECT_GT(zeros, 0);
+    const std::string part = "roundness 0 at " + std::to_string(zeros) + " of 26 vertices";
+    EXPECT_TRUE(contains(err(input, ""), "estimated normals, " + part)) << err(input, "");
+    EXPECT_TRUE(contains(err(input, "--normals sphere:0,0,0 --roundness estimate"), part));
+    for (const std::string options : {"--normals sphere:0,0,0", "--normals reciprocal",
+                                      "--normals angle", "--roundness 0.5", "--roundness 1"}) {
+      EXPECT_FALSE(contains(err(input, options), "roundness 0")) << options;
+      EXPECT_EQ(
+        refined(input, "b.ply", "--levels 0 --output-normals control " + options).roundness.size(),
+        options == "--roundness 0.5" ? mesh.points.size() : 0u);
+    }
+    for (const std::string same : {"--normals estimate", "--normals coherent", "--normals auto",
+                                   "--roundness estimate", "--roundness auto"})
+      EXPECT_EQ(written(input, "a.ply", "--levels 2"),
+                written(input, "b.ply", "--levels 2 " + same))
+        << same;
+    for (const std::string other : {"--normals reciprocal", "--normals angle", "--roundness 1"})
+      EXPECT_NE(written(input, "a.ply", "--levels 2"),
+                written(input, "b.ply", "--levels 2 " + other))
+        << other;
+  }
+}
+
+// Who says what is sharp says what is smooth.
+TEST_F(Pn_subdivide_roundness, CreasesAreRound)
+{
+  EXPECT_FALSE(contains(err("box.obj", "--sharp angle:50"), "roundness"));
+  folder.write("one.selection.txt", "\n\n0 1\n");
+  const Mesh_data mesh = refined("box.obj", "a.ply",
+                                 "--levels 0 --output-normals control --sharp '" +
+                                   folder.file("one.selection.txt") + "'");
+  EXPECT_EQ(mesh.roundness.size(), mesh.points.size()); // others are not
+}
+
+// --- what is written ---
+
+TEST_F(Pn_subdivide_roundness, ItIsWrittenBesideControlNormals)
+{
+  for (const std::string encoding : {"", " --ascii"})
+    for (const std::string output : {"o.ply", "o.vtp"}) {
+      const auto has = [&](const std::string& input, const std::string& options) {
+        const std::string text = written(input, output, options + encoding);
+        return contains(text,
+                        output == "o.ply" ? "property double roundness\n" : "Name=\"roundness\"");
+      };
+      for (const std::string choice : {"control", "both"}) {
+        EXPECT_TRUE(has("box.obj", "--output-normals " + choice));
+        EXPECT_TRUE(has("round.ply", "--levels 2 --output-normals " + choice));
+        EXPECT_FALSE(has("ridge.ply", "--levels 2 --output-normals " + choice));
+        EXPECT_FALSE(has("box.obj", "--normals sphere:0,0,0 --output-normals " + choice));
+      }
+      for (const std::string choice : {"auto", "surface", "none"})
+        EXPECT_FALSE(has("box.obj", "--output-normals " + choice));
+    }
+}
+
+TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
+{
+  folder.write("some.selection.txt", "\n\n0 1 1 2\n");
+  const std::string sharp = " --sharp '" + folder.file("some.selection.txt") + "'";
+  for (const std::string input : {"box.obj", "triangles.obj", "round.ply"})
+    for (const std::string scheme : {"", " --scheme sqrt3 --triangulate", " --scheme doo-sabin",
+                                     " --scheme kobbelt", " --scheme butterfly --triangulate"})
+      for (const std::string encoding : {"", " --ascii"})
+        for (const std::string more :
+             {std::string(), sharp, sharp + " --sharpness 2", sharp + " --sharpness 1.5"}) {
+          if (!more.empty() && !scheme.empty()) continue;
+          if (scheme == " --scheme kobbelt" && input != "box.obj") continue;
+          const std::string options = "--drop-attributes --output-normals both" + scheme + encoding;
+          const std::string one = written(input, "one.ply", options + more + " --levels 3");
+          written(input, "a.ply", options + more);
+          written("a.ply", "b.ply", options);
+          EXPECT_TRUE(one == written("b.ply", "c.ply", options)) << input << options << more;
+        }
+}
+
+// --- what does not go together ---
+
+TEST_F(Pn_subdivide_roundness, WhatMeansNothingIsAUsageError)
+{
+  folder.write("o.ply", "old");
+  for (const std::string x : {"-0.01", "1.01", "nan", "round", "", "0.5x"})
+    expect_one_line(surface("box.obj", "o.ply", "--roundness='" + x + "'"), 2, "--roundness");
+  for (const std::string x : {"auto", "file", "estimate", "0.5", "1"})
+    for (const std::string other : {"--linear", "--normals none"})
+      for (const std::string part : {std::string("--roundness"), other})
+        expect_one_line(surface("round.ply", "o.ply", "--roundness " + x + " " + other), 2, part);
+  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  expect_one_line(surface("box.obj", "o.ply", "--normals coherently"), 2, "coherent");
+}
+
+// --- curves ---
+
+TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
+{
+  const std::string polygon = folder.write("p.txt", "0 0\n4 0\n5 2\n3 4\n0 3\n-1 1\n");
+  const auto curve = [&](const std::string& options) {
+    const Outcome outcome =
+      run("curve '" + polygon + "' '" + folder.file("o.txt") + "' --quiet " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<Triple> points;
+    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream numbers(line);
+      Triple p{};
+      numbers >> p[0] >> p[1];
+      points.push_back(p);
+    }
+    return points;
+  };
+  for (const std::string scheme : {"bspline:3 --closed", "chaikin --closed", "4-point --closed",
+                                   "bspline:3", "6-point --normal-scheme 4-point"}) {
+    const std::string options = "--scheme " + scheme;
+    const std::vector<Triple> linear = curve("--linear --scheme " +
+                                             scheme.substr(0, scheme.find(" --normal"))),
+                              full = curve(options);
+    EXPECT_EQ(curve(options + " --roundness 1"), full);
+    EXPECT_EQ(curve(options + " --roundness 0"), linear);
+    EXPECT_EQ(curve(options + " --levels 4 --roundness 0"),
+              curve("--linear --levels 4 --scheme " + scheme.substr(0, scheme.find(" --normal"))));
+    std::vector<Triple> blend = linear;
+    for (std::size_t i = 0; i < blend.size(); ++i)
+      for (std::size_t k = 0; k < 2; ++k) blend[i][k] += 0.3 * (full[i][k] - linear[i][k]);
+    EXPECT_LE(largest_difference(curve(options + " --roundness 0.3"), blend), 1e-14);
+  }
+  const std::string calls = "curve '" + polygon + "' '" + folder.file("o.txt") + "' ";
+  for (const std::string x : {"1.5", "auto", "file", "-1"})
+    expect_one_line(run(calls + "--roundness=" + x), 2, "from 0 to 1");
+  expect_one_line(run(calls + "--roundness 1 --linear"), 2, "--linear");
+  expect_one_line(run(calls + "--roundness 0.5 --limit"), 2, "--limit");
+}

@@ -1,0 +1,240 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Edges that are sharp for a number of rounds: no flare, and continuous in that number.
+
+#include "Random_creases.h"
+#include "Tagged_meshes.h"
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace tagged_meshes;
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using V = Mesh::Vertex_index;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// \name Shapes, with the normals of their faces and sides
+
+void sharpen(Control& c, int a, int b, double s)
+{
+  c.sharp_edges[undirected(a, b)] = s;
+}
+
+Control cube(double s)
+{
+  Control c;
+  for (int i = 0; i < 8; ++i)
+    c.points.push_back({double(i & 1), double((i >> 1) & 1), double(i >> 2)});
+  c.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const std::array<Triple, 6> normals{
+    {{0, 0, -1}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}}};
+  for (int f = 0; f < 6; ++f)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Face& face = c.faces[std::size_t(f)];
+      c.normals[{f, face[i]}] = normals[std::size_t(f)];
+      sharpen(c, face[i], face[(i + 1) % 4], s);
+    }
+  return c;
+}
+
+// radius 4, height 3, 8 sides, caps of triangles; its rims are tagged
+Control cylinder(double s)
+{
+  Control c;
+  const int n = 8;
+  for (int i = 0; i < 2 * n; ++i) {
+    const double a = std::acos(-1.) * (i % n) / 4;
+    c.points.push_back({4 * std::cos(a), 4 * std::sin(a), i < n ? 0. : 3.});
+  }
+  c.points.push_back({0, 0, 0});
+  c.points.push_back({0, 0, 3});
+  const auto add = [&](const Face& face, bool is_side, double z) {
+    for (const int v : face) {
+      const Triple& p = c.points[std::size_t(v)];
+      c.normals[{int(c.faces.size()), v}] = is_side ? Triple{p[0] / 4, p[1] / 4, 0} : Triple{0, 0, z};
+    }
+    c.faces.push_back(face);
+  };
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    add({i, j, n + j, n + i}, true, 0);
+    add({2 * n, j, i}, false, -1);
+    add({2 * n + 1, n + i, n + j}, false, 1);
+    sharpen(c, i, j, s);
+    sharpen(c, n + i, n + j, s);
+  }
+  return c;
+}
+
+double outside_cube(const Point_3& p)
+{
+  double d = 0;
+  for (int k = 0; k < 3; ++k) d = (std::max)({d, p[k] - 1, -p[k]});
+  return d;
+}
+double outside_cylinder(const Point_3& p)
+{
+  return (std::max)({std::hypot(p.x(), p.y()) - 4, p.z() - 3, -p.z(), 0.}) / 8;
+}
+
+struct Shape
+{
+  const char* name;
+  Control (*control)(double);
+  double (*outside)(const Point_3&); // of the sharp result, in parts of the size
+  double size;
+  bool is_loop;
+
+  Mesh refined(double s, unsigned rounds = 4) const
+  {
+    Tagged<Mesh> tagged(is_loop ? triangulated(control(s)) : control(s));
+    if (is_loop)
+      tagged.subdivide(PN::Loop_scheme(), rounds);
+    else
+      tagged.subdivide(PN::CatmullClark_scheme(), rounds);
+    return tagged.mesh;
+  }
+  // with the normals of points, or of vertices
+  template <class Normals>
+  Mesh refined_with(double s, const Normals& normals, unsigned rounds = 4) const
+  {
+    Tagged<Mesh> tagged(is_loop ? triangulated(control(s)) : control(s));
+    normals(tagged, rounds, is_loop);
+    return tagged.mesh;
+  }
+};
+
+void subdivide_by_points(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
+{
+  const auto parameters = np::number_of_iterations(rounds).edge_is_constrained_map(tagged.sharp);
+  if (is_loop)
+    PN::subdivide(tagged.mesh, PN::Loop_scheme(), parameters);
+  else
+    PN::subdivide(tagged.mesh, PN::CatmullClark_scheme(), parameters);
+}
+
+void subdivide_by_vertices(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
+{
+  auto normals = tagged.mesh.add_property_map<V, Vector_3>("v:n").first;
+  for (const V v : tagged.mesh.vertices()) {
+    const Vector_3 d = tagged.mesh.point(v) - Point_3(0.4, 0.5, 0.6);
+    normals[v] = d / std::sqrt(d.squared_length());
+  }
+  const auto parameters = np::number_of_iterations(rounds)
+                            .edge_is_constrained_map(tagged.sharp)
+                            .vertex_normal_map(normals);
+  if (is_loop)
+    PN::subdivide(tagged.mesh, PN::Loop_scheme(), parameters);
+  else
+    PN::subdivide(tagged.mesh, PN::CatmullClark_scheme(), parameters);
+}
+
+double volume(const Mesh& mesh)
+{
+  double sum = 0;
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Point_3& a = mesh.point(mesh.target(h));
+    for (auto g = mesh.next(h); mesh.next(g) != h; g = mesh.next(g)) {
+      const Point_3 &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(mesh.next(g)));
+      sum += CGAL::determinant(a - CGAL::ORIGIN, b - CGAL::ORIGIN, c - CGAL::ORIGIN) / 6;
+    }
+  }
+  return sum;
+}
+
+double farthest(const Mesh& a, const Mesh& b)
+{
+  double d = 0;
+  EXPECT_EQ(a.number_of_vertices(), b.number_of_vertices());
+  for (const V v : a.vertices())
+    d = (std::max)(d, std::sqrt(CGAL::squared_distance(a.point(v), b.point(v))));
+  return d;
+}
+
+class Semi_sharp : public ::testing::TestWithParam<Shape>
+{};
+
+TEST_P(Semi_sharp, Stays_inside_the_sharp_result)
+{
+  const Shape& shape = GetParam();
+  for (const double s : {1., 1.001, 1.3, 1.5, 1.8, 2., 2.5, 3., 3.7, infinity}) {
+    const Mesh mesh = shape.refined(s);
+    for (const V v : mesh.vertices())
+      EXPECT_LE(shape.outside(mesh.point(v)), 0.005) << "s = " << s << ", " << v;
+  }
+}
+
+TEST_P(Semi_sharp, Volume_grows_with_the_sharpness)
+{
+  double before = 0;
+  for (const double s : {1., 1.2, 1.4, 1.6, 1.8, 2., 2.2, 2.6, 3., 3.5, 4., infinity}) {
+    const double now = volume(GetParam().refined(s));
+    EXPECT_GT(now, before) << s;
+    before = now;
+  }
+}
+
+TEST_P(Semi_sharp, Is_continuous_in_the_sharpness)
+{
+  const Shape& shape = GetParam();
+  for (const double s : {1., 2., 3.}) {
+    const Mesh mesh = shape.refined(s);
+    for (const double d : {-0.001, 0.001})
+      EXPECT_LE(farthest(mesh, shape.refined(s + d)), 0.003 * shape.size) << s << " + " << d;
+  }
+  EXPECT_LE(farthest(shape.refined(1e-9), shape.refined(0.001)), 0.003 * shape.size);
+}
+
+// where normals are estimated, or given to vertices, a sharpness of next to nothing is none
+TEST_P(Semi_sharp, Begins_at_the_untagged_result)
+{
+  const Shape& shape = GetParam();
+  for (const auto& subdivide : {subdivide_by_points, subdivide_by_vertices}) {
+    const Mesh untagged = shape.refined_with(0, subdivide);
+    EXPECT_LE(farthest(untagged, shape.refined_with(1e-9, subdivide)), 1e-8 * shape.size);
+    EXPECT_LE(farthest(untagged, shape.refined_with(0.001, subdivide)), 0.003 * shape.size);
+    EXPECT_GE(farthest(untagged, shape.refined_with(1, subdivide)), 0.02 * shape.size);
+  }
+}
+
+TEST_P(Semi_sharp, Sharp_rounds_are_those_of_infinite_creases)
+{
+  const Shape& shape = GetParam();
+  for (unsigned rounds = 1; rounds <= 3; ++rounds) {
+    const Mesh sharp = shape.refined(infinity, rounds);
+    for (const double s : {rounds + 0.001, rounds + 0.5, rounds + 1.}) {
+      const Mesh mesh = shape.refined(s, rounds);
+      for (const V v : mesh.vertices()) EXPECT_EQ(mesh.point(v), sharp.point(v)) << s << ", " << v;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Semi_sharp,
+                         ::testing::Values(Shape{"cube", cube, outside_cube, 1, false},
+                                           Shape{"cylinder", cylinder, outside_cylinder, 8, false},
+                                           Shape{"cube_of_triangles", cube, outside_cube, 1, true},
+                                           Shape{"cylinder_of_triangles", cylinder,
+                                                 outside_cylinder, 8, true}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+} // namespace

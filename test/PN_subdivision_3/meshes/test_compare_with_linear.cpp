@@ -1,0 +1,682 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Comparison with the linear result, against loops over faces and coordinates that are written here, in long double.
+
+#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace PN = CGAL::PN_subdivision_3;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Real = long double;
+using Triple = std::array<Real, 3>;
+using Faces = std::vector<std::vector<std::size_t>>;
+
+Triple minus(const Triple& a, const Triple& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Triple cross(const Triple& a, const Triple& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Real dot(const Triple& a, const Triple& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Real norm(const Triple& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+// Points and faces of a mesh, and what is measured of them.
+struct Soup
+{
+  explicit Soup(const Mesh& mesh)
+  {
+    for (const auto v : mesh.vertices()) {
+      const Point_3& p = mesh.point(v);
+      points.push_back({p.x(), p.y(), p.z()});
+    }
+    for (const auto f : mesh.faces()) {
+      faces.emplace_back();
+      for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) faces.back().push_back(v);
+    }
+  }
+
+  Triple mean(const std::vector<std::size_t>& face) const
+  {
+    Triple m{0, 0, 0};
+    for (const std::size_t v : face)
+      for (int c = 0; c < 3; ++c) m[c] += points[v][c] / Real(face.size());
+    return m;
+  }
+
+  // a sixth of the determinants of the triangles round the means
+  Real volume() const
+  {
+    Real sum = 0;
+    for (const auto& face : faces)
+      for (std::size_t i = 0; i < face.size(); ++i)
+        sum += dot(mean(face), cross(points[face[i]], points[face[(i + 1) % face.size()]])) / 6;
+    return sum;
+  }
+
+  // Newell's
+  Triple area_vector(const std::vector<std::size_t>& face) const
+  {
+    Triple n{0, 0, 0};
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Triple &a = points[face[i]], &b = points[face[(i + 1) % face.size()]];
+      for (int c = 0; c < 3; ++c) {
+        const int d = (c + 1) % 3, e = (c + 2) % 3;
+        n[c] += (a[d] - b[d]) * (a[e] + b[e]) / 2;
+      }
+    }
+    return n;
+  }
+
+  // the angles in degrees at edges of two faces
+  std::map<std::pair<std::size_t, std::size_t>, Real> turns() const
+  {
+    std::map<std::pair<std::size_t, std::size_t>, Triple> sides;
+    for (const auto& face : faces)
+      for (std::size_t i = 0; i < face.size(); ++i)
+        sides[{face[i], face[(i + 1) % face.size()]}] = area_vector(face);
+    std::map<std::pair<std::size_t, std::size_t>, Real> angles;
+    for (const auto& [ends, n] : sides) {
+      const auto other = sides.find({ends.second, ends.first});
+      if (ends.first > ends.second || other == sides.end()) continue;
+      const Triple& m = other->second;
+      if (norm(m) > 0 && norm(n) > 0)
+        angles[ends] = std::atan2(norm(cross(m, n)), dot(m, n)) * 180 / std::acos(Real(-1));
+    }
+    return angles;
+  }
+  std::size_t edges_beyond(Real degrees) const
+  {
+    std::size_t number = 0;
+    for (const auto& edge : turns()) number += edge.second > degrees;
+    return number;
+  }
+
+  // of the edges at a vertex
+  Real mean_length(std::size_t v) const
+  {
+    std::set<std::size_t> neighbors;
+    for (const auto& face : faces)
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const std::size_t a = face[i], b = face[(i + 1) % face.size()];
+        if (a == v) neighbors.insert(b);
+        if (b == v) neighbors.insert(a);
+      }
+    Real sum = 0;
+    for (const std::size_t w : neighbors) sum += norm(minus(points[w], points[v]));
+    return neighbors.empty() ? 0 : sum / Real(neighbors.size());
+  }
+
+  std::vector<Triple> points;
+  Faces faces;
+};
+
+Mesh make_mesh(const std::vector<Point_3>& points, const Faces& faces)
+{
+  Mesh mesh;
+  for (const Point_3& p : points) mesh.add_vertex(p);
+  for (const auto& face : faces) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const std::size_t v : face) corners.emplace_back(static_cast<unsigned>(v));
+    EXPECT_NE(mesh.add_face(corners), Mesh::null_face());
+  }
+  return mesh;
+}
+
+Mesh cube(double a = 1, double b = 1, double c = 1)
+{
+  return make_mesh(
+    {{-a, -b, -c},
+     {a, -b, -c},
+     {a, b, -c},
+     {-a, b, -c},
+     {-a, -b, c},
+     {a, -b, c},
+     {a, b, c},
+     {-a, b, c}},
+    {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
+// a prism with n sides of which the first one is in x direction
+Mesh prism(std::size_t n)
+{
+  std::vector<Point_3> points;
+  Faces faces(2);
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double t = 2 * std::acos(-1.) * double(i % n) / double(n);
+    points.emplace_back(std::cos(t), std::sin(t), i < n ? 0 : 1);
+    faces[i / n].push_back(i < n ? n - 1 - i : i);
+  }
+  for (std::size_t i = 0; i < n; ++i) faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+  return make_mesh(points, faces);
+}
+
+// two triangles that meet in an edge at this angle
+Mesh roof(double degrees)
+{
+  const double t = degrees * std::acos(-1.) / 180;
+  return make_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, std::cos(t), std::sin(t)}},
+                   {{1, 0, 2}, {0, 1, 3}});
+}
+
+Mesh transformed(Mesh mesh, double factor, const Vector_3& move = CGAL::NULL_VECTOR)
+{
+  for (const auto v : mesh.vertices())
+    mesh.point(v) = CGAL::ORIGIN + factor * (mesh.point(v) - CGAL::ORIGIN) + move;
+  return mesh;
+}
+
+// crumpled: some faces fold
+Mesh shaken(Mesh mesh, double by, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> d(-by, by);
+  for (const auto v : mesh.vertices()) {
+    const double x = d(random), y = d(random), z = d(random);
+    mesh.point(v) = mesh.point(v) + Vector_3(x, y, z);
+  }
+  return mesh;
+}
+
+template <class Scheme>
+Mesh refined(Mesh mesh, const Scheme& scheme, unsigned rounds)
+{
+  PN::subdivide(mesh, scheme, CGAL::parameters::number_of_iterations(rounds));
+  return mesh;
+}
+
+Mesh torus()
+{
+  std::vector<Point_3> points;
+  Faces faces;
+  const double turn = 2 * std::acos(-1.);
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t j = 0; j < 6; ++j) {
+      const double u = turn * double(i) / 9, v = turn * double(j) / 6, r = 3 + std::cos(v);
+      points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
+      const auto at = [](std::size_t k, std::size_t l) { return k % 9 * 6 + l % 6; };
+      faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return make_mesh(points, faces);
+}
+
+void expect_measures(const PN::Comparison_with_linear& c, const Soup& control, const Soup& result,
+                     const Soup& linear)
+{
+  EXPECT_NEAR(c.control_volume, double(control.volume()), 1e-12 * std::abs(c.control_volume));
+  EXPECT_NEAR(c.volume_ratio, double(result.volume() / control.volume()), 1e-11);
+  EXPECT_NEAR(c.linear_volume_ratio, double(linear.volume() / control.volume()), 1e-11);
+  EXPECT_EQ(c.folded_edges, result.edges_beyond(90));
+  EXPECT_EQ(c.linear_folded_edges, linear.edges_beyond(90));
+  EXPECT_EQ(c.sharply_folded_edges, result.edges_beyond(150));
+  EXPECT_EQ(c.linear_sharply_folded_edges, linear.edges_beyond(150));
+  EXPECT_EQ(c.turning_edges, control.edges_beyond(40.1L));
+  EXPECT_EQ(c.control_vertices, control.points.size());
+  Real largest = 0, at_vertex = 0;
+  for (std::size_t v = 0; v < linear.points.size(); ++v) {
+    const Real x = norm(minus(result.points[v], linear.points[v])) / linear.mean_length(v);
+    largest = std::max(largest, x);
+    if (v == c.farthest_vertex) at_vertex = x;
+  }
+  const double rounding = 1e-12 * (1 + double(largest));
+  EXPECT_NEAR(c.largest_distance, double(largest), rounding);
+  EXPECT_NEAR(c.largest_distance, double(at_vertex), rounding);
+}
+
+void expect_same(const PN::Comparison_with_linear& a, const PN::Comparison_with_linear& b,
+                 double tolerance)
+{
+  EXPECT_EQ(a.is_closed, b.is_closed);
+  EXPECT_NEAR(a.volume_ratio, b.volume_ratio, tolerance);
+  EXPECT_NEAR(a.linear_volume_ratio, b.linear_volume_ratio, tolerance);
+  EXPECT_EQ(a.folded_edges, b.folded_edges);
+  EXPECT_EQ(a.linear_folded_edges, b.linear_folded_edges);
+  EXPECT_EQ(a.sharply_folded_edges, b.sharply_folded_edges);
+  EXPECT_NEAR(a.largest_distance, b.largest_distance, tolerance * a.largest_distance);
+  EXPECT_EQ(a.turning_edges, b.turning_edges);
+}
+
+template <class Scheme>
+PN::Comparison_with_linear compare(const Mesh& mesh, const Scheme& scheme, unsigned rounds)
+{
+  return PN::compare_with_linear(mesh, scheme, CGAL::parameters::number_of_iterations(rounds));
+}
+
+} // namespace
+
+// --- against the loops ---
+
+TEST(Compare_with_linear, MeasuresWhatPlainLoopsMeasure)
+{
+  std::size_t folds = 0, sharp_folds = 0;
+  for (unsigned seed = 0; seed < 6; ++seed)
+    for (const double by : {0.05, 0.6, 1.5}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", moved by " << by);
+      const Mesh mesh = shaken(torus(), by, seed);
+      const PN::CatmullClark_scheme scheme;
+      const auto c = compare(mesh, scheme, 2);
+      const Soup result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
+      EXPECT_TRUE(c.is_closed);
+      expect_measures(c, Soup(mesh), result, linear);
+      folds += c.folded_edges;
+      sharp_folds += c.sharply_folded_edges;
+    }
+  EXPECT_GT(folds, sharp_folds); // both are there
+  EXPECT_GT(sharp_folds, 0u);
+}
+
+TEST(Compare_with_linear, EverySchemeIsComparedWithItsOwnTwin)
+{
+  const Mesh quads = shaken(torus(), 0.3, 1);
+  PN::for_each_shipped_scheme([&](const auto& scheme) {
+    SCOPED_TRACE(scheme.name());
+    const bool takes_quads =
+      scheme.name() != std::string("loop") && scheme.name() != std::string("modified-loop") &&
+      scheme.name() != std::string("ct-loop") && scheme.name() != std::string("butterfly") &&
+      scheme.name() != std::string("sqrt3");
+    // triangles: every quad round its center
+    const Mesh mesh = takes_quads ? quads : [&] {
+      Mesh split = quads;
+      std::vector<Mesh::Face_index> all(split.faces().begin(), split.faces().end());
+      for (const auto f : all) {
+        std::vector<Mesh::Vertex_index> v;
+        for (const auto w : split.vertices_around_face(split.halfedge(f))) v.push_back(w);
+        CGAL::Euler::split_face(split.halfedge(f), split.next(split.next(split.halfedge(f))),
+                                split);
+      }
+      return split;
+    }();
+    const Soup result(refined(mesh, scheme, 2)), linear(refined(mesh, PN::linear(scheme), 2));
+    expect_measures(compare(mesh, scheme, 2), Soup(mesh), result, linear);
+    const auto any = PN::any_scheme<double>(scheme.name());
+    expect_same(compare(mesh, any, 2), compare(mesh, scheme, 2), 0);
+  });
+}
+
+// The ball through the corners of the cube has the volume 4/3 pi 3 sqrt(3) for 8: pi sqrt(3) / 2.
+TEST(Compare_with_linear, TheBallAroundACube)
+{
+  Mesh mesh = cube();
+  auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector_3>("v:n").first;
+  for (const auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
+  const auto ratio = [&](unsigned rounds) {
+    const auto c = PN::compare_with_linear(
+      mesh, PN::CatmullClark_scheme(),
+      CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals));
+    EXPECT_FALSE(c.is_folded());
+    EXPECT_FALSE(c.is_swollen()); // the linear one shrinks to a third
+    EXPECT_EQ(c.folded_edges, 0u);
+    EXPECT_DOUBLE_EQ(c.control_volume, 8);
+    EXPECT_EQ(c.turning_edges, 12u);
+    return c.volume_ratio;
+  };
+  const double ball = std::acos(-1.) * std::sqrt(3.) / 2;
+  const double before = ratio(4), last = ratio(5);
+  EXPECT_LT(before, last); // points are on the sphere, faces inside it
+  EXPECT_LT(last, ball);
+  EXPECT_NEAR((4 * last - before) / 3, ball, 1e-4);        // their error goes with h^2
+  EXPECT_DOUBLE_EQ(normals[Mesh::Vertex_index(6)].x(), 1); // as they were
+}
+
+// --- places and sizes ---
+
+TEST(Compare_with_linear, NothingDependsOnThePlaceAndTheSize)
+{
+  const Mesh mesh = shaken(torus(), 1.5, 3);
+  Mesh lattice = mesh; // so that a move is exact
+  for (const auto v : lattice.vertices()) {
+    const Point_3& p = lattice.point(v);
+    lattice.point(v) = Point_3(std::floor(p.x() * 1024) / 1024, std::floor(p.y() * 1024) / 1024,
+                               std::floor(p.z() * 1024) / 1024);
+  }
+  const PN::CatmullClark_scheme scheme;
+  const auto expected = compare(lattice, scheme, 2);
+  EXPECT_GT(expected.folded_edges, 0u);
+  for (const double factor : {0x1p600, 0x1p-600, 0x1p20}) {
+    const auto c = compare(transformed(lattice, factor), scheme, 2);
+    expect_same(c, expected, 0);
+    EXPECT_EQ(c.farthest_vertex, expected.farthest_vertex);
+  }
+  EXPECT_EQ(compare(transformed(lattice, 0x1p20), scheme, 2).control_volume,
+            std::ldexp(expected.control_volume, 60));
+  // the cubes of these coordinates have no digit left for the volume
+  expect_same(compare(transformed(lattice, 1, Vector_3(0x1p30, -0x1p30, 0x1p29)), scheme, 2),
+              expected, 1e-4);
+}
+
+TEST(Compare_with_linear, InsideOutTheRatiosAreTheSame)
+{
+  const Mesh mesh = shaken(torus(), 0.3, 2);
+  Mesh turned;
+  for (const auto v : mesh.vertices()) turned.add_vertex(mesh.point(v));
+  for (const auto f : mesh.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.insert(corners.begin(), v);
+    turned.add_face(corners);
+  }
+  const PN::CatmullClark_scheme scheme;
+  const auto a = compare(mesh, scheme, 2), b = compare(turned, scheme, 2);
+  EXPECT_GT(a.control_volume, 0);
+  EXPECT_NEAR(b.control_volume, -a.control_volume, 1e-12 * a.control_volume);
+  EXPECT_NEAR(b.volume_ratio, a.volume_ratio, 1e-11);
+}
+
+TEST(Compare_with_linear, OpenMeshesAndFlatOnesHaveNoVolume)
+{
+  const PN::CatmullClark_scheme scheme;
+  const auto open = compare(roof(60), scheme, 2);
+  EXPECT_FALSE(open.is_closed);
+  EXPECT_TRUE(std::isnan(open.control_volume));
+  EXPECT_TRUE(std::isnan(open.volume_ratio));
+  EXPECT_FALSE(open.is_swollen());
+  // a pillow of two squares in a plane that no axis is in
+  Mesh flat =
+    make_mesh({{0, 0, 0}, {1, 0, 0.3}, {1.1, 1, 1}, {0.1, 1, 0.7}}, {{0, 1, 2, 3}, {3, 2, 1, 0}});
+  for (const double far : {0., 1e5}) {
+    const auto c = compare(transformed(flat, 1, Vector_3(far, far, far)), PN::linear(scheme), 1);
+    EXPECT_TRUE(c.is_closed);
+    EXPECT_EQ(c.control_volume, 0);
+    EXPECT_TRUE(std::isnan(c.volume_ratio));
+    EXPECT_FALSE(c.is_swollen());
+  }
+  EXPECT_FALSE(compare(Mesh(), scheme, 2).is_closed);
+  Mesh points;
+  points.add_vertex(Point_3(1, 2, 3));
+  EXPECT_EQ(compare(points, scheme, 2).largest_distance, 0);
+}
+
+// --- folds ---
+
+TEST(Compare_with_linear, FoldsOfRoofs)
+{
+  for (const auto& [degrees, beyond_90, beyond_150] :
+       {std::tuple<double, unsigned, unsigned>{89.9, 0, 0},
+        {90, 0, 0},
+        {90.1, 1, 0},
+        {149.9, 1, 0},
+        {150.1, 1, 1},
+        {180, 1, 1}}) {
+    SCOPED_TRACE(degrees);
+    const Mesh mesh = roof(degrees), flat = roof(0);
+    const auto c = PN::compare_results_with_linear(flat, mesh, flat);
+    EXPECT_EQ(c.folded_edges, beyond_90);
+    EXPECT_EQ(c.sharply_folded_edges, beyond_150);
+    EXPECT_EQ(c.linear_folded_edges, 0u);
+    EXPECT_EQ(c.turning_edges, 0u);
+    const auto d = PN::compare_results_with_linear(mesh, flat, mesh);
+    EXPECT_EQ(d.folded_edges, 0u);
+    EXPECT_EQ(d.linear_folded_edges, beyond_90);
+    EXPECT_EQ(d.linear_sharply_folded_edges, beyond_150);
+    EXPECT_EQ(d.turning_edges, 1u);
+  }
+}
+
+// Right angles stay right whatever the rounding of a turned box.
+TEST(Compare_with_linear, BoxesDoNotFold)
+{
+  const double c = std::cos(1.), s = std::sin(1.);
+  Mesh box = cube(1, 2, 5);
+  for (const auto v : box.vertices()) {
+    const Point_3 p = box.point(v), q(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+    box.point(v) = Point_3(q.x(), c * q.y() - s * q.z(), s * q.y() + c * q.z());
+  }
+  auto sharp = box.add_property_map<Mesh::Edge_index, bool>("e:sharp", true).first;
+  const Mesh& constant = box;
+  const auto r = PN::compare_with_linear(
+    constant, PN::CatmullClark_scheme(),
+    CGAL::parameters::number_of_iterations(3).edge_is_constrained_map(sharp));
+  EXPECT_EQ(r.folded_edges, 0u);
+  EXPECT_NEAR(r.volume_ratio, 1, 1e-12);
+  EXPECT_EQ(r.turning_edges, 0u); // all are sharp
+  EXPECT_EQ(box.number_of_faces(), 6u);
+}
+
+// The middle face has its corners in a line, exactly or but for rounding; its normal would be any.
+TEST(Compare_with_linear, FacesWithoutAreaAreLeftOut)
+{
+  for (const double far : {0., 1e7}) {
+    SCOPED_TRACE(far);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> d(0, 1);
+    for (int run = 0; run < 50; ++run) {
+      const double x = d(random), y = d(random), z = d(random);
+      const auto at = [&](double t, double u) { // along a line, and beside it
+        return Point_3(far + t * x, far + t * y + u, far + t * z);
+      };
+      const Mesh mesh = make_mesh({at(0, 0), at(1, 0), at(1. / 3, 0), at(.5, 1), at(.5, -1)},
+                                  {{0, 1, 2}, {0, 4, 1}, {2, 1, 3}, {0, 2, 3}});
+      const auto c = PN::compare_results_with_linear(mesh, mesh, mesh);
+      EXPECT_EQ(c.folded_edges, 0u);
+    }
+  }
+}
+
+// --- edges that turn ---
+
+TEST(Compare_with_linear, EdgesThatTurnAndAreNotSharp)
+{
+  const PN::CatmullClark_scheme scheme;
+  EXPECT_EQ(compare(cube(), scheme, 1).turning_edges, 12u);
+  EXPECT_EQ(compare(prism(8), scheme, 1).turning_edges, 24u); // 45 degrees
+  EXPECT_EQ(compare(prism(9), scheme, 1).turning_edges, 18u); // 40 degrees are not beyond 40
+  EXPECT_EQ(compare(prism(10), scheme, 1).turning_edges, 20u);
+  Mesh mesh = cube();
+  auto sharpness = mesh.add_property_map<Mesh::Edge_index, double>("e:s", 0).first;
+  sharpness[Mesh::Edge_index(2)] = 0.5;
+  sharpness[Mesh::Edge_index(5)] = 3;
+  const auto np = CGAL::parameters::number_of_iterations(1).edge_is_constrained_map(sharpness);
+  EXPECT_EQ(PN::compare_with_linear(mesh, scheme, np).turning_edges, 10u);
+  EXPECT_EQ(PN::compare_results_with_linear(mesh, mesh, mesh,
+                                            CGAL::parameters::edge_is_constrained_map(sharpness))
+              .turning_edges,
+            10u);
+  EXPECT_EQ(sharpness[Mesh::Edge_index(5)], 3);
+}
+
+// --- verdicts ---
+
+// Cubes of volumes r and l times that of the control mesh.
+TEST(Compare_with_linear, SwollenIsFartherFromTheVolumeThanLinear)
+{
+  const Mesh control = cube();
+  const auto is_swollen = [&](double result, double linear) {
+    const auto c = PN::compare_results_with_linear(control, transformed(control, std::cbrt(result)),
+                                                   transformed(control, std::cbrt(linear)));
+    EXPECT_NEAR(c.volume_ratio, result, 1e-14 * std::abs(result));
+    EXPECT_NEAR(c.linear_volume_ratio, linear, 1e-14 * std::abs(linear));
+    return c.is_swollen();
+  };
+  const double e = std::exp(0.051), f = std::exp(0.049);
+  EXPECT_FALSE(is_swollen(1, 1));
+  EXPECT_TRUE(is_swollen(e, 1));
+  EXPECT_FALSE(is_swollen(f, 1));
+  EXPECT_TRUE(is_swollen(1 / e, 1)); // to shrink is no better
+  EXPECT_FALSE(is_swollen(1 / f, 1));
+  EXPECT_FALSE(is_swollen(2 * f, 0.5)); // linear halves it
+  EXPECT_TRUE(is_swollen(2 * e, 0.5));
+  EXPECT_FALSE(is_swollen(0.5, 2));
+  EXPECT_TRUE(is_swollen(-1, 0.1)); // turned inside out
+  EXPECT_FALSE(is_swollen(-1, -1));
+}
+
+TEST(Compare_with_linear, FoldedIsMoreThanATenthAndFourMore)
+{
+  PN::Comparison_with_linear c;
+  const auto is_folded = [&](std::size_t result, std::size_t linear) {
+    c.folded_edges = result;
+    c.linear_folded_edges = linear;
+    return c.is_folded();
+  };
+  EXPECT_FALSE(is_folded(4, 0));
+  EXPECT_TRUE(is_folded(5, 0));
+  EXPECT_FALSE(is_folded(114, 100));
+  EXPECT_TRUE(is_folded(115, 100));
+  EXPECT_FALSE(is_folded(0, 100));
+}
+
+// --- arguments ---
+
+TEST(Compare_with_linear, MeshesOfOtherKindsAndNumbers)
+{
+  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  CGAL::Polyhedron_3<Exact> exact;
+  CGAL::make_hexahedron(Exact::Point_3(0, 0, 0), Exact::Point_3(1, 0, 0), Exact::Point_3(1, 1, 0),
+                        Exact::Point_3(0, 1, 0), Exact::Point_3(0, 1, 1), Exact::Point_3(0, 0, 1),
+                        Exact::Point_3(1, 0, 1), Exact::Point_3(1, 1, 1), exact);
+  const PN::CatmullClark_scheme scheme;
+  const auto c = PN::compare_with_linear(exact, scheme);
+  const auto expected = compare(cube(), scheme, 1);
+  EXPECT_DOUBLE_EQ(c.control_volume, 1);
+  EXPECT_NEAR(c.volume_ratio, expected.volume_ratio, 1e-12);
+  EXPECT_DOUBLE_EQ(c.linear_volume_ratio, expected.linear_volume_ratio);
+  EXPECT_EQ(exact.size_of_vertices(), 8u);
+
+  using Small = CGAL::Simple_cartesian<float>;
+  CGAL::Surface_mesh<Small::Point_3> small;
+  CGAL::make_hexahedron(Small::Point_3(0, 0, 0), Small::Point_3(1, 0, 0), Small::Point_3(1, 1, 0),
+                        Small::Point_3(0, 1, 0), Small::Point_3(0, 1, 1), Small::Point_3(0, 0, 1),
+                        Small::Point_3(1, 0, 1), Small::Point_3(1, 1, 1), small);
+  EXPECT_NEAR(PN::compare_with_linear(small, scheme).volume_ratio, expected.volume_ratio, 1e-5);
+}
+
+// Normals by corner, a border that is a crease: what subdivide() makes of them is what is measured.
+TEST(Compare_with_linear, TakesWhatSubdivideTakes)
+{
+  Mesh mesh = cube(1, 1, 3);
+  CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(1)), mesh);
+  mesh.collect_garbage();
+  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  for (const auto e : mesh.edges()) {
+    const auto h = mesh.halfedge(e);
+    sharp[e] = mesh.point(mesh.source(h)).z() < 0 && mesh.point(mesh.target(h)).z() < 0;
+  }
+  auto normals = mesh.add_property_map<Mesh::Halfedge_index, Vector_3>("h:n").first;
+  for (const auto h : mesh.halfedges()) {
+    const Point_3& p = mesh.point(mesh.target(h));
+    if (mesh.is_border(h)) continue;
+    normals[h] =
+      mesh.face(h) == Mesh::Face_index(0) ? Vector_3(0, 0, -1) : Vector_3(p.x(), p.y(), 0);
+  }
+  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  const Mesh control = mesh;
+  const auto c = PN::compare_with_linear(
+    mesh, scheme,
+    CGAL::parameters::number_of_iterations(3).vertex_normal_map(normals).edge_is_constrained_map(
+      sharp));
+  EXPECT_FALSE(c.is_closed);
+  EXPECT_EQ(c.turning_edges, 4u);
+  Mesh linear = mesh;
+  auto tags = linear.add_property_map<Mesh::Edge_index, bool>("e:tags", false).first;
+  for (const auto e : linear.edges()) tags[e] = sharp[e];
+  PN::subdivide(linear, PN::linear(scheme),
+                CGAL::parameters::number_of_iterations(3).edge_is_constrained_map(tags));
+  PN::subdivide(
+    mesh, scheme,
+    CGAL::parameters::number_of_iterations(3).vertex_normal_map(normals).edge_is_constrained_map(
+      sharp));
+  const auto d = PN::compare_results_with_linear(control, mesh, linear);
+  EXPECT_EQ(c.largest_distance, d.largest_distance);
+  EXPECT_EQ(c.farthest_vertex, d.farthest_vertex);
+  EXPECT_EQ(c.folded_edges, d.folded_edges);
+  EXPECT_GT(c.largest_distance, 0.5); // the rim is a circle, that of the linear one is none
+}
+
+// --- roundness ---
+
+TEST(Compare_with_linear, RoundnessIsThatOfTheCall)
+{
+  Mesh mesh = shaken(torus(), 0.05, 4);
+  auto roundness = mesh.add_property_map<Mesh::Vertex_index, double>("v:w", 1).first;
+  for (unsigned v = 0; v < 12; ++v) roundness[Mesh::Vertex_index(v)] = v < 5 ? 0 : 0.5;
+  const PN::CatmullClark_scheme scheme;
+  const auto np = [&](auto map) {
+    return PN::parameters::vertex_roundness_map(map).number_of_iterations(2);
+  };
+  const auto c = PN::compare_with_linear(mesh, scheme, np(roundness));
+  EXPECT_EQ(c.vertices_of_roundness_0, 5u);
+  EXPECT_EQ(c.vertices_of_roundness_below_1, 12u);
+  EXPECT_EQ(c.control_vertices, 54u);
+  EXPECT_EQ(roundness[Mesh::Vertex_index(7)], 0.5);
+  Mesh result = mesh;
+  auto copy = result.add_property_map<Mesh::Vertex_index, double>("v:copy", 1).first;
+  for (const auto v : mesh.vertices()) copy[v] = roundness[v];
+  PN::subdivide(result, scheme, np(copy));
+  expect_measures(c, Soup(mesh), Soup(result), Soup(refined(mesh, PN::linear(scheme), 2)));
+  EXPECT_GT(c.largest_distance, 0.1);
+}
+
+TEST(Compare_with_linear, RoundnessOfAllVertices)
+{
+  Mesh mesh = cube(1, 1, 10);
+  auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector_3>("v:n").first;
+  for (const auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
+  const PN::CatmullClark_scheme scheme;
+  const auto of = [&](double w, const auto& np) {
+    const auto c = PN::compare_with_linear(mesh, scheme, PN::parameters::roundness(w, np));
+    EXPECT_EQ(c.vertices_of_roundness_0, 0u); // it does not vary
+    EXPECT_EQ(c.vertices_of_roundness_below_1, 0u);
+    return c;
+  };
+  const auto given = CGAL::parameters::number_of_iterations(3).vertex_normal_map(normals);
+  const auto estimated = CGAL::parameters::number_of_iterations(3);
+  for (const auto& none : {of(0, given), of(0, estimated)}) {
+    EXPECT_EQ(none.largest_distance, 0);
+    EXPECT_FALSE(none.is_swollen());
+  }
+  EXPECT_LT(of(0, given).volume_ratio, of(0.5, given).volume_ratio);
+  EXPECT_LT(of(0.5, given).volume_ratio, of(1, given).volume_ratio);
+  EXPECT_LT(of(0.5, estimated).volume_ratio, of(1, estimated).volume_ratio);
+  EXPECT_TRUE(of(1, given).is_swollen()); // a ball around the beam
+}
+
+// --- what is refused ---
+
+TEST(Compare_with_linear, RefusesWhatCannotBeCompared)
+{
+  const Mesh a = cube(), b = refined(a, PN::CatmullClark_scheme(), 1);
+  EXPECT_THROW(PN::compare_results_with_linear(a, a, b), std::invalid_argument);
+  EXPECT_THROW(compare(a, PN::Loop_scheme(), 1), std::invalid_argument); // quads
+  Mesh bad = a;
+  bad.point(Mesh::Vertex_index(3)) = Point_3(0, std::nan(""), 0);
+  EXPECT_THROW(compare(bad, PN::CatmullClark_scheme(), 1), std::invalid_argument);
+  EXPECT_THROW(PN::compare_results_with_linear(a, a, bad), std::invalid_argument);
+  EXPECT_THROW(compare(a, PN::CatmullClark_scheme(), 40), std::length_error);
+}
