@@ -32,13 +32,6 @@ namespace crease_levels {
 
 using namespace CGAL::PN_subdivision_3;
 
-// a scheme whose values have a roundness of their own
-template <class FT = double, class Scheme>
-internal::With_roundness<Scheme, FT> with_roundness(const Scheme& scheme)
-{
-  return {{scheme}, nullptr};
-}
-
 using Index = Level_connectivity::Index;
 using Triple = std::array<double, 3>;
 using Face = std::vector<int>;
@@ -130,17 +123,19 @@ inline Level_connectivity level_of(const Control& control)
   return level;
 }
 
-template <class FT, class Scheme, class Concurrency_tag = CGAL::Sequential_tag>
+// Rounds of a scheme, in which the roundness varies if it has normals.
+template <class FT, class Scheme_, class Concurrency_tag = CGAL::Sequential_tag>
 class Crease_run
 {
 public:
-  static constexpr bool is_pn = !internal::Is_linear<Scheme>::value;
+  static constexpr bool is_pn = !internal::Is_linear<Scheme_>::value;
+  using Scheme = std::conditional_t<is_pn, internal::With_roundness<Scheme_, FT>, Scheme_>;
   using Average = internal::Average_of_scheme<Scheme, FT>;
   using Refiner = internal::Level_refiner<Scheme, Average, internal::Creases<FT>>;
   using Vector = Coordinates<FT, 3>;
 
-  Crease_run(const Control& control, const Scheme& scheme)
-    : scheme_(std::make_shared<const Scheme>(scheme))
+  Crease_run(const Control& control, const Scheme_& scheme)
+    : scheme_(std::make_shared<const Scheme>(with_roundness(scheme)))
     , refiner_(make(control, *scheme_))
   {}
   Crease_run(const Crease_run&) = delete;
@@ -203,6 +198,14 @@ private:
         g = cut.next(g);
       } while (h != first);
     }
+  }
+
+  static Scheme with_roundness(const Scheme_& scheme)
+  {
+    if constexpr (is_pn)
+      return {{scheme}, nullptr};
+    else
+      return scheme;
   }
 
   static Refiner make(const Control& control, const Scheme& scheme)
