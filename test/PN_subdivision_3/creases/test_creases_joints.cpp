@@ -82,47 +82,6 @@ double farthest_outside(int steps, Control_normal_estimate how)
   return largest;
 }
 
-// A sharp rim of radius 1 around a wall, from which a plane or a cone leads to a fillet. The corner normals at the
-// rim of the part beyond, and the exact tangents of the rim.
-struct Rim
-{
-  Rim(double slope, Control_normal_estimate how)
-  {
-    constexpr unsigned n = 11, rows = 7;
-    std::mt19937 generator(3);
-    const Numbers turns = uneven(n + 1, 0.4, generator);
-    std::vector<std::pair<double, double>> profile{{1, 0}, {1, 1}};
-    for (int k = 0; k <= 3; ++k) {
-      const double t = std::atan(slope) + (double(pi) / 2 - std::atan(slope)) * k / 3;
-      profile.emplace_back(1.5 + 0.3 * std::sin(t), 0.7 + 0.5 * slope + 0.3 * std::cos(t));
-    }
-    profile.emplace_back(1.8, 0.2);
-    Mesh mesh;
-    for (const auto& [r, z] : profile)
-      for (unsigned i = 0; i < n; ++i) {
-        const double angle = double(2 * pi * turns[i]);
-        mesh.add_vertex(Kernel::Point_3(r * std::cos(angle), r * std::sin(angle), z));
-      }
-    const auto v = [](unsigned row, unsigned i) { return CGAL::SM_Vertex_index(row * n + i % n); };
-    for (unsigned row = 0; row + 1 < rows; ++row)
-      for (unsigned i = 0; i < n; ++i)
-        mesh.add_face(v(row, i), v(row + 1, i), v(row + 1, i + 1), v(row, i + 1));
-    auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("sharp", false).first;
-    for (unsigned i = 0; i < n; ++i) sharp[mesh.edge(mesh.halfedge(v(1, i), v(1, i + 1)))] = true;
-    const auto all = mesh.add_property_map<CGAL::SM_Halfedge_index, Kernel::Vector_3>("n").first;
-    PN::estimate_corner_normals(mesh, sharp, all, CGAL::parameters::default_values(), how);
-    for (unsigned i = 0; i < n; ++i) {
-      const auto h = mesh.halfedge(v(2, i), v(1, i)), other = mesh.opposite(h);
-      EXPECT_FALSE(mesh.is_border(h) || mesh.is_border(other));
-      normals.push_back(all[h]);
-      const auto p = mesh.point(v(1, i));
-      tangents.emplace_back(-p.y(), p.x(), 0);
-    }
-  }
-
-  std::vector<Kernel::Vector_3> normals, tangents;
-};
-
 } // namespace
 
 TEST(Creases_joints, LinesStayNearlyStraight)
@@ -167,20 +126,4 @@ TEST(Creases_joints, WedgesBesidePlanes)
     std::cout << steps << " steps: " << now << ", by circles " << before << '\n';
     EXPECT_LE(now, before / 3);
   }
-}
-
-// The reciprocal normals at the end of the plane lean towards the fillet, and by arcs those at its rim would, too.
-TEST(Creases_joints, PlanesBetweenRimAndFillet)
-{
-  for (const auto& n : Rim(0, Control_normal_estimate::coherent).normals)
-    EXPECT_LE((n - Kernel::Vector_3(0, 0, 1)).squared_length(), 256 * ulp * ulp);
-  for (const auto& n : Rim(0, Control_normal_estimate::reciprocal).normals)
-    EXPECT_GE((n - Kernel::Vector_3(0, 0, 1)).squared_length(), 0.01);
-}
-
-TEST(Creases_joints, NormalsAreOrthogonalToTheRim)
-{
-  const Rim rim(0.3, Control_normal_estimate::coherent);
-  for (std::size_t i = 0; i < rim.normals.size(); ++i)
-    EXPECT_LE(std::abs(rim.normals[i] * rim.tangents[i]), 64 * ulp);
 }
