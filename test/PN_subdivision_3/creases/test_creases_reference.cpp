@@ -122,8 +122,8 @@ void compare_rounds(const Control& control, const Scheme& scheme, bool is_loop, 
     if (old.is_linear)
       compare(state(run, control), reference::Crease_round(old, is_loop, is_modified).result(), d);
     else
-      compare(state(run, control),
-              reference::Semi_sharp_round(old, is_loop, is_modified).result(), d);
+      compare(state(run, control), reference::Semi_sharp_round(old, is_loop, is_modified).result(),
+              d);
     EXPECT_LE(d.point, 1e-13);
     EXPECT_LE(d.normal, 1e-12);
     EXPECT_LE(d.roundness, 1e-13);

@@ -70,7 +70,8 @@ Control cylinder(double s)
   const auto add = [&](const Face& face, bool is_side, double z) {
     for (const int v : face) {
       const Triple& p = c.points[std::size_t(v)];
-      c.normals[{int(c.faces.size()), v}] = is_side ? Triple{p[0] / 4, p[1] / 4, 0} : Triple{0, 0, z};
+      c.normals[{int(c.faces.size()), v}] =
+        is_side ? Triple{p[0] / 4, p[1] / 4, 0} : Triple{0, 0, z};
     }
     c.faces.push_back(face);
   };

@@ -239,8 +239,7 @@ private:
   static auto values_of_slots(const Control& control, const Level_connectivity& level,
                               internal::Creases<FT>& creases)
   {
-    using Value =
-      std::conditional_t<is_pn, typename Average::Value, Point_normal<FT, 3>>;
+    using Value = std::conditional_t<is_pn, typename Average::Value, Point_normal<FT, 3>>;
     const Index n = level.number_of_vertices();
     std::vector<Value> values(creases.number_of_slots);
     const std::vector<Index> extra = internal::vertices_of_extra_slots(creases, n);

@@ -330,13 +330,9 @@ public:
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
   {
     const auto pointer = [](const auto& rows) { return rows ? &*rows : nullptr; };
-    const typename Crease_pass<Scheme, Average>::Data data{scheme_,
-                                                           level_,
-                                                           creases_,
-                                                           *round_,
-                                                           pointer(smooth_rows_),
-                                                           pointer(smooth_normal_rows_),
-                                                           old_};
+    const typename Crease_pass<Scheme, Average>::Data data{
+      scheme_, level_, creases_, *round_, pointer(smooth_rows_), pointer(smooth_normal_rows_),
+      old_};
     std::vector<Slot_value> values = Crease_pass<Scheme, Average>(data, refined_)(for_chunks);
     if (!others_.empty())
       values = with_others(values, values_of_rows(*round_, others_, old_, for_chunks));
@@ -379,10 +375,7 @@ private:
   using Host = typename Scheme::Host;
   static constexpr bool is_pn = !Is_linear<Scheme>::value;
 
-  static bool ends(const Crease_edge<FT>& e)
-  {
-    return !(refined_sharpness(e.sharpness) > 0);
-  }
+  static bool ends(const Crease_edge<FT>& e) { return !(refined_sharpness(e.sharpness) > 0); }
 
   std::vector<Index> vertices_on_creases() const
   {
@@ -396,8 +389,8 @@ private:
   // what is beside creases and not as its row has it
   void find_others(const std::vector<Index>& on_creases)
   {
-    std::vector<Index> all(
-      ended_.begin(), std::lower_bound(ended_.begin(), ended_.end(), number_of_vertices()));
+    std::vector<Index> all(ended_.begin(),
+                           std::lower_bound(ended_.begin(), ended_.end(), number_of_vertices()));
     if constexpr (is_pn)
       if (gone_) {
         const std::vector<Index> blended = gone_->vertices();

@@ -92,8 +92,8 @@ public:
     std::vector<FT> roundness;
     for (Index side = 0; has_roundness && side < 2; ++side)
       if (e.has_after(side))
-        roundness.push_back(averaged_roundness(entries, {side == 0 ? e.before[1] : e.after[1],
-                                                         side == 0 ? e.after[0] : e.before[0]}));
+        roundness.push_back(averaged_roundness(
+          entries, {side == 0 ? e.before[1] : e.after[1], side == 0 ? e.after[0] : e.before[0]}));
     const Rule average(entries.data(), entries.data() + 2, mean(roundness));
     Value result{average.point(), {}, {average.tangent()}, roundness};
     if constexpr (is_pn) {

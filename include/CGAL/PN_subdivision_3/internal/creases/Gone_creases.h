@@ -57,8 +57,7 @@ void for_each_corner_of_star(const Level_connectivity& level, const Creases<FT>&
   do {
     if (i < star.number_of_ends && creases.halfedge(creases.end(star, i)) == h) {
       const Crease_end& e = creases.end(star, i++);
-      if (creases.edge(e).has_after(e.side))
-        wedge = star.wedge(creases.edge(e).after[e.side]);
+      if (creases.edge(e).has_after(e.side)) wedge = star.wedge(creases.edge(e).after[e.side]);
     }
     if (!level.is_border(h)) f(h, wedge);
     h = level.next_around_target(h);
@@ -75,8 +74,7 @@ void for_each_corner_at_ended(const Level_connectivity& level, const Creases<FT>
   const auto is_ended = [&](const Crease_end& e) {
     return creases.is_inner(e) && ends(creases.edge(e).sharpness);
   };
-  const Wedge_join join =
-    keep(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
+  const Wedge_join join = keep(creases, star, [&](const Crease_end& e) { return !is_ended(e); });
   if (join.ends.size() == star.number_of_ends) return;
   Short_vector<double> least(join.number_of_wedges, infinite_sharpness);
   for (Index i = 0; i < star.number_of_ends; ++i) {
@@ -102,9 +100,9 @@ slots_at_ended(const Host& host, const Level_connectivity& level, const Creases<
   using Index = Level_connectivity::Index;
   std::vector<Index> slots;
   const auto edge_slot = [&](Index h) {
-    const auto it = std::lower_bound(
-      creases.edges.begin(), creases.edges.end(), Level_connectivity::edge(h),
-      [](const Crease_edge<FT>& e, Index edge) { return e.edge < edge; });
+    const auto it =
+      std::lower_bound(creases.edges.begin(), creases.edges.end(), Level_connectivity::edge(h),
+                       [](const Crease_edge<FT>& e, Index edge) { return e.edge < edge; });
     const Index v = host.vertex_of_edge(Level_connectivity::edge(h));
     if (it == creases.edges.end() || it->edge != Level_connectivity::edge(h)) return v;
     const Index rank = refined.rank[std::size_t(it - creases.edges.begin())];
@@ -135,7 +133,8 @@ struct Gone_creases
   using Index = Level_connectivity::Index;
 
   Creases<FT> creases;
-  std::vector<double> reach; // of its slots: of the edges that touch a face at the slot and are gone the least, or 1
+  std::vector<double>
+    reach; // of its slots: of the edges that touch a face at the slot and are gone the least, or 1
 
   // `level` is whole
   Gone_creases(const Level_connectivity& level, const Creases<FT>& old)
@@ -160,7 +159,8 @@ struct Gone_creases
     for (std::size_t i = 0; i < star_.size(); ++i) {
       if (star_[i] == Level_connectivity::null) continue;
       const Crease_star& star = creases.stars[star_[i]];
-      if (creases.rule(star) == Vertex_rule::crease && old.rule(old.stars[i]) == Vertex_rule::corner)
+      if (creases.rule(star) == Vertex_rule::crease &&
+          old.rule(old.stars[i]) == Vertex_rule::corner)
         make_opposite_vectors<FT>(tangent_from(creases.end(star, 0)),
                                   tangent_from(creases.end(star, 1)));
     }
@@ -196,7 +196,8 @@ struct Gone_creases
 private:
   static Wedge_join remaining(const Creases<FT>& old, const Crease_star& star)
   {
-    return keep(old, star, [&](const Crease_end& e) { return !is_fraction(old.edge(e).sharpness); });
+    return keep(old, star,
+                [&](const Crease_end& e) { return !is_fraction(old.edge(e).sharpness); });
   }
   static std::size_t extra_slots(const Creases<FT>& old)
   {

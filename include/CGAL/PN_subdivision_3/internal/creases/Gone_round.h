@@ -97,7 +97,8 @@ private:
 
   // calls f(vertex) for the corners of the face of h
   template <class Function>
-  static void for_each_corner_of_face(const Level_connectivity& level, Index face, const Function& f)
+  static void for_each_corner_of_face(const Level_connectivity& level, Index face,
+                                      const Function& f)
   {
     const Index first = level.halfedge_of_face(face);
     Index h = first;
@@ -110,9 +111,7 @@ private:
   void find_parts_on_creases()
   {
     const Creases<FT>& creases = gone_.creases;
-    const auto grow = [&](double& part, Index slot) {
-      part = (std::min)(part, gone_.reach[slot]);
-    };
+    const auto grow = [&](double& part, Index slot) { part = (std::min)(part, gone_.reach[slot]); };
     const auto grow_by_edge = [&](double& part, const Crease_edge<FT>& e) {
       for (const Index side : {0u, 1u}) {
         if (e.has_after(side)) grow(part, e.after[side]);
@@ -129,7 +128,8 @@ private:
         round_->for_each_smooth_entry(star, [&](Index slot) { grow(part, slot); });
     }
     for (const Crease_edge<FT>& e : creases.edges)
-      grow_by_edge(part_.emplace(round_->round().host().vertex_of_edge(e.edge), 1).first->second, e);
+      grow_by_edge(part_.emplace(round_->round().host().vertex_of_edge(e.edge), 1).first->second,
+                   e);
   }
 
   void find_parts_of_rows(const Level_connectivity& level)
@@ -164,8 +164,7 @@ private:
     const std::vector<bool> old = is_near;
     for (Index f = 0; f < level.number_of_faces(); ++f) {
       bool is_any = false;
-      for_each_corner_of_face(level, f,
-                              [&](Index h) { is_any = is_any || old[level.target(h)]; });
+      for_each_corner_of_face(level, f, [&](Index h) { is_any = is_any || old[level.target(h)]; });
       if (is_any)
         for_each_corner_of_face(level, f, [&](Index h) { is_near[level.target(h)] = true; });
     }
@@ -187,7 +186,8 @@ private:
       if (number != 0) part_[star.vertex] = sum / number;
     }
     for (const Crease_edge<FT>& e : creases.edges)
-      if (is_fraction(e.sharpness)) part_[round_->round().host().vertex_of_edge(e.edge)] = e.sharpness;
+      if (is_fraction(e.sharpness))
+        part_[round_->round().host().vertex_of_edge(e.edge)] = e.sharpness;
   }
 
   // \name Values
@@ -203,7 +203,8 @@ private:
     } else {
       gone_.take_tangents(creases);
       decide(Level_connectivity::null, [&] {
-        values = gone_.template joined<Value>(creases, [&](Index slot) { return Value(old[slot]); });
+        values =
+          gone_.template joined<Value>(creases, [&](Index slot) { return Value(old[slot]); });
       });
     }
     const std::vector<Stored_value> stored(values.begin(), values.end());

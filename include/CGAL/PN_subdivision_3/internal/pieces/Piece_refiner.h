@@ -77,8 +77,8 @@ public:
     : scheme_(scheme)
     , rings_(rings)
     , rounds_(rounds)
-    , base_round_(least_base_round(
-        dividing_round<Host>(control.size(), rounds, number_of_pieces), rounds, creases))
+    , base_round_(least_base_round(dividing_round<Host>(control.size(), rounds, number_of_pieces),
+                                   rounds, creases))
     , for_chunks_(for_chunks)
     , base_(scheme_, std::move(control), std::move(creases), std::move(values), for_chunks)
   {
