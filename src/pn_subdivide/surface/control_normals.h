@@ -24,8 +24,8 @@ struct Normals_option
 
   Source source = Source::automatic;
   bool is_reciprocal = false; // what automatic and estimate estimate
-  Triple center{0, 0, 0}; // of the sphere, or a point of the cylinder's axis
-  Triple axis{0, 0, 1};   // of the cylinder
+  Triple center{0, 0, 0};     // of the sphere, or a point of the cylinder's axis
+  Triple axis{0, 0, 1};       // of the cylinder
 };
 
 // auto | file | estimate or coherent | reciprocal | angle | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.

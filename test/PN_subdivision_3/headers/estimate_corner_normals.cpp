@@ -18,8 +18,7 @@ void use_estimate_corners(Mesh& mesh)
 {
   const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;
   estimate_corner_normals(
-    mesh, sharp,
-    mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal").first);
+    mesh, sharp, mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal").first);
 }
 
 } // namespace header_in_use

@@ -157,7 +157,7 @@ public:
   // the maps are those of a Surface_mesh
   static constexpr bool has_own_maps =
     has_concurrent_put_v<Point_map> && (!has_normal_map || has_concurrent_put_v<Normal_map>)&&(
-      !has_roundness_map || has_concurrent_put_v<Roundness_map>);
+                                         !has_roundness_map || has_concurrent_put_v<Roundness_map>);
 
   Mesh_writer(Access& access, Point_map points, Normal_map normals, bool is_near_overflow,
               Roundness_map roundness = Roundness_map())

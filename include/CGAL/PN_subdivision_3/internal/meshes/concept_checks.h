@@ -222,10 +222,10 @@ struct Has_sharpness
 
 template <class T>
 struct Is_roundness
-  : std::bool_constant<(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
-                       std::is_convertible_v<
-                         typename Algebraic_structure_traits<T>::Algebraic_category*,
-                         Integral_domain_without_division_tag*>>
+  : std::bool_constant<
+      (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
+      std::is_convertible_v<typename Algebraic_structure_traits<T>::Algebraic_category*,
+                            Integral_domain_without_division_tag*>>
 {};
 
 template <class Key, class Map>
@@ -266,8 +266,8 @@ constexpr bool check_roundness()
     return true;
   else if constexpr (!Is_property_map_of<
                        Map, typename boost::graph_traits<Mesh>::vertex_descriptor>::value) {
-    static_assert(!has_map,
-                  "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
+    static_assert(
+      !has_map, "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
     return false;
   } else {
     constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
@@ -287,8 +287,9 @@ constexpr bool check_written_roundness()
     return true;
   else if constexpr (!Is_property_map_of<
                        Map, typename boost::graph_traits<Mesh>::vertex_descriptor>::value) {
-    static_assert(!std::is_same_v<Map, Map>,
-                  "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
+    static_assert(
+      !std::is_same_v<Map, Map>,
+      "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
     return false;
   } else {
     constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;
@@ -375,7 +376,8 @@ constexpr bool check_subdivision_arguments()
                                     typename Parameters::Edge_constraint_map>() &&
                check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
                                     typename Parameters::Vertex_constraint_map>() &&
-               check_roundness<Mesh, Parameters>() && check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+               check_roundness<Mesh, Parameters>() &&
+               check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                      typename Parameters::Geom_traits>();
     }
   }
@@ -392,7 +394,8 @@ constexpr bool check_creased_limit_arguments()
                                 typename Parameters::Edge_constraint_map>() &&
            check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
                                 typename Parameters::Vertex_constraint_map>() &&
-           check_roundness<Mesh, Parameters>() && check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+           check_roundness<Mesh, Parameters>() &&
+           check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                  typename Parameters::Geom_traits>();
   } else
     return false;
@@ -434,8 +437,8 @@ constexpr bool check_attributes()
 template <class Mesh, class Normal_map, class NamedParameters>
 constexpr bool check_estimation_arguments()
 {
-  using Used =
-    Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, vertex_roundness_map_t>;
+  using Used = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                               vertex_roundness_map_t>;
   constexpr bool are_used = are_used_v<Used, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: vertex_point_map, vertex_roundness_map, geom_traits");
