@@ -108,16 +108,18 @@ TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
   PN::CatmullClark_subdivision(refined, params::number_of_iterations(2));
   EXPECT_EQ(refiner.points(), std::vector<Point>(refined.points().begin(), refined.points().end()));
 
-  // a normal that is set stays, also when its neighbors' are estimated again
-  refiner.set_normal(2, Vector(0, 0, 2));
-  refiner.set_point(1, Point(1, 0, 1));
-  refiner.update();
-  EXPECT_EQ(refiner.control_normal(2), Vector(0, 0, 1));
+  // a normal that is set stays, also when its neighbors' are estimated again; normals that are given have roundness 1
+  PN::Surface_refiner round(mesh, PN::CatmullClark_scheme(),
+                            PN::parameters::roundness(1).number_of_iterations(2));
+  round.set_normal(2, Vector(0, 0, 2));
+  round.set_point(1, Point(1, 0, 1));
+  round.update();
+  EXPECT_EQ(round.control_normal(2), Vector(0, 0, 1));
   auto normals = mesh.add_property_map<Vertex, Vector>("n").first;
   mesh.point(Vertex(1)) = Point(1, 0, 1);
-  for (Vertex v : mesh.vertices()) normals[v] = refiner.control_normal(v);
+  for (Vertex v : mesh.vertices()) normals[v] = round.control_normal(v);
   PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2).vertex_normal_map(normals));
-  EXPECT_EQ(refiner.points(), std::vector<Point>(mesh.points().begin(), mesh.points().end()));
+  EXPECT_EQ(round.points(), std::vector<Point>(mesh.points().begin(), mesh.points().end()));
 }
 
 TEST(Surface_refiner, NoRoundsNoFacesNoVertices)

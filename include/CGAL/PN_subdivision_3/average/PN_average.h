@@ -297,8 +297,15 @@ private:
   static FT roundness(const Entry* begin, const Entry* end, const Values& old)
   {
     FT sum(0);
-    for (const Entry* e = begin; e != end; ++e) sum += e->weight * old[e->vertex].roundness;
-    return sum;
+    [[maybe_unused]] bool are_equal =
+      !std::is_floating_point_v<FT>; // in intervals weights hardly sum to 1
+    for (const Entry* e = begin; e != end; ++e) {
+      const Value& value = old[e->vertex];
+      sum += e->weight * value.roundness;
+      if constexpr (!std::is_floating_point_v<FT>)
+        are_equal = are_equal && CGAL::certainly(value.roundness == old[begin->vertex].roundness);
+    }
+    return are_equal && begin != end ? old[begin->vertex].roundness : sum;
   }
 
   // the sum of the heights over q = result.point
