@@ -271,7 +271,7 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
     for (const std::string scheme : {"", " --scheme sqrt3 --triangulate", " --scheme doo-sabin",
                                      " --scheme kobbelt", " --scheme butterfly --triangulate"})
       for (const std::string encoding : {"", " --ascii"})
-        for (const std::string more :
+        for (const std::string& more :
              {std::string(), sharp, sharp + " --sharpness 2", sharp + " --sharpness 1.5"}) {
           if (!more.empty() && !scheme.empty()) continue;
           if (scheme == " --scheme kobbelt" && input != "box.obj") continue;
@@ -292,7 +292,7 @@ TEST_F(Pn_subdivide_roundness, WhatMeansNothingIsAUsageError)
     expect_one_line(surface("box.obj", "o.ply", "--roundness='" + x + "'"), 2, "--roundness");
   for (const std::string x : {"auto", "file", "estimate", "0.5", "1"})
     for (const std::string other : {"--linear", "--normals none"})
-      for (const std::string part : {std::string("--roundness"), other})
+      for (const std::string& part : {std::string("--roundness"), other})
         expect_one_line(surface("round.ply", "o.ply", "--roundness " + x + " " + other), 2, part);
   EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
   expect_one_line(surface("box.obj", "o.ply", "--normals coherently"), 2, "coherent");
