@@ -80,6 +80,10 @@ public:
   /// the control normals of the vertices; none with a linear scheme.
   const std::vector<Vector_3>& normals() const& { return normals_; }
   const std::vector<Vector_3>& normals() const&& = delete; // of a piece that is gone
+  /// the roundness of the vertices; none with a linear scheme.
+  const std::vector<typename GeomTraits::FT>& roundness() const& { return roundness_; }
+  const std::vector<typename GeomTraits::FT>&
+  roundness() const&& = delete; // of a piece that is gone
   /// the faces, as flat arrays. The first half-edge of a face is that of the whole surface.
   const Level_connectivity& connectivity() const& { return connectivity_; }
   const Level_connectivity& connectivity() const&& = delete; // of a piece that is gone
@@ -150,6 +154,7 @@ private:
   internal::Numbered_elements vertices_, faces_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
+  std::vector<typename GeomTraits::FT> roundness_;
   std::vector<Corner> corners_; // of vertices with several wedges
 };
 
@@ -299,7 +304,9 @@ public:
       piece.vertices_ = std::move(vertices);
       piece.faces_ = std::move(faces);
       piece.points_.resize(piece.vertices_.size());
-      if (is_pn) piece.normals_.resize(piece.vertices_.size());
+      if (!is_pn) return;
+      piece.normals_.resize(piece.vertices_.size());
+      piece.roundness_.resize(piece.vertices_.size());
     };
     const auto put = [&](Index v, const Value& value) { this->put(piece, v, value); };
     const auto put_corner = [&](Index h, Index wedge, [[maybe_unused]] const Value& value) {
@@ -382,7 +389,10 @@ private:
       internal::check_in_range(
         p, [&] { return "the point of the new vertex " + std::to_string(piece.vertex_number(v)); });
     piece.points_[v] = typename GeomTraits::Point_3(p[0], p[1], p[2]);
-    if constexpr (is_pn) piece.normals_[v] = normal_of(value);
+    if constexpr (is_pn) {
+      piece.normals_[v] = normal_of(value);
+      piece.roundness_[v] = value.roundness;
+    }
   }
   static typename GeomTraits::Vector_3 normal_of(const Value& value)
   {

@@ -24,6 +24,7 @@ struct Ply_shape
   bool has_normals = false, has_control_normals = false;
   Normal_kind normal_kind = Normal_kind::control;
   bool has_short_lists = true; // of at most 255 values
+  bool has_roundness = false;
 
   bool fits_int() const { return vertices <= 0x7fffffffu; }
   std::string list() const

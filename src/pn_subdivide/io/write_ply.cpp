@@ -77,8 +77,9 @@ struct Ply_content
 
   Ply_shape shape() const
   {
-    return {mesh.points.size(),         mesh.number_of_faces(), mesh.has_normals(),
-            mesh.has_control_normals(), mesh.normal_kind,       has_short_lists};
+    return {
+      mesh.points.size(), mesh.number_of_faces(), mesh.has_normals(), mesh.has_control_normals(),
+      mesh.normal_kind,   has_short_lists,        has_roundness()};
   }
 
   // Two numbers for each corner of a face, or none if a corner has none.
@@ -161,6 +162,7 @@ std::string header(const Ply_shape& shape, Encoding encoding,
   if (shape.has_normals) text += "property double nx\nproperty double ny\nproperty double nz\n";
   if (shape.has_control_normals)
     text += "property double control_nx\nproperty double control_ny\nproperty double control_nz\n";
+  if (shape.has_roundness) text += "property double roundness\n";
   text += extra[1] + "element face " + std::to_string(shape.faces);
   text += "\n" + shape.list() + (shape.fits_int() ? "int" : "uint") + " vertex_indices\n";
   return text + extra[2] + extra[3] + "end_header\n";
@@ -183,8 +185,7 @@ void write_header(Output_file& out, const Ply_content& content, Encoding encodin
   std::string of_faces = properties(content.of_faces);
   for (const Corner_list& list : content.lists)
     of_faces += shape.list() + traits(list.type).ply + " " + list.name + "\n";
-  std::string own = content.has_roundness() ? "property double roundness\n" : "";
-  if (content.has_tags()) own += "property double sharpness\n";
+  const std::string own = content.has_tags() ? "property double sharpness\n" : "";
   const Mesh_origin& origin = content.mesh.origin;
   out.text(
     header(shape, encoding,

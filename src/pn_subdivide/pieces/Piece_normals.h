@@ -25,6 +25,7 @@ namespace pn_subdivide {
 struct Piece_normals
 {
   bool are_written = false, with_control = false;
+  bool with_roundness = false;
   bool are_of_faces = false; // of those around, and not control normals
   Normal_kind kind = Normal_kind::control;
   double scale = 1;
@@ -38,8 +39,17 @@ struct Piece_normals
     , scale(normals.scale)
   {}
 
-  // so many a vertex
-  unsigned number() const { return (are_written ? 1 : 0) + (with_control ? 1 : 0); }
+  // roundness goes with control normals alone
+  void add_roundness()
+  {
+    with_roundness = with_control || (are_written && kind == Normal_kind::control);
+  }
+
+  // the numbers of a vertex, its point among them
+  unsigned numbers() const
+  {
+    return 3 + (are_written ? 3 : 0) + (with_control ? 3 : 0) + (with_roundness ? 1 : 0);
+  }
   // of faces around a piece that its own normals depend on; with creases control normals are not written
   unsigned rings() const { return are_of_faces ? 1 : 0; }
 };

@@ -43,6 +43,7 @@ public:
     shape.faces = size.faces;
     shape.has_normals = normals.are_written;
     shape.has_control_normals = normals.with_control;
+    shape.has_roundness = normals.with_roundness;
     shape.normal_kind = normals.kind;
     shape.has_short_lists = has_short_lists_;
     header_ = ply_header(shape, origin);
@@ -98,7 +99,7 @@ public:
 private:
   using Index = Any_pieces::Piece::Index;
 
-  std::uint64_t bytes_of_vertex() const { return 24 * (1 + normals_.number()); }
+  std::uint64_t bytes_of_vertex() const { return 8 * normals_.numbers(); }
   std::uint64_t faces_end() const { return place_of_face(pieces_.size().faces); }
   std::uint64_t place_of_face(std::uint64_t f) const
   {
@@ -117,6 +118,7 @@ private:
       put(to_triple(piece.points()[v]));
       if (normals_.are_written) put(normals[v]);
       if (normals_.with_control) put(normals.control(v));
+      if (normals_.with_roundness) rows.put(piece.roundness()[v]);
     }
   }
 

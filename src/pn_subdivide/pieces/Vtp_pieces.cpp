@@ -68,6 +68,11 @@ public:
     if (normals_.with_control)
       vtp.triples("control_normals", vertices_.size(),
                   [&](std::size_t i) { return normals.control(vertices_[i]); });
+    Column roundness;
+    if (normals_.with_roundness) {
+      for (const Index v : vertices_) roundness.values.push_back(piece_.roundness()[v]);
+      vtp.columns("roundness", {&roundness});
+    }
     vtp.integers("GlobalPointIds", vertices_.size(), [&] {
       for (const Index v : vertices_) put(vtp, piece_.vertex_number(v));
     });
@@ -152,7 +157,7 @@ public:
   std::uint64_t size() const override
   {
     const Any_pieces::Size& size = pieces_.size();
-    return size.vertices * (32 + 24 * normals_.number()) + size.faces * 16 +
+    return size.vertices * (8 + 8 * normals_.numbers()) + size.faces * 16 +
            pieces_.first_corner(size.faces) * 8;
   }
 
@@ -236,6 +241,7 @@ private:
                                   : "GlobalIds=\"GlobalPointIds\">\n");
     if (normals_.are_written) out.text(normals("Normals"));
     if (normals_.with_control) out.text(normals("control_normals"));
+    if (normals_.with_roundness) out.text("<PDataArray type=\"Float64\" Name=\"roundness\"/>\n");
     out.text("<PDataArray type=\"Int64\" Name=\"GlobalPointIds\"/>\n</PPointData>\n"
              "<PCellData GlobalIds=\"GlobalCellIds\">\n"
              "<PDataArray type=\"Int64\" Name=\"GlobalCellIds\"/>\n</PCellData>\n<PPoints>\n"

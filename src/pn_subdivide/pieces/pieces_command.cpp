@@ -145,6 +145,7 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   job.name = name_of(mesh, creases, options, scheme, normals, number);
   job.has_normals = mesh.has_normals();
   job.normals = Piece_normals(normals, job.has_normals);
+  if (!mesh.roundness.empty()) job.normals.add_roundness();
   const bool has_several = options.levels == 0
                              ? mesh.has_corner_normals()
                              : maps && has_inner_creases(surface, creases, options.levels);

@@ -24,7 +24,8 @@ using Source = Roundness_option::Source;
 void require_range(const std::vector<double>& roundness)
 {
   for (std::size_t v = 0; v < roundness.size(); ++v) {
-    if (roundness[v] >= 0 && roundness[v] <= 1) continue;
+    // schemes with negative weights write what is a little beyond
+    if (roundness[v] >= -0.5 && roundness[v] <= 1.5) continue;
     char number[40];
     std::snprintf(number, sizeof number, "%g", roundness[v]);
     throw Error("vertex " + std::to_string(v) + " has the roundness " + number +

@@ -152,7 +152,7 @@ TEST_F(Pn_subdivide_roundness, OneRoundOfANumberIsABlend)
 
 TEST_F(Pn_subdivide_roundness, ZeroIsLinearHoweverManyRounds)
 {
-  for (const std::string& more : {" --levels 3", " --levels 2 --sharp angle:50 --normals coherent",
+  for (const std::string more : {" --levels 3", " --levels 2 --sharp angle:50 --normals coherent",
                                  " --levels 2 --border curve"})
     EXPECT_EQ(
       refined("box.obj", "o.ply", "--roundness 0" + more).points,
@@ -192,7 +192,7 @@ TEST_F(Pn_subdivide_roundness, FileNeedsTheProperty)
                        "estimated normals, roundness 0 at 2 of 6 vertices"));
   EXPECT_NE(written("points.ply", "a.ply", "--roundness file"),
             written("points.ply", "b.ply", "--roundness auto"));
-  for (const char* const wrong : {"-0.1", "1.5", "nan", "inf"}) {
+  for (const char* const wrong : {"-0.6", "1.6", "nan", "inf"}) {
     std::string text = ply(several, true);
     text.replace(text.find(" 0.25 "), 6, std::string(" ") + wrong + " ");
     folder.write("wrong.ply", text);
@@ -274,7 +274,7 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
     const std::string sharp = " --sharp '" + folder.file(selection + ".selection.txt") + "'";
     std::vector<std::string> modes = {" --scheme sqrt3 --triangulate", " --scheme doo-sabin"};
     for (const std::string& more : {std::string(), sharp, sharp + " --sharpness 2",
-                                   sharp + " --sharpness 1.5", std::string(" --roundness 0.5")})
+                                    sharp + " --sharpness 1.5", std::string(" --roundness 0.5")})
       modes.push_back(more);
     for (const std::string& more : modes)
       for (const std::string encoding : {"", " --ascii"}) {

@@ -197,7 +197,9 @@ TEST_F(Pn_subdivide_tags, PlyHasTheCorners)
 {
   const std::string text =
     written("quads.obj", "o.ply", "--ascii --levels 1 --output-normals control" + sharp("corner"));
-  EXPECT_TRUE(contains(text, "property double nz\nproperty double sharpness\nelement face"));
+  EXPECT_TRUE(contains(
+    text,
+    "property double nz\nproperty double roundness\nproperty double sharpness\nelement face"));
   EXPECT_TRUE(contains(text, "element edge 4\nproperty int vertex1\nproperty int vertex2\n"
                              "property double sharpness\nproperty double t1x\n"
                              "property double t1y\nproperty double t1z\nproperty double t2x\n"
