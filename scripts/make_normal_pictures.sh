@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 #
 # Draws the figures of the manual's section on control normals: points_alone.png, a sphere, a cap and a
-# cylinder without normals; rims.png, the neck of a head. The linear scheme, then the point-normal one
+# cylinder without normals; rims.png, the neck of a head; roundness.png, what is not round. The linear scheme, then the point-normal one
 # with angle-weighted normals, then with those of the default. Colors are mean curvatures: that of a
 # sphere or cylinder is one color.
 #
@@ -89,7 +89,7 @@ refine() { # scheme, control mesh, rounds, name
   "$command" surface "$2" "$work/$4_estimate.vtp" "${options[@]}" --normals estimate
 }
 
-captions=(--caption "linear" --caption "PN, angle weights" --caption "PN, reciprocal weights")
+captions=(--caption "linear" --caption "PN, angle weights" --caption "PN, coherent")
 meshes=() all_captions=()
 for shape in sphere cap cylinder; do
   refine loop "$work/$shape.off" 4 "$shape"
@@ -106,3 +106,16 @@ refine catmull-clark data/meshes/head.obj 4 head
 scripts/render.py --output "$folder/rims.png" --columns 3 --tile 450 --shading averaged --same-view \
                   --view=-35,-15 --scalars mean_curvature --range 3 "${captions[@]}" \
                   "$work"/head_{linear,angle,estimate}.vtp
+
+meshes=() all_captions=()
+for shape in creature.obj spoon.obj; do
+  name=${shape%.obj}
+  options=(--scheme catmull-clark --levels 4 --quiet)
+  "$command" surface "data/meshes/$shape" "$work/${name}_linear.ply" "${options[@]}" --linear
+  "$command" surface "data/meshes/$shape" "$work/${name}_1.ply" "${options[@]}" --normals reciprocal
+  "$command" surface "data/meshes/$shape" "$work/${name}_points.ply" "${options[@]}"
+  meshes+=("$work/${name}"_{linear,1,points}.ply)
+  all_captions+=(--caption "linear" --caption "PN, roundness 1" --caption "PN, roundness from the points")
+done
+scripts/render.py --output "$folder/roundness.png" --columns 3 --tile 450 --shading averaged \
+                  "${all_captions[@]}" "${meshes[@]}"

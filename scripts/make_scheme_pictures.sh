@@ -62,7 +62,7 @@ draw() { # scheme, kind of faces, rounds, name
     local control=$work/${mesh}_$2.off
     "$command" surface "$control" "$work/$1_$mesh.ply" --scheme "$1" --levels "$3" --linear --quiet
     "$command" surface "$control" "$work/PN_$1_$mesh.ply" --scheme "$1" --levels "$3" \
-               --normals estimate --quiet
+               --normals reciprocal --quiet
     meshes+=("$work/$1_$mesh.ply" "$work/PN_$1_$mesh.ply")
     controls+=(--control "$control" --control "$control")
     captions+=(--caption "$4" --caption "PN-$4")
@@ -81,7 +81,7 @@ draw sqrt3 triangles 6 "sqrt(3)"
 draw_curvature() { # scheme, kind of faces, name
   local meshes=() options scheme
   for scheme in "$1" "modified-$1"; do
-    for options in "--linear" "--normals estimate"; do
+    for options in "--linear" "--normals reciprocal"; do
       meshes+=("$work/${#meshes[@]}.vtp")
       # shellcheck disable=SC2086  # several words
       "$command" surface "$work/closed_$2.off" "${meshes[-1]}" --scheme "$scheme" --levels 5 \
