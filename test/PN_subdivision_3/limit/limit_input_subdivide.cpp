@@ -106,7 +106,8 @@ TEST(Subdivide_to_limit, RunsOutsideTheMapsAndWithoutNormals)
   Surface_mesh one, two;
   mesh_cases::build(mesh_cases::mixed_with_border(), one);
   two = one;
-  PN::subdivide_to_limit(one, PN::CatmullClark_scheme());
+  PN::subdivide_to_limit(one, PN::CatmullClark_scheme(), PN::Limit_options(),
+                         PN::parameters::roundness(1)); // as that of given normals
   // normals are estimated once, on the control mesh
   const auto normals =
     two.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("n").first;

@@ -97,7 +97,7 @@ TEST(Limit_input, NormalsAreEstimatedWhereNoneAreGiven)
   PN::estimate_control_normals(mesh, normal_map(mesh));
   const Limits given = limits(mesh, PN::Loop_scheme(), PN::Limit_options());
   const auto map = mesh.add_property_map<Surface_mesh::Vertex_index, Limit>("v:l").first;
-  PN::limit_points(mesh, PN::Loop_scheme(), map);
+  PN::limit_points(mesh, PN::Loop_scheme(), map, PN::Limit_options(), PN::parameters::roundness(1));
   for (auto v : mesh.vertices()) EXPECT_EQ(map[v].point, given.at[v].point);
 }
 

@@ -77,11 +77,13 @@ struct Tagged
     sharp = get(CGAL::dynamic_edge_property_t<double>(), mesh);
     corners = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     normals = get(CGAL::dynamic_halfedge_property_t<Vector_3>(), mesh);
+    roundness = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
     std::map<typename Traits::vertex_descriptor, int> index;
     for (auto v : vertices(mesh)) {
       const int i = int(index.size());
       index[v] = i;
       const auto it = control.sharp_vertices.find(i);
+      put(roundness, v, 1.);
       put(corners, v, it == control.sharp_vertices.end() ? 0. : it->second);
     }
     for (auto e : edges(mesh)) {
@@ -103,12 +105,13 @@ struct Tagged
   template <class Scheme, class Concurrency_tag = CGAL::Sequential_tag>
   void subdivide(const Scheme& scheme, unsigned rounds)
   {
-    PN::subdivide<Concurrency_tag>(mesh, scheme,
-                                   np::number_of_iterations(rounds)
-                                     .vertex_point_map(points)
-                                     .edge_is_constrained_map(sharp)
-                                     .vertex_is_constrained_map(corners)
-                                     .vertex_normal_map(normals));
+    PN::subdivide<Concurrency_tag>(
+      mesh, scheme,
+      PN::parameters::vertex_roundness_map(roundness, np::number_of_iterations(rounds)
+                                                        .vertex_point_map(points)
+                                                        .edge_is_constrained_map(sharp)
+                                                        .vertex_is_constrained_map(corners)
+                                                        .vertex_normal_map(normals)));
   }
 
   Mesh mesh;
@@ -116,6 +119,7 @@ struct Tagged
   Dynamic_map<CGAL::dynamic_edge_property_t<double>, Mesh> sharp;
   Dynamic_map<CGAL::dynamic_vertex_property_t<double>, Mesh> corners;
   Dynamic_map<CGAL::dynamic_halfedge_property_t<Vector_3>, Mesh> normals;
+  Dynamic_map<CGAL::dynamic_vertex_property_t<double>, Mesh> roundness;
 };
 
 inline Triple triple(const Point_3& p)

@@ -97,7 +97,7 @@ public:
   {
     using Mask = std::decay_t<decltype(round.round().mask())>;
     std::shared_ptr<const Mask> smooth_mask;
-    if (round.needs_smooth_rules()) {
+    if (round.needs_smooth_rules(true)) {
       count_valences(level, creases);
       smooth_mask =
         std::make_shared<const Mask>(scheme.template mask<FT>(level, round.round().number()));

@@ -319,12 +319,13 @@ public:
 
   const Refined_creases<FT>& refined() const { return refined_; }
 
-  bool needs_smooth_rules() const
+  // rules_fade: whether sharp and smooth rules are mixed where creases end, as they are without normals
+  bool needs_smooth_rules(bool rules_fade = !is_pn) const
   {
     return std::any_of(creases_.stars.begin(), creases_.stars.end(),
-                       [this](const Crease_star& s) { return has_smooth_rule(s); }) ||
-           (!is_pn && std::any_of(creases_.edges.begin(), creases_.edges.end(),
-                                  [](const Crease_edge<FT>& e) { return e.sharpness < 1; }));
+                       [&](const Crease_star& s) { return has_smooth_rule(s, rules_fade); }) ||
+           (rules_fade && std::any_of(creases_.edges.begin(), creases_.edges.end(),
+                                      [](const Crease_edge<FT>& e) { return e.sharpness < 1; }));
   }
   // the values on the creases, for each of their slots, and beside them where creases end
   std::vector<Slot_value> crease_values(const For_chunks& for_chunks)
@@ -426,9 +427,9 @@ private:
   }
 
   // before the round or, without normals, after it
-  bool has_smooth_rule(const Crease_star& star) const
+  bool has_smooth_rule(const Crease_star& star, bool rules_fade = !is_pn) const
   {
-    if (is_pn) return is_smooth(creases_.rule(star));
+    if (!rules_fade) return is_smooth(creases_.rule(star));
     const Index child = refined_.star[std::size_t(&star - creases_.stars.data())];
     return is_smooth(creases_.rule(star)) || child == Level_connectivity::null ||
            is_smooth(refined_.creases.rule(refined_.creases.stars[child]));
