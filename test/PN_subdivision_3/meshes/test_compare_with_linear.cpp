@@ -569,6 +569,14 @@ TEST(Compare_with_linear, MeshesOfOtherKindsAndNumbers)
   EXPECT_NEAR(c.volume_ratio, expected.volume_ratio, 1e-12);
   EXPECT_DOUBLE_EQ(c.linear_volume_ratio, expected.linear_volume_ratio);
   EXPECT_EQ(exact.size_of_vertices(), 8u);
+  const Exact::FT away(std::ldexp(1., 80)), back(-std::ldexp(3., 80)), zero(0);
+  for (auto v = exact.vertices_begin(); v != exact.vertices_end();
+       ++v) // beyond the digits of double
+    v->point() = v->point() + Exact::Vector_3(away, zero, back);
+  const auto far = PN::compare_with_linear(exact, scheme);
+  EXPECT_NEAR(far.volume_ratio, c.volume_ratio, 1e-12);
+  EXPECT_NEAR(far.largest_distance, c.largest_distance, 1e-12);
+  EXPECT_EQ(far.turning_edges, 12u);
 
   using Small = CGAL::Simple_cartesian<float>;
   CGAL::Surface_mesh<Small::Point_3> small;

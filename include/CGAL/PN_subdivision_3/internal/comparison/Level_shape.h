@@ -46,6 +46,7 @@ public:
     double farthest = 0;
     for (const Wide& x : origin_) farthest = (std::max)(farthest, std::abs(close_double(x)));
     const double epsilon = (std::max)(close_double(machine_epsilon<FT>()), 0x1p-53);
+    if (is_exact_v<FT>) farthest = 0; // only what is relative to the origin is rounded
     rounding_ = epsilon * (1 + std::ldexp(farthest, -exponent_));
   }
 
