@@ -38,7 +38,8 @@ inline Surface_mesh to_surface_mesh(const test_meshes::Control_mesh& control)
   Surface_mesh mesh;
   const Normal_map normals = normal_map(mesh);
   for (std::size_t i = 0; i < control.points.size(); ++i) {
-    const test_meshes::Triple &p = control.points[i], &n = control.normals[i];
+    const test_meshes::Triple &p = control.points[i],
+                              &n = control.normals.at(i); // shapes get theirs by with_normals()
     const auto v = mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
     put(normals, v, Kernel::Vector_3(n[0], n[1], n[2]));
   }
