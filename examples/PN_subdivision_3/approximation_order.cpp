@@ -159,7 +159,8 @@ void print_series(const Series& series)
   std::printf("<tr><td>%s, %s</td>", series.label.c_str(),
               series.is_linear ? "linear" : "point-normal");
   for (const auto& [n, error] : series.errors) std::printf("<td>%.1e</td>", error);
-  std::printf("<td>%.0f</td></tr>\n", points_for(1e-4, series));
+  const double n = points_for(1e-4, series), unit = std::pow(10., std::floor(std::log10(n)) - 1);
+  std::printf("<td>%.0f</td></tr>\n", std::round(n / unit) * unit);
 }
 
 } // namespace
