@@ -19,7 +19,6 @@
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
@@ -175,31 +174,28 @@ void print_hull()
   }
 }
 
-// --- folds: a flat grid whose normals lean to two sides in turn ---
+// --- folds: normals that are far off ---
 
 void print_folds()
 {
   std::puts("#table folds");
-  for (const double lean : {20., 40., 60., 80.}) {
-    Mesh mesh;
+  for (const double noise : {0., 10., 20., 40., 60., -1.}) {
+    Mesh mesh = closed_samples::scattered(224);
     const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-    constexpr int n = 10;
-    const double turn = lean * std::acos(-1.) / 180;
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        normals[mesh.add_vertex(Point(i, j, 0))] =
-          Vector(((i + j) % 2 == 0 ? 1 : -1) * std::sin(turn), 0, std::cos(turn));
-    const auto at = [](int i, int j) { return Mesh::Vertex_index(Mesh::size_type(j * n + i)); };
-    for (int j = 0; j + 1 < n; ++j)
-      for (int i = 0; i + 1 < n; ++i)
-        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    std::printf("<tr><td>%.0f</td>", lean);
+    if (noise < 0) { // one reversed normal
+      const Mesh::Vertex_index v(100);
+      normals[v] = -normals[v];
+      std::printf("<tr><td>one reversed</td>");
+    } else {
+      disturb(mesh, noise);
+      std::printf("<tr><td>%.0f</td>", noise);
+    }
     for (const double roundness : {1., .5, 0.}) {
       const auto c = PN::compare_with_linear(
-        mesh, PN::Kobbelt_scheme(),
+        mesh, PN::Loop_scheme(),
         PN::parameters::roundness(roundness,
-                                  params::number_of_iterations(4).vertex_normal_map(normals)));
-      std::printf("<td>%u</td><td>%.2f</td>", unsigned(c.folded_edges), c.largest_distance);
+                                  params::number_of_iterations(3).vertex_normal_map(normals)));
+      std::printf("<td>%u</td><td>%.1f</td>", unsigned(c.folded_edges), c.largest_distance / 8);
     }
     std::puts("</tr>");
   }
