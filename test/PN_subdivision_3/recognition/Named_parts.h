@@ -153,13 +153,13 @@ public:
       add_facet(normal, Vec{x, y, 0} + h * normal, s);
     }
   }
-  // polygons; the truth is checked
-  Part take(const std::string& name)
+  // polygons; the truth is checked unless vertices may be on chords
+  Part take(const std::string& name, bool are_on_surfaces = true)
   {
     part_.name = name;
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) add_face(i);
     check_closed(part_);
-    check_truth(part_);
+    if (are_on_surfaces) check_truth(part_);
     return part_;
   }
 

@@ -288,7 +288,8 @@ inline void write_as(Part& part, File file)
     for (double& x : p) x = as_in_file(x, file);
 }
 
-inline void renumber(Part& part, Random& random)
+// the old number of each face
+inline std::vector<std::size_t> renumber(Part& part, Random& random)
 {
   std::vector<std::size_t> to(part.points.size()), order(part.faces.size());
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = i;
@@ -305,6 +306,7 @@ inline void renumber(Part& part, Random& random)
     part.faces[i] = face;
     part.surface_of_face[i] = old.surface_of_face[order[i]];
   }
+  return order;
 }
 
 } // namespace synthetic_parts
