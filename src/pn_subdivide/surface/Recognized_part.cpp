@@ -31,6 +31,7 @@ using Vertex = Surface::Vertex_index;
 using Kind = Recognized_surface::Kind;
 using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
+using Corner_map = Surface::Property_map<Vertex, bool>;
 
 Surface without_normals(const Mesh_data& mesh)
 {
@@ -82,20 +83,6 @@ bool is_tangent(const Recognized_part& part, const Surface& surface, Patch_map s
          normals[g] * normals[surface.prev(h)] >= least;
 }
 
-// A vertex of a cone that has no normal there.
-std::vector<std::size_t> apices(const Recognized_part& part, const Surface& surface,
-                                Patch_map segments, Corner_normal_map normals)
-{
-  std::vector<std::size_t> result;
-  for (const Halfedge h : surface.halfedges())
-    if (!surface.is_border(h) && part.surfaces[segments[surface.face(h)]].kind == Kind::cone &&
-        normals[h] == CGAL::NULL_VECTOR)
-      result.push_back(surface.target(h));
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 double area_of(const Surface& surface, Face f)
 {
   const Halfedge first = surface.halfedge(f);
@@ -120,7 +107,6 @@ void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Cre
     part.creases.push_back(creases[e]);
     if (creases[e] && is_tangent(part, surface, segments, normals, e)) ++part.tangent_creases;
   }
-  part.apices = apices(part, surface, segments, normals);
   for (const Halfedge h : surface.halfedges()) part.normals.push_back(normals[h]);
 }
 
@@ -140,13 +126,17 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
   const Corner_normal_map normals =
     surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
+  const Corner_map corners = surface.add_property_map<Vertex, bool>("v:is_corner", false).first;
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
     PN::surface_creases(surface, segments, part.surfaces, creases, np);
+    PN::surface_corners(surface, segments, part.surfaces, corners, np);
     PN::surface_corner_normals(surface, segments, part.surfaces, normals, np);
   });
   estimate_the_rest(part, surface, segments, creases, normals);
   fill(part, surface, segments, creases, normals);
+  for (const Vertex v : surface.vertices())
+    if (corners[v]) part.corners.push_back(v);
   return part;
 }
 

@@ -28,7 +28,7 @@ struct Recognized_part
   std::vector<std::size_t> segments;        // of the faces
   std::vector<bool> creases;                // is the edge one?
   std::size_t tangent_creases = 0;          // between surfaces that touch
-  std::vector<std::size_t> apices;          // vertices of cones, which are corners
+  std::vector<std::size_t> corners;         // vertices: apexes of cones
   std::vector<Vector_3> normals;            // of corners; zero: none
   std::vector<double> roundness;            // of vertices
   double unknown_area = 0, area = 0;

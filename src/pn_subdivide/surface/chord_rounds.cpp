@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,7 +73,9 @@ std::vector<double> farthest_from_apices(const Mesh_data& mesh, const Recognized
 
 [[noreturn]] void refuse(double chord, const std::string& what)
 {
-  throw Error("--levels auto: --chord " + std::to_string(chord) + " takes more than " + what +
+  char length[40];
+  std::snprintf(length, sizeof length, "%g", chord);
+  throw Error(std::string("--levels auto: --chord ") + length + " takes more than " + what +
               "; take a larger one");
 }
 
@@ -104,6 +107,8 @@ public:
     if (creases.any() || creases.border != Border::surface)
       rounds_.creases = add_creases(surface_, creases, true);
   }
+
+  std::size_t number_of_faces() const { return surface_.number_of_faces(); }
 
   // Refines.
   double next_distance()
@@ -155,16 +160,19 @@ bool has_unknown_faces(const Recognized_part& part)
                      [&](std::size_t segment) { return !part.is_known(segment); });
 }
 
-// The distances shrink by 4, so that 4/3 of one bounds what all further rounds add. Once they do, further rounds are
-// foreseen, which would take as long as the result itself.
+// Distances that shrink by 4 add up to 4/3 of the first. They shrink less at corners; what would take more memory than most
+// results is foreseen from the last two.
 Chord_rounds rounds_of_unknown(Unknown_segments& unknown, double chord)
 {
-  constexpr unsigned most_tried = 3;
-  double distance = unknown.next_distance();
+  constexpr std::size_t most_faces_tried = 1000000;
+  double distance = unknown.next_distance(), factor = 0.25;
   unsigned k = 0;
   for (; 4 * distance > 3 * chord; ++k) {
     if (k == most_rounds) refuse(chord, std::to_string(most_rounds) + " rounds");
-    distance = k < most_tried ? unknown.next_distance() : distance / 4;
+    const double before = distance;
+    distance =
+      unknown.number_of_faces() < most_faces_tried ? unknown.next_distance() : factor * distance;
+    factor = (std::max)(0.25, distance / before);
   }
   return {k, 4 * distance / 3};
 }

@@ -291,7 +291,7 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
     set_edges(creases, edges_of_angle(surface, plan.degrees, creases), plan.sharpness);
   else if (part != nullptr) {
     set_edges(creases, part->creases, plan.sharpness);
-    for (const std::size_t v : part->apices) creases.vertices[v] = plan.sharpness;
+    for (const std::size_t v : part->corners) creases.vertices[v] = plan.sharpness;
   } else if (plan.source == Source::selection) {
     set_selection(creases, surface, mesh, plan);
     if (!plan.selection.faces.empty())
