@@ -98,9 +98,15 @@ private:
     return turn.widest <= factor * turn.least;
   }
 
+  // a facet alone may have its vertices at many angles
+  static std::size_t number_of_positions(const Region& r)
+  {
+    return (std::min)(r.turn.positions.size(), r.patches.size() + 1);
+  }
+
   bool is_cylinder(const Region& r) const
   {
-    const std::size_t n = r.turn.positions.size();
+    const std::size_t n = number_of_positions(r);
     const int ends = r.number_of_tangent_ends();
     if (n <= 5 && ends == 0 && !are_spans_within(r.turn, 1.75)) return false;
     if (n >= 5) return true;
@@ -135,7 +141,7 @@ private:
 
   static bool is_cone(const Region& r)
   {
-    return r.turn.positions.size() >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
+    return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
   }
   static bool has_even_gaps(const Turn& turn)
   {
