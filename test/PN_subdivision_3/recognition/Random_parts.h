@@ -35,6 +35,8 @@ public:
   {
     static const int turns[] = {8, 9, 10, 12, 12, 16, 16, 20, 24, 24, 30, 32, 36, 48, 64, 72};
     n_ = turns[random_.integer(0, 15)];
+    if (n_ == 8 && family_ != Family::prism && family_ != Family::nut && family_ != Family::elbow)
+      n_ = 9; // three facets a quarter would be two thirds of its step
     unevenness_ = n_ >= 16 && random_.chance(0.3) ? 0.15 : 0;
     are_triangles_ = random_.chance(0.8);
     make();
@@ -160,12 +162,12 @@ private:
                     {0, y - c},
                     {0, c}});
   }
-  Chain side_of_plate(double x, double y, double r)
+  Chain side_of_plate(double x, double y, double r, int least)
   {
     const int form = random_.integer(0, 3);
     if (form == 0) return polygon({{0, 0}, {x, 0}, {x, y}, {0, y}});
     if (form == 1) return cut_rectangle(x, y, r);
-    return rounded_rectangle(0, 0, x, y, r, part_of_turn(90));
+    return rounded_rectangle(0, 0, x, y, r, part_of_turn(90, least));
   }
   Chain profile_of_plate(double h, double r)
   {
@@ -173,7 +175,8 @@ private:
     Chain c(0, 0);
     if (form < 2) return c.line_to(0, h, line());
     c.line_to(0, h - r);
-    return form == 2 ? c.line_to(-r * random_(0.6, 1), h) : c.arc(-r, h - r, 90, part_of_turn(90));
+    return form == 2 ? c.line_to(-r * random_(0.6, 1), h)
+                     : c.arc(-r, h - r, 90, part_of_turn(90, 3));
   }
   Chain slot(double x, double y, double l, double r)
   {
@@ -225,7 +228,10 @@ private:
     const int nx = random_.integer(1, 3), ny = random_.integer(1, 2);
     const double h = random_(0.4, 0.8), r = random_(0.15, 0.3);
     Part_builder b("", random_, are_triangles_);
-    const auto side = b.sweep(side_of_plate(nx + 0.4, ny + 0.4, r), profile_of_plate(h, 0.5 * r));
+    const Chain profile = profile_of_plate(h, 0.5 * r);
+    // corners of tori have three facets or more either way
+    const int least = profile.pieces.back().is_arc ? 3 : 2;
+    const auto side = b.sweep(side_of_plate(nx + 0.4, ny + 0.4, r, least), profile);
     std::vector<Rim> bottom{side.start}, top{side.end};
     for (int i = 0; i < nx; ++i)
       for (int j = 0; j < ny; ++j)

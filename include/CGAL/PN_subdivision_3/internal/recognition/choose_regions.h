@@ -58,6 +58,8 @@ inline std::vector<Region> choose_regions(const Context& c, Found_regions& found
   std::vector<Region> all = found.regions();
   std::stable_sort(all.begin(), all.end(), [](const Region& a, const Region& b) {
     if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
+    if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
+      return a.number_of_tangent_ends() > b.number_of_tangent_ends();
     if (a.shape.kind != b.shape.kind) return rank_of(a.shape.kind) < rank_of(b.shape.kind);
     return a.patches < b.patches; // patches are numbered in the order of their vertices
   });
