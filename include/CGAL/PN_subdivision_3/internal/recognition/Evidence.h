@@ -56,7 +56,7 @@ private:
     case Kind::cone:
       return is_cone(r);
     case Kind::sphere:
-      return r.vertices.size() >= 7 && r.inner_vertices >= 1;
+      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r);
     case Kind::torus:
       return is_torus(r);
     default:
@@ -98,18 +98,50 @@ private:
     return turn.widest <= factor * turn.least;
   }
 
+  // a facet alone may have its vertices at many angles
+  static std::size_t number_of_positions(const Region& r)
+  {
+    return (std::min)(r.turn.positions.size(), r.patches.size() + 1);
+  }
+
   bool is_cylinder(const Region& r) const
   {
-    const std::size_t n = r.turn.positions.size();
+    const std::size_t n = number_of_positions(r);
     const int ends = r.number_of_tangent_ends();
     if (n <= 5 && ends == 0 && !are_spans_within(r.turn, 1.75)) return false;
     if (n >= 5) return true;
     if (n == 4) return ends > 0 || (are_spans_within(r.turn, 1.02) && r.turn.widest <= radians(31));
     return n == 3 && ends == 2;
   }
+  // a circle and a point are on a sphere anyway
+  bool is_fan(const Region& r) const
+  {
+    for (const Index v : c_.patches[r.patches[0]].vertices) {
+      bool is_hub = true;
+      for (const Index p : r.patches)
+        is_hub = is_hub && std::binary_search(c_.patches[p].vertices.begin(),
+                                              c_.patches[p].vertices.end(), v);
+      if (is_hub && are_others_in_a_plane(r, v)) return true;
+    }
+    return false;
+  }
+  bool are_others_in_a_plane(const Region& r, Index hub) const
+  {
+    Vec3 mean;
+    for (const Index v : r.vertices)
+      if (v != hub) mean += (1 / double(r.vertices.size() - 1)) * c_.point(v);
+    Covariance covariance;
+    for (const Index v : r.vertices)
+      if (v != hub) covariance.add(c_.point(v) - mean);
+    const Vec3 normal = covariance.least_direction();
+    for (const Index v : r.vertices)
+      if (v != hub && std::abs(dot(normal, c_.point(v) - mean)) > 4 * c_.tolerance()) return false;
+    return true;
+  }
+
   static bool is_cone(const Region& r)
   {
-    return r.turn.positions.size() >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
+    return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
   }
   static bool has_even_gaps(const Turn& turn)
   {

@@ -36,6 +36,7 @@ public:
   {
     for (auto& of_kind : known_) of_kind.resize(context.patches.size());
     has_region_.assign(context.patches.size(), false);
+    is_settled_.assign(context.patches.size(), false);
   }
 
   const std::vector<Region>& regions() const { return regions_; }
@@ -44,9 +45,14 @@ public:
   Evidence& evidence() { return evidence_; }
   Measure_region& measure() { return measure_; }
 
+  // in a sphere or torus that is beyond doubt
+  bool is_settled(Index p) const { return is_settled_[p]; }
+
   // whether the facets are together in a region of this kind already
   bool is_known(Kind kind, const Seeds& seeds) const
   {
+    if (std::all_of(seeds.begin(), seeds.end(), [&](Index p) { return is_settled_[p]; }))
+      return true;
     const auto& of_kind = known_[int(kind)];
     for (const Index number : of_kind[seeds[0]]) {
       bool has_all = true;
@@ -58,14 +64,28 @@ public:
     return false;
   }
 
-  bool try_shape(Shape s, const Seeds& seeds, bool may_be_fitted = false)
+  enum class Guess { exact, may_be_fitted };
+  bool try_shape(Shape s, const Seeds& seeds, Guess guess = Guess::exact)
   {
     if (is_known(s.kind, seeds)) return false;
     const double t = first_tolerance(seeds);
-    if (!are_on(s, seeds, t)) {
-      if (!may_be_fitted || !fit_to(seeds, s) || !are_on(s, seeds, t)) return false;
-    }
-    if (!goes_on(s, seeds, t)) return false;
+    if (!are_on(s, seeds, t) &&
+        !(guess == Guess::may_be_fitted && fit_to(seeds, s) && are_on(s, seeds, t)))
+      return false;
+    return goes_on(s, seeds, t) && try_region(s, seeds, t);
+  }
+  // of facets that may be all there are
+  bool try_whole(Shape s, const Seeds& seeds)
+  {
+    if (is_known(s.kind, seeds)) return false;
+    const double t = first_tolerance(seeds);
+    return (are_on(s, seeds, t) || (fit_to(seeds, s) && are_on(s, seeds, t))) &&
+           try_region(s, seeds, t);
+  }
+
+private:
+  bool try_region(const Shape& s, const Seeds& seeds, double t)
+  {
     Region r;
     r.shape = s;
     if (!grower_.settle(r, seeds, t)) return false;
@@ -74,7 +94,6 @@ public:
     return holds;
   }
 
-private:
   double first_tolerance(const Seeds& seeds) const
   {
     double width = c_.part.size;
@@ -118,9 +137,12 @@ private:
 
   void remember(const Region& r, bool holds)
   {
+    const bool is_doubt_excluded =
+      (r.shape.kind == Kind::sphere || r.shape.kind == Kind::torus) && r.inner_vertices >= 30;
     for (const Index p : r.patches) {
       known_[int(r.shape.kind)][p].push_back(number_);
       if (holds) has_region_[p] = true;
+      if (holds && is_doubt_excluded) is_settled_[p] = true;
     }
     ++number_;
     if (holds) regions_.push_back(r);
@@ -132,7 +154,7 @@ private:
   Evidence evidence_;
   std::vector<Region> regions_;
   std::vector<std::vector<Index>> known_[6]; // of a kind and patch: numbers of what has been tried
-  std::vector<bool> has_region_;
+  std::vector<bool> has_region_, is_settled_;
   Index number_ = 0;
 };
 

@@ -124,11 +124,45 @@ private:
 
   void find_planes()
   {
+    join_coplanar();
     std::vector<Index> planes;
     for (Index p = 0; p < c_.patches.size(); ++p)
       if (is_free(p) && c_.patches[p].is_planar && (borders_.is_prism(p) || stands_out(p)))
         planes.push_back(p);
-    for (const Index p : planes) make_plane(p);
+    for (const Index p : planes) make_plane({p});
+  }
+
+  // patches that are free and connected by joints of at most some angle
+  std::vector<std::vector<Index>> free_components(double greatest_angle) const
+  {
+    std::vector<std::vector<Index>> result;
+    std::vector<bool> is_taken(c_.patches.size(), false);
+    for (Index first = 0; first < c_.patches.size(); ++first) {
+      if (is_taken[first] || !is_free(first)) continue;
+      is_taken[first] = true;
+      std::vector<Index> component{first};
+      for (std::size_t i = 0; i < component.size(); ++i)
+        for (const Index number : c_.patches[component[i]].joints) {
+          const Joint& j = c_.patches.joints[number];
+          const Index q = j.other(component[i]);
+          if (is_taken[q] || !is_free(q) || j.angle > greatest_angle) continue;
+          is_taken[q] = true;
+          component.push_back(q);
+        }
+      result.push_back(component);
+    }
+    return result;
+  }
+
+  // Narrow planes of rounded points come in several patches.
+  void join_coplanar()
+  {
+    for (const std::vector<Index>& component : free_components(radians(3))) {
+      if (component.size() < 2) continue;
+      const Shape plane = plane_of(component);
+      if (Shape_fit::residual(plane, c_.points_of(c_.vertices_of(component))) <= 2 * c_.tolerance())
+        make_plane(component);
+    }
   }
   bool stands_out(Index p) const
   {
@@ -143,44 +177,35 @@ private:
     return largest == 0 || area >= 4 * largest ||
            (c_.patches[p].faces.size() >= 6 && area > largest);
   }
-  void make_plane(Index p)
+  Shape plane_of(const std::vector<Index>& patches) const
   {
-    const Patches::Patch& patch = c_.patches[p];
+    const std::vector<Vec3> points = c_.points_of(c_.vertices_of(patches));
     Shape s;
     s.kind = Kind::plane;
-    s.center = patch.mean;
-    s.axis = patch.normal;
+    for (const Vec3& p : points) s.center += (1 / double(points.size())) * p;
+    for (const Index p : patches) s.axis += c_.patches[p].area * c_.patches[p].normal;
+    s.axis = unit(s.axis);
     Covariance covariance;
-    for (const Index v : patch.vertices) covariance.add(c_.point(v) - patch.mean);
+    for (const Vec3& p : points) covariance.add(p - s.center);
     Shape fitted = s;
     fitted.axis = covariance.least_direction();
     if (dot(fitted.axis, s.axis) < 0) fitted.axis = -fitted.axis;
-    const std::vector<Vec3> points = c_.points_of(patch.vertices);
-    if (Shape_fit::residual(fitted, points) < Shape_fit::residual(s, points)) s = fitted;
-    set_label(p, new_label(s));
+    return Shape_fit::residual(fitted, points) < Shape_fit::residual(s, points) ? fitted : s;
+  }
+  void make_plane(const std::vector<Index>& patches)
+  {
+    const Index label = new_label(plane_of(patches));
+    for (const Index p : patches) set_label(p, label);
   }
 
   // over joints of at most 30 degrees; one or two facets are planes
   void join_unknown()
   {
-    std::vector<bool> is_taken(c_.patches.size(), false);
-    for (Index first = 0; first < c_.patches.size(); ++first) {
-      if (is_taken[first] || !is_free(first)) continue;
-      is_taken[first] = true;
-      std::vector<Index> component{first};
-      bool are_planar = true;
-      for (std::size_t i = 0; i < component.size(); ++i) {
-        are_planar = are_planar && c_.patches[component[i]].is_planar;
-        for (const Index number : c_.patches[component[i]].joints) {
-          const Joint& j = c_.patches.joints[number];
-          const Index q = j.other(component[i]);
-          if (is_taken[q] || !is_free(q) || j.angle > radians(30)) continue;
-          is_taken[q] = true;
-          component.push_back(q);
-        }
-      }
+    for (const std::vector<Index>& component : free_components(radians(30))) {
+      const bool are_planar = std::all_of(component.begin(), component.end(),
+                                          [&](Index p) { return c_.patches[p].is_planar; });
       if (are_planar && component.size() <= 2)
-        for (const Index p : component) make_plane(p);
+        for (const Index p : component) make_plane({p});
       else {
         const Index label = new_label(Shape());
         for (const Index p : component) set_label(p, label);

@@ -69,6 +69,8 @@ inline std::vector<Region> choose_regions(const Context& c, Found_regions& found
   std::stable_sort(all.begin(), all.end(), [&](const Region& a, const Region& b) {
     if (may_be_round(c, a) != may_be_round(c, b)) return may_be_round(c, a);
     if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
+    if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
+      return a.number_of_tangent_ends() > b.number_of_tangent_ends();
     if (a.shape.kind != b.shape.kind) return rank_of(a.shape.kind) < rank_of(b.shape.kind);
     if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
       return a.number_of_tangent_ends() > b.number_of_tangent_ends();

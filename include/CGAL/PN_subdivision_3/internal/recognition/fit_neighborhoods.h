@@ -35,16 +35,19 @@ public:
 
   void operator()()
   {
-    for (Index p = 0; p < c_.patches.size(); ++p)
-      for (int rings = 1; rings <= 3 && !found_.has_region(p); ++rings) {
-        const Seeds seeds = neighborhood(p, rings);
-        if (seeds.size() > 60) break;
-        if (seeds.size() < 3) continue;
-        points_ = c_.points_of(c_.vertices_of(seeds));
-        fit_sphere(seeds);
-        fit_cylinder(seeds);
-        fit_cone(seeds);
-      }
+    for (Index p = 0; p < c_.patches.size(); ++p) fit_at(p);
+  }
+  void fit_at(Index p)
+  {
+    for (int rings = 1; rings <= 3 && !found_.has_region(p); ++rings) {
+      const Seeds seeds = neighborhood(p, rings);
+      if (seeds.size() > 60) return;
+      if (seeds.size() < 3) continue;
+      points_ = c_.points_of(c_.vertices_of(seeds));
+      fit_sphere(seeds);
+      fit_cylinder(seeds);
+      fit_cone(seeds);
+    }
   }
 
 private:

@@ -58,7 +58,7 @@ inline void guess_by_apexes(const Context& c, Found_regions& found)
     const double height = std::cos(s.angle) * length / n;
     s.center = c.point(v) + height * s.axis;
     s.radius = height * std::tan(s.angle);
-    found.try_shape(s, seeds, true);
+    found.try_whole(s, seeds);
   }
 }
 
@@ -102,15 +102,19 @@ public:
 
   void operator()()
   {
-    for (Index k = 0; k < c_.patches.size(); ++k) {
-      std::vector<Index> smooth;
-      for (const Index j : c_.patches[k].joints)
-        if (c_.patches.joints[j].is_smooth) smooth.push_back(j);
-      if (smooth.size() > 8) continue;
-      for (std::size_t i = 0; i < smooth.size(); ++i)
-        for (std::size_t l = 0; l < i; ++l)
-          guess(k, c_.patches.joints[smooth[l]], c_.patches.joints[smooth[i]], smooth);
-    }
+    for (Index k = 0; k < c_.patches.size(); ++k) guess_at(k);
+  }
+  // with this one in the middle
+  void guess_at(Index k)
+  {
+    if (found_.is_settled(k)) return;
+    std::vector<Index> smooth;
+    for (const Index j : c_.patches[k].joints)
+      if (c_.patches.joints[j].is_smooth) smooth.push_back(j);
+    if (smooth.size() > 8) return;
+    for (std::size_t i = 0; i < smooth.size(); ++i)
+      for (std::size_t l = 0; l < i; ++l)
+        guess(k, c_.patches.joints[smooth[l]], c_.patches.joints[smooth[i]], smooth);
   }
 
 private:
@@ -220,7 +224,7 @@ private:
       s.kind = Kind::cone;
       s.angle = std::atan2(std::abs(rho), std::abs(z));
       if ((rho < 0) != (z < 0)) s.axis = -axis;
-      found_.try_shape(s, row, true);
+      found_.try_shape(s, row, Found_regions::Guess::may_be_fitted);
     }
     if (std::abs(rho) < 5e-2 * std::abs(z)) {
       s.kind = Kind::cylinder;
@@ -252,13 +256,13 @@ private:
     s.center = center + middle.y * axis;
     if (std::abs(middle.x) < 0.05 * r) {
       s.kind = Kind::sphere;
-      found_.try_shape(s, seeds, true);
+      found_.try_shape(s, seeds, Found_regions::Guess::may_be_fitted);
     }
     if (middle.x > 0.02 * r) {
       s.kind = Kind::torus;
       s.radius = middle.x;
       s.tube = r;
-      found_.try_shape(s, seeds, true);
+      found_.try_shape(s, seeds, Found_regions::Guess::may_be_fitted);
     }
   }
 

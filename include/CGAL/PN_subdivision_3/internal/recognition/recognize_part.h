@@ -23,6 +23,22 @@ namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
+// Some facets first, since in the large regions that they are in there is nothing left to guess.
+inline void find_regions(const Context& context, Found_regions& found)
+{
+  constexpr Index samples = 200;
+  Guess_by_rows by_rows(context, found);
+  Fit_neighborhoods by_fits(context, found);
+  for (Index p = 0; p < context.patches.size(); p += context.patches.size() / samples + 1) {
+    by_rows.guess_at(p);
+    by_fits.fit_at(p);
+  }
+  guess_by_apexes(context, found);
+  guess_by_rulings(context, found);
+  by_rows();
+  by_fits();
+}
+
 // All of it, in the frame of the part.
 inline Segments recognize_part(const Part& part, unsigned min_facets)
 {
@@ -30,10 +46,7 @@ inline Segments recognize_part(const Part& part, unsigned min_facets)
   const Patches patches = Make_patches(part, greatest)();
   const Context context{part, patches, greatest, min_facets};
   Found_regions found(context);
-  guess_by_apexes(context, found);
-  guess_by_rulings(context, found);
-  Guess_by_rows(context, found)();
-  Fit_neighborhoods(context, found)();
+  find_regions(context, found);
   std::vector<Region> regions = choose_regions(context, found);
   const std::vector<Index> prisms = Rounds(context, regions)();
   Region_borders borders(context, regions, prisms);
