@@ -53,7 +53,6 @@ inline int rank_of(Kind kind)
   return kind == Kind::cylinder ? 0 : kind == Kind::sphere ? 1 : kind == Kind::cone ? 2 : 3;
 }
 
-// Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
 // Else its facets are planes later, and must not be kept from what they may be.
 inline bool may_be_round(const Context& c, const Region& r)
 {
@@ -63,6 +62,7 @@ inline bool may_be_round(const Context& c, const Region& r)
          (r.number_of_tangent_ends() == 2 && step <= radians(61));
 }
 
+// Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
 inline std::vector<Region> choose_regions(const Context& c, Found_regions& found)
 {
   std::vector<Region> all = found.regions();
@@ -72,8 +72,6 @@ inline std::vector<Region> choose_regions(const Context& c, Found_regions& found
     if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
       return a.number_of_tangent_ends() > b.number_of_tangent_ends();
     if (a.shape.kind != b.shape.kind) return rank_of(a.shape.kind) < rank_of(b.shape.kind);
-    if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
-      return a.number_of_tangent_ends() > b.number_of_tangent_ends();
     return a.patches < b.patches; // patches are numbered in the order of their vertices
   });
   std::vector<bool> is_taken(c.patches.size(), false);
