@@ -252,9 +252,11 @@ private:
       result = (std::max)(result, std::abs(s.distance(c_.point(v))));
     return result;
   }
-  static double misfit(const Patches::Patch& patch, const Region& r)
+  // with what rounding does to the normal of a small patch
+  double misfit(const Patches::Patch& patch, const Region& r) const
   {
-    return angle_between(r.side * r.shape.normal(patch.mean), patch.normal) + radians(0.1);
+    return angle_between(r.side * r.shape.normal(patch.mean), patch.normal) + radians(0.1) +
+           std::atan(c_.tolerance() / patch.width);
   }
   double border_with(Index p, Index region) const
   {
