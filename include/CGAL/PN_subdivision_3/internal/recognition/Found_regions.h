@@ -110,10 +110,9 @@ private:
     return true;
   }
 
-  // A facet beside these is on the shape or tangent to it. Beside all facets at an apex there need be none.
+  // a facet beside these is on the shape or tangent to it
   bool goes_on(const Shape& s, const Seeds& seeds, double t) const
   {
-    if (seeds.size() > 4) return true;
     const int side = grower_.side_of(s, seeds[0]);
     for (const Index p : seeds)
       for (const Index number : c_.patches[p].joints) {

@@ -75,21 +75,20 @@ public:
     return result;
   }
 
-  // grows and fits by turns until nothing changes; whether there is a region
+  // Grows and fits by turns until nothing changes; whether there is a region. What was taken on a generous tolerance may
+  // have been too much, so that the fit leaves the seeds: then less of it.
   bool settle(Region& r, const std::vector<Index>& seeds, double t)
   {
     if (seeds.empty()) return false;
-    r.side = side_of(r.shape, seeds[0]);
-    std::vector<Index> before;
-    for (int k = 0; k < 8; ++k) {
-      r.patches = grow(r.shape, seeds, t, r.side);
-      if (r.patches.empty()) return false;
-      if (t <= c_.tolerance() && r.patches == before) break;
-      before = r.patches;
-      refit(r);
-      t = (std::max)(t / 10, c_.tolerance());
+    const Shape guess = r.shape;
+    r.side = side_of(guess, seeds[0]);
+    for (; t >= c_.tolerance(); t /= 8) {
+      r.shape = guess;
+      std::size_t first_size = 0;
+      if (settle_from(r, seeds, t, first_size)) return true;
+      if (first_size < 5) return false;
     }
-    return true;
+    return false;
   }
 
   // what must not be taken, for flats
@@ -112,6 +111,21 @@ public:
   }
 
 private:
+  bool settle_from(Region& r, const std::vector<Index>& seeds, double t, std::size_t& first_size)
+  {
+    std::vector<Index> before;
+    for (int k = 0; k < 8; ++k) {
+      r.patches = grow(r.shape, seeds, t, r.side);
+      if (k == 0) first_size = r.patches.size();
+      if (r.patches.empty()) return false;
+      if (t <= c_.tolerance() && r.patches == before) break;
+      before = r.patches;
+      refit(r);
+      t = (std::max)(t / 10, c_.tolerance());
+    }
+    return true;
+  }
+
   void begin()
   {
     ++now_;

@@ -155,27 +155,40 @@ private:
       if (taken.empty()) return;
     }
   }
+  // the one that it fits best
   Index absorbing_neighbor(Index p) const
   {
     Index best = null;
-    double longest = 0;
+    double least = 0;
     for (const Index number : c_.patches[p].joints) {
       const Joint& j = c_.patches.joints[number];
       const Index region = owner_[j.other(p)];
-      if (region == null || region == best || !j.is_smooth || !(j.length > longest)) continue;
-      if (!is_absorbed(p, region)) continue;
+      if (region == null || region == best || !j.is_smooth) continue;
+      const double angle = misfit(c_.patches[p], regions_[region]);
+      if ((best != null && !(angle < least)) || !is_absorbed(p, region)) continue;
       best = region;
-      longest = j.length;
+      least = angle;
     }
     return best;
   }
   bool is_absorbed(Index p, Index region) const
   {
     const Patches::Patch& patch = c_.patches[p];
-    if (is_cut_facet(patch, regions_[region])) return true;
+    if (is_cut_facet(patch, regions_[region]) || are_facets(patch, region)) return true;
     return may_be_facet(region, patch.vertices, patch.normal, patch.width, 3 * c_.tolerance()) &&
            midpoint_distance(regions_[region].shape, patch.faces) <=
              greatest_midpoint_distance(region);
+  }
+  // at the poles of spheres several faces are in one plane
+  bool are_facets(const Patches::Patch& patch, Index region) const
+  {
+    const Region& r = regions_[region];
+    if (patch.faces.size() > 8 || r.inner_vertices < 12) return false;
+    for (const Index f : patch.faces)
+      if (!may_be_facet(region, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
+                        2 * c_.tolerance()))
+        return false;
+    return midpoint_distance(r.shape, patch.faces) <= greatest_midpoint_distance(region);
   }
   // polyhedral Booleans leave vertices on chords
   bool is_cut_facet(const Patches::Patch& patch, const Region& r) const
@@ -239,9 +252,11 @@ private:
       result = (std::max)(result, std::abs(s.distance(c_.point(v))));
     return result;
   }
-  static double misfit(const Patches::Patch& patch, const Region& r)
+  // with what rounding does to the normal of a small patch
+  double misfit(const Patches::Patch& patch, const Region& r) const
   {
-    return angle_between(r.side * r.shape.normal(patch.mean), patch.normal) + radians(0.1);
+    return angle_between(r.side * r.shape.normal(patch.mean), patch.normal) + radians(0.1) +
+           std::atan(c_.tolerance() / patch.width);
   }
   double border_with(Index p, Index region) const
   {

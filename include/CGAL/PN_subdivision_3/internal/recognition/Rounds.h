@@ -95,11 +95,15 @@ private:
     const bool is_small = r.turn.positions.size() <= 12 && !r.turn.is_full;
     return share > 0.6 || (share > 0.25 && is_small);
   }
+  // to what is not so much larger that it is a plane
   bool goes_on(Index q) const
   {
     for (const Index number : c_.patches[q].joints) {
       const Joint& j = c_.patches.joints[number];
-      if (j.angle <= radians(30) && owner_[j.other(q)] == null) return true;
+      const Index next = j.other(q);
+      if (j.angle <= radians(30) && owner_[next] == null &&
+          c_.patches[next].area < 20 * c_.patches[q].area)
+        return true;
     }
     return false;
   }

@@ -47,7 +47,16 @@ public:
     , regions_(regions)
     , borders_(borders)
     , label_(context.part.number_of_faces(), null)
-  {}
+  {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index e = 0; e < c_.part.edges.size(); ++e) {
+      const Part::Edge& edge = c_.part.edges[e];
+      if (edge.g == null) continue;
+      pairs.emplace_back(edge.f, e);
+      pairs.emplace_back(edge.g, e);
+    }
+    edges_of_face_ = Lists(c_.part.number_of_faces(), pairs);
+  }
 
   Segments operator()()
   {
@@ -66,6 +75,7 @@ public:
     for (Index p = 0; p < c_.patches.size(); ++p)
       if (borders_.owners()[p] != null) set_label(p, borders_.owners()[p]);
     split();
+    relabel_faces();
     find_planes();
     join_unknown();
     give_slivers_away();
@@ -120,6 +130,47 @@ private:
       least = d;
     }
     return best;
+  }
+
+  // A face that is in one plane with facets of one round, but on another one with which it has more border.
+  void relabel_faces()
+  {
+    for (int round = 0; round < 4; ++round) {
+      std::vector<std::pair<Index, Index>> moved;
+      for (Index p = 0; p < c_.patches.size(); ++p)
+        if (c_.patches[p].faces.size() > 2 && !is_free(p))
+          for (const Index f : c_.patches[p].faces) {
+            const Index label = better_label(f);
+            if (label != label_[f]) moved.emplace_back(f, label);
+          }
+      for (const auto& m : moved) label_[m.first] = m.second;
+      if (moved.empty()) return;
+    }
+  }
+  Index better_label(Index f) const
+  {
+    Index best = label_[f];
+    for (const Index e : edges_of_face_[f]) {
+      const Index label = label_across(f, e);
+      if (label == null || label == best || !(border_with(f, label) > 1.05 * border_with(f, best)))
+        continue;
+      if (borders_.may_be_facet(label, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
+                                2 * c_.tolerance()))
+        best = label;
+    }
+    return best;
+  }
+  Index label_across(Index f, Index e) const
+  {
+    const Part::Edge& edge = c_.part.edges[e];
+    return label_[edge.f == f ? edge.g : edge.f];
+  }
+  double border_with(Index f, Index label) const
+  {
+    double length = 0;
+    for (const Index e : edges_of_face_[f])
+      if (label_across(f, e) == label) length += c_.part.length(c_.part.edges[e]);
+    return length;
   }
 
   void find_planes()
@@ -216,22 +267,14 @@ private:
   // Slivers, from the edge of what has labels: to the longest common border among the best.
   void give_slivers_away()
   {
-    std::vector<std::pair<Index, Index>> pairs;
     std::vector<Index> slivers;
-    for (Index e = 0; e < c_.part.edges.size(); ++e) {
-      const Part::Edge& edge = c_.part.edges[e];
-      if (edge.g == null) continue;
-      if (label_[edge.f] == null) pairs.emplace_back(edge.f, e);
-      if (label_[edge.g] == null) pairs.emplace_back(edge.g, e);
-    }
-    const Lists edges(c_.part.number_of_faces(), pairs);
     for (Index f = 0; f < label_.size(); ++f)
       if (label_[f] == null) slivers.push_back(f);
     for (int quality = 0; quality < 4 && !slivers.empty();) {
       std::vector<std::pair<Index, Index>> given;
       std::vector<Index> rest;
       for (const Index f : slivers) {
-        const Index label = label_for_sliver(f, edges[f], quality);
+        const Index label = label_for_sliver(f, quality);
         if (label == null)
           rest.push_back(f);
         else
@@ -245,12 +288,12 @@ private:
     const Index label = new_label(Shape()); // components of nothing but slivers
     for (const Index f : slivers) label_[f] = label;
   }
-  Index label_for_sliver(Index f, const Lists::Range& edges, int quality) const
+  Index label_for_sliver(Index f, int quality) const
   {
     std::vector<std::pair<Index, double>> borders;
-    for (const Index e : edges) {
+    for (const Index e : edges_of_face_[f]) {
       const Part::Edge& edge = c_.part.edges[e];
-      const Index label = label_[edge.f == f ? edge.g : edge.f];
+      const Index label = label_across(f, e);
       if (label == null || !is_good_for(f, labels_[label].shape, quality)) continue;
       auto it = borders.begin();
       while (it != borders.end() && it->first != label) ++it;
@@ -341,6 +384,7 @@ private:
   const Context& c_;
   const std::vector<Region>& regions_;
   const Region_borders& borders_;
+  Lists edges_of_face_;
   std::vector<Index> label_;
   std::vector<Segments::Segment> labels_;
 };

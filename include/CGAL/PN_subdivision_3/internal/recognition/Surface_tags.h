@@ -65,9 +65,11 @@ public:
     return is_known(level_.face(h)) ? normal_of_surface(h) : normal_beside_surfaces(h);
   }
 
+  // between the normals of faces
+  double angle(Index f, Index g) const { return angle_between(normal_[f], normal_[g]); }
+
 private:
   const Vec3& point(Index v) const { return part_.points[part_.rank_of_vertex[v]]; }
-  double angle(Index f, Index g) const { return angle_between(normal_[f], normal_[g]); }
 
   template <class Function>
   void for_each_corner(Index v, const Function& function) const

@@ -229,7 +229,7 @@ private:
     if (std::abs(rho) < 5e-2 * std::abs(z)) {
       s.kind = Kind::cylinder;
       s.axis = axis;
-      found_.try_shape(s, row);
+      found_.try_shape(s, row, Found_regions::Guess::may_be_fitted);
     }
   }
 
