@@ -70,7 +70,8 @@ inline auto iterations(int number)
 The functions of `CGAL::Subdivision_method_3`, with the same signatures, by this package: a program changes an
 `#include` and a namespace. The connectivity is the same, the order of the vertices, too, and points are by not more than
 8 &middot; 2<sup>-52</sup> of the box of the points away from those of \cgal. (Of `DooSabin_subdivision()` and `DQQ()` the order is that in a
-`Polyhedron_3`; in a `Surface_mesh` \cgal's own fills removed slots again from the second round on, and leaves others behind.)
+`Polyhedron_3` whose border vertices have a half-edge on the border; in a `Surface_mesh` \cgal's own fills removed slots again from the
+second round on, and leaves others behind.)
 
 With a `vertex_normal_map` the point-normal schemes are applied, without it the linear ones: no normals are estimated. All other
 named parameters of `PN_subdivision_3::subdivide()` serve here as there, sharp edges by `edge_is_constrained_map` among them.

@@ -219,7 +219,7 @@ void compare_with_cgal(const std::function<void(Mesh&, unsigned)>& refine)
   std::size_t compared = 0;
   for (const Control_mesh& control : control_meshes<Scheme>())
     for (unsigned rounds = 1; rounds <= 3; ++rounds) {
-      if (rounds == 3 && control.faces.size() > 60) continue;
+      if (rounds == 3 && control.faces.size() > 24) continue;
       SCOPED_TRACE(control.name + ", rounds " + std::to_string(rounds));
       Mesh mine = built<Mesh>(control);
       if (std::is_same_v<Scheme, Sqrt_3> && rounds > 1 && most_border_edges_of_a_face(mine) > 1)

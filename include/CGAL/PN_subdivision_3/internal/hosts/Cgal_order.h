@@ -38,6 +38,13 @@ public:
   }
   Index face(Index f) const { return face_.empty() ? f : face_[f]; }
   Index vertex(Index v) const { return vertex_.empty() ? v : vertex_[v]; }
+  // where face f begins, which would begin at h
+  Index halfedge_of_face(Index f, Index h) const
+  {
+    if (!start_.empty()) return halfedge(start_[f]);
+    // the middle triangle at a refined border edge begins at the second of the inner edges of its face
+    return halfedge(h >= first_inner_of_sqrt3_ ? h - 2 : h);
+  }
 
   // Every edge is split in its order, and a face then begins at its last half-edge, c_0, the others following. The
   // new vertices of c_1 and c_2 are joined, that edge is split by the new vertex of the face, which is joined to those
@@ -45,6 +52,7 @@ public:
   void number(const PQQ_host&, const Level_connectivity& level, bool)
   {
     set_room(2 * level.number_of_edges(), level.size().corners, level.size().corners);
+    start_.resize(face_.size(), boost::container::default_init);
     const Index faces = level.number_of_faces();
     Index corner = 0;
     for (Index f = 0; f < faces; ++f) {
@@ -54,10 +62,9 @@ public:
         const Index j = start.turned(k);
         const Index spoke = corner + (j == 0 ? m - 1 : j - 1);
         halfedge_[corner + k] = 2 * (first_ + spoke) + (j == 2 ? 1 : 0);
-        face_[k == 0 ? f : later + k - 1] = j == 2   ? f
-                                            : j == 1 ? later
-                                            : j == 0 ? later + m - 2
-                                                     : later + j - 2;
+        const Index quad = k == 0 ? f : later + k - 1, next = k + 1 == m ? 0 : k + 1;
+        face_[quad] = j == 2 ? f : j == 1 ? later : j == 0 ? later + m - 2 : later + j - 2;
+        start_[quad] = 2 * (first_ + corner + (j < 2 ? k : next)) + (j < 2 ? 1 : 0);
       }
       corner += m;
     }
@@ -68,6 +75,7 @@ public:
   {
     const Index faces = level.number_of_faces();
     set_room(2 * level.number_of_edges(), 3 * std::size_t(faces), 4 * std::size_t(faces));
+    start_.resize(face_.size(), boost::container::default_init);
     for (Index f = 0; f < faces; ++f) {
       const Start start(level, f);
       face_[f] = f;
@@ -75,6 +83,8 @@ public:
         const Index n = (start.turned(i) + 2) % 3;
         halfedge_[3 * f + i] = 2 * (first_ + 3 * f + n) + 1;
         face_[faces + 3 * f + i] = faces + 3 * f + n;
+        start_[faces + 3 * f + i] = 2 * (first_ + 3 * f + i);
+        if (n == 2) start_[f] = start_[faces + 3 * f + i] + 1;
       }
     }
   }
@@ -86,6 +96,7 @@ public:
     const Level_size size =
       Sqrt3_host::refined_size(level.size(), host.has_refined_border() ? 2 : 1);
     set_room(0, size.edges, size.faces);
+    first_inner_of_sqrt3_ = 2 * level.number_of_edges();
     for (Index e = 0; e < level.number_of_edges(); ++e) halfedge_[e] = 2 * e;
     split_triangles(level, host.has_refined_border());
     if (!recycles) append_flipped(level);
@@ -215,7 +226,9 @@ private:
   }
 
   Index first_ = 0; // the edges before it keep their numbers
+  Index first_inner_of_sqrt3_ = Level_connectivity::null;
   Table halfedge_, face_, vertex_;
+  Table start_; // of the faces, in half-edges of the host
 };
 
 } // namespace internal

@@ -11,13 +11,10 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Element_parent.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Cgal_order.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <boost/container/vector.hpp>
-
-#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -30,11 +27,9 @@ class Reordered_child
 public:
   using Index = Level_connectivity::Index;
 
-  // first_inner_halfedge: see set_halfedge_of_face()
-  Reordered_child(Child& child, const Cgal_order& order, Index first_inner_halfedge)
+  Reordered_child(Child& child, const Cgal_order& order)
     : child_(child)
     , order_(order)
-    , first_inner_halfedge_(first_inner_halfedge)
   {}
 
   void set_next(Index h, Index n) { child_.set_next(order_.halfedge(h), order_.halfedge(n)); }
@@ -46,18 +41,14 @@ public:
   {
     child_.set_halfedge_of_vertex(order_.vertex(v), order_.halfedge(h));
   }
-  // Of sqrt(3), the triangle between the parts of a refined border edge begins at the edge from its last corner, which
-  // is the one before.
   void set_halfedge_of_face(Index f, Index h)
   {
-    child_.set_halfedge_of_face(order_.face(f),
-                                order_.halfedge(h >= first_inner_halfedge_ ? h - 2 : h));
+    child_.set_halfedge_of_face(order_.face(f), order_.halfedge_of_face(f, h));
   }
 
 private:
   Child& child_;
   const Cgal_order& order_;
-  const Index first_inner_halfedge_;
 };
 
 // A host whose children have the numbers of CGAL's. `recycles`: whether the mesh puts new elements in the places of removed
@@ -70,8 +61,6 @@ public:
 
   Cgal_ordered_host(const Level_connectivity& level, unsigned round)
     : Host(level, round)
-    , first_inner_halfedge_(std::is_same_v<Host, Sqrt3_host> ? 2 * level.number_of_edges()
-                                                             : Level_connectivity::null)
   {
     order_.number(static_cast<const Host&>(*this), level, recycles);
     if constexpr (!Host::keeps_vertices) {
@@ -93,14 +82,13 @@ public:
   template <class Child, class For_chunks>
   void connect(Child& child, const For_chunks& for_chunks) const
   {
-    Reordered_child<Child> reordered(child, order_, first_inner_halfedge_);
+    Reordered_child<Child> reordered(child, order_);
     Host::connect(reordered, for_chunks);
   }
 
 private:
   Index base_vertex(Index v) const { return base_vertex_.empty() ? v : base_vertex_[v]; }
 
-  const Index first_inner_halfedge_;
   Cgal_order order_;
   boost::container::vector<Index> base_vertex_; // empty if all have the same number
 };
