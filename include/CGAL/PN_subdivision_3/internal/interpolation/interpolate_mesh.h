@@ -151,6 +151,10 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   check_scheme(scheme, level, access);
+  if (!limit_neighborhood(scheme).has_tangent_planes)
+    throw std::invalid_argument("PN_subdivision_3: surfaces of " + name_in_message(scheme) +
+                                " pass through the control points as they are, and have no "
+                                "tangent planes there: nothing is left to interpolate");
   refuse_interpolated_creases(scheme, access, level, Parameters::edge_constraint_map(np),
                               Parameters::vertex_constraint_map(np));
   Interpolation_data<3> data = read_points_and_normals<FT>(
