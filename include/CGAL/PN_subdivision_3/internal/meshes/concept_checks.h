@@ -44,13 +44,14 @@ struct Used_parameters
 
 // add here what a function learns to use
 using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
-using Limit_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::vertex_normal_map_t, vertex_roundness_map_t, roundness_t>;
+using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                                         internal_np::vertex_normal_map_t, vertex_roundness_map_t,
+                                         roundness_t, control_normal_estimate_t>;
 using Creased_limit_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
+                  control_normal_estimate_t>;
 using Interpolation_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
@@ -59,7 +60,8 @@ using Subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
                   internal_np::visitor_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
+                  control_normal_estimate_t>;
 
 template <class Used, class NamedParameters>
 constexpr bool are_used_v = true;
@@ -379,7 +381,8 @@ constexpr bool check_subdivision_parameters()
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "vertex_roundness_map, roundness, geom_traits, visitor");
+                          "vertex_roundness_map, roundness, control_normal_estimate, geom_traits, "
+                          "visitor");
   using Iterations =
     typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
                                                  NamedParameters, unsigned>::type;
@@ -504,10 +507,11 @@ template <class Mesh, class Normal_map, class NamedParameters>
 constexpr bool check_estimation_arguments()
 {
   using Used = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                               vertex_roundness_map_t>;
+                               vertex_roundness_map_t, control_normal_estimate_t>;
   constexpr bool are_used = are_used_v<Used, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, vertex_roundness_map, geom_traits");
+                          "those that are: vertex_point_map, vertex_roundness_map, "
+                          "control_normal_estimate, geom_traits");
   if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
     return false;
   else {
