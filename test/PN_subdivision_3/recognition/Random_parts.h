@@ -19,12 +19,23 @@ namespace synthetic_parts {
 class Random_part
 {
 public:
-  enum class Family { prism, plate, shaft, bolt, nut, elbow, rounded_box, flats };
-  static constexpr int number_of_families = 8;
+  enum class Family {
+    prism,
+    plate,
+    shaft,
+    bolt,
+    nut,
+    elbow,
+    rounded_box,
+    flats,
+    few_sides,
+    cut_box
+  };
+  static constexpr int number_of_families = 10;
   static const char* name_of(Family f)
   {
-    static const char* const names[] = {"prism", "plate", "shaft",       "bolt",
-                                        "nut",   "elbow", "rounded box", "flats"};
+    static const char* const names[] = {"prism", "plate",       "shaft", "bolt",      "nut",
+                                        "elbow", "rounded box", "flats", "few sides", "cut box"};
     return names[static_cast<int>(f)];
   }
 
@@ -74,6 +85,10 @@ private:
       return make_rounded_box();
     case Family::flats:
       return make_flats();
+    case Family::few_sides:
+      return make_few_sides();
+    case Family::cut_box:
+      return make_cut_box();
     }
   }
 
@@ -229,8 +244,8 @@ private:
     const double h = random_(0.4, 0.8), r = random_(0.15, 0.3);
     Part_builder b("", random_, are_triangles_);
     const Chain profile = profile_of_plate(h, 0.5 * r);
-    // corners of tori have three facets or more either way
-    const int least = profile.pieces.back().is_arc ? 3 : 2;
+    // corners of tori and cones have three facets or more
+    const int least = profile.pieces.size() > 1 ? 3 : 2;
     const auto side = b.sweep(side_of_plate(nx + 0.4, ny + 0.4, r, least), profile);
     std::vector<Rim> bottom{side.start}, top{side.end};
     for (int i = 0; i < nx; ++i)
@@ -409,6 +424,81 @@ private:
       b.cap({end.end});
     }
     part_ = b.take();
+  }
+
+  // What is turned with less than eight sides is of planes.
+  void make_few_sides()
+  {
+    is_small_prism_ = true;
+    const int n = random_.integer(3, 7);
+    const double inner = std::cos(pi / n);
+    Chain c(-random_(0, 0.3), 0);
+    double z = 0;
+    for (int k = random_.integer(1, 4); k > 0; --k) {
+      const double d = c.points.back()[0];
+      z += random_(0.3, 1);
+      c.line_to(d, z, line());
+      if (k == 1) break;
+      // a step, or a chamfer: it meets the sides, and its sides each other, at more than 31 degrees
+      const double next = d < -0.3 * inner ? d + random_(0.1, 0.2) : d - random_(0.1, 0.2);
+      if (random_.chance(0.5))
+        c.line_to(next, z);
+      else {
+        z += random_(1, 1.6) * std::abs(next - d);
+        c.line_to(next, z);
+      }
+    }
+    Part_builder b("", random_, are_triangles_);
+    const auto side = b.sweep(regular_polygon(n, 0, 0, 1, false, random_(0, 1)), c);
+    std::vector<Rim> bottom{side.start}, top{side.end};
+    if (random_.chance(0.4)) {
+      const auto bore = b.sweep(regular_polygon(random_.integer(3, 7), 0, 0, 0.1, true),
+                                Chain(0, 0).line_to(0, c.points.back()[1], line()));
+      bottom.push_back(bore.start);
+      top.push_back(bore.end);
+    }
+    b.cap(bottom);
+    b.cap(top);
+    part_ = b.take();
+  }
+
+  // fillets and chamfers along z, both ends at any angle
+  void make_cut_box()
+  {
+    Convex_builder b;
+    const double x = random_(1, 3), y = random_(1, 3), r = random_(0.1, 0.4);
+    b.add_plane({random_(-0.3, 0.3), random_(-0.3, 0.3), -1}, {0, 0, -1});
+    b.add_plane({random_(-0.3, 0.3), random_(-0.3, 0.3), 1}, {0, 0, 2});
+    const std::array<double, 4> sx{1, 0, 0, 1}, sy{1, 1, 0, 0};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double t = static_cast<double>(i) * pi / 2;
+      const Vec corner{sx[i] * x, sy[i] * y, 0};
+      b.add_plane({std::cos(t), std::sin(t), 0}, corner);
+      const double u = 2 * sx[i] - 1, v = 2 * sy[i] - 1;
+      const int form = random_.integer(0, 2);
+      if (form == 1) b.add_plane({u, v, 0}, {corner[0] - u * r, corner[1], 0});
+      if (form == 2)
+        b.add_fillet(corner[0] - u * r, corner[1] - v * r, r, static_cast<double>(i) * 90, 90,
+                     static_cast<int>(part_of_turn(90).size()) - 1);
+    }
+    part_ = b.take("");
+    if (are_triangles_) part_ = cut_into_triangles(part_);
+  }
+  Part cut_into_triangles(const Part& part)
+  {
+    Part result = part;
+    result.faces.clear();
+    result.surface_of_face.clear();
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
+      std::vector<std::size_t> face = part.faces[f];
+      std::rotate(face.begin(),
+                  face.begin() + random_.integer(0, static_cast<int>(face.size()) - 1), face.end());
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        result.faces.push_back({face[0], face[i - 1], face[i]});
+        result.surface_of_face.push_back(part.surface_of_face[f]);
+      }
+    }
+    return result;
   }
 
   Random random_;

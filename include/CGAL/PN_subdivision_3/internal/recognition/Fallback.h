@@ -61,7 +61,6 @@ Surface_fallback never_worse_than_linear(const FaceGraph& mesh, FacePatchMap pat
     recognition::Linear_guard guard(read.level, read.part, kept, patches,
                                     recognition::radians(options.sharp_angle));
     guard();
-    surfaces = std::move(kept);
     for (Index e = 0; e < read.level.number_of_edges(); ++e)
       put(edge_map, access.edge_at(e), bool(guard.creases()[e]));
     for (Index h = 0; h < read.level.number_of_halfedges(); ++h) {
@@ -81,6 +80,7 @@ Surface_fallback never_worse_than_linear(const FaceGraph& mesh, FacePatchMap pat
     result.wedges_set_back = guard.wedges_set_back();
     result.high_faces.assign(guard.high_faces().begin(), guard.high_faces().end());
     result.unknown_share_of_area = guard.unknown_share_of_area();
+    surfaces = std::move(kept);
   });
   return result;
 }
