@@ -10,15 +10,17 @@
 
 import { History } from "./history";
 import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
-import { deviation, roundShapeThrough } from "./round_shapes";
+import { bestSphere, deviation, roundShapeThrough } from "./round_shapes";
 import { withCreases } from "./selection";
-import { endOfColors, type Shading } from "./shading";
+import { endOfColors, endOfRelative, relativeToMean, type Shading } from "./shading";
 import type { Layout, Selection, Viewer } from "./viewer";
 
 export interface Settings {
   scheme: string;
   rounds: number;
   layout: Layout;
+  /** Where the linear surface ends in the view, from 0 to 1. */
+  split: number;
   shading: Shading;
   limit: boolean;
   showControl: boolean;
@@ -38,10 +40,11 @@ export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>)
   const result: Partial<Settings> = {};
   if (typeof given.scheme === "string") result.scheme = given.scheme;
   if (typeof given.rounds === "number" && given.rounds >= 0) result.rounds = Math.min(7, Math.floor(given.rounds));
-  const layout = (["pn", "linear", "both"] as const).find((name) => name === given.layout);
+  const layout = (["pn", "linear", "both", "split"] as const).find((name) => name === given.layout);
   if (layout) result.layout = layout;
-  const shading = (["smooth", "zebra", "gaussian", "mean"] as const).find((name) => name === given.shading);
+  const shading = (["smooth", "zebra", "gaussian", "mean", "relative"] as const).find((name) => name === given.shading);
   if (shading) result.shading = shading;
+  if (typeof given.split === "number" && given.split >= 0) result.split = Math.min(1, given.split);
   for (const name of ["limit", "showControl", "showNormals"] as const)
     if (typeof given[name] === "boolean") result[name] = given[name];
   return result;
@@ -76,6 +79,7 @@ export class Editor {
     scheme: "catmull-clark",
     rounds: 4,
     layout: "both",
+    split: 0.5,
     shading: "smooth",
     limit: false,
     showControl: true,
@@ -91,6 +95,7 @@ export class Editor {
   private frame = 0;
   private beforeDrag: Version | undefined; // until something is dragged
   private hasDragged = false;
+  private beforeSlide: Version | undefined;
 
   constructor(
     private readonly modeler: Modeler,
@@ -189,11 +194,36 @@ export class Editor {
     this.changed();
   }
 
-  frameAll(keepDirection = false): void {
-    this.viewer.frameAll([this.shownHandles.points, this.shownSurface.positionsView()], keepDirection);
+  /** Where the two surfaces of one view meet. */
+  setSplit(split: number, isFinal: boolean): void {
+    this.settings.split = split;
+    this.viewer.setLayout(this.settings.layout, split);
+    this.onChange?.(isFinal);
+  }
+
+  /** From the usual direction, or from another one. */
+  frameAll(direction?: Triple): void {
+    this.viewer.frameAll([this.shownHandles.points, this.shownSurface.positionsView()], direction);
   }
 
   // --- changes of the mesh ---
+
+  /** That of all vertices, if it is the same. */
+  get roundness(): number | undefined {
+    const { roundness } = this.mesh.state();
+    if (!roundness) return 1;
+    return roundness.every((w) => w === roundness[0]) ? roundness[0] : undefined;
+  }
+
+  /** While a slider moves it is one change. */
+  slideRoundness(w: number, isLast: boolean): void {
+    if (!this.beforeSlide) this.history.remember((this.beforeSlide = this.version()));
+    this.mesh.setRoundness(w);
+    this.replace(this.mesh, this.settings);
+    if (!isLast) return;
+    this.beforeSlide = undefined;
+    this.changed();
+  }
 
   /** A change that is done at once. */
   change(change: (mesh: ControlMesh) => void): void {
@@ -312,7 +342,7 @@ export class Editor {
     const origin = this.originFor(split);
     try {
       for (const isLinear of [false, true])
-        if (wanted.layout === "both" || (wanted.layout === "linear") === isLinear)
+        if (hasTwoSurfaces(wanted.layout) || (wanted.layout === "linear") === isLinear)
           made.set(isLinear, this.modeler.refine(split, wanted.scheme, rounds, isLinear, ...origin));
     } catch (error) {
       for (const surface of made.values()) surface.delete();
@@ -385,11 +415,11 @@ export class Editor {
   /** Limit points and curvatures are left for the end of a drag where they take long. */
   private show(isLast: boolean, milliseconds?: number): void {
     const { limit, shading } = this.settings;
-    const curved = shading === "gaussian" || shading === "mean";
+    const curved = isCurvature(shading);
     for (const [isLinear, surface] of this.surfaces) {
       const pane = this.viewer.pane(isLinear);
       if (limit && this.canShowLimit && (isLast || this.cost.limit < whileDragging))
-        this.cost.limit = timeOf(() => surface.showLimit());
+        this.cost.limit = timeOf(() => surface.showLimit(this.mesh));
       else if (!limit || !this.canShowLimit) surface.hideLimit();
       pane.setVertices(surface.positionsView(), surface.normalsView());
     }
@@ -397,14 +427,15 @@ export class Editor {
       const values = new Map<boolean, Float32Array>();
       this.cost.curvature = timeOf(() => {
         for (const [isLinear, surface] of this.surfaces)
-          values.set(isLinear, surface.curvature(shading === "gaussian"));
+          values.set(isLinear, surface.curvature(shading !== "mean"));
       });
       // the colors are those of the surface that is looked at, so that both views can be compared
       const pn = values.get(false) ?? values.get(true)!;
-      this.colorEnd = endOfColors([pn], this.size, shading);
-      for (const [isLinear, array] of values) this.viewer.pane(isLinear).setValues(array);
+      this.colorEnd = shading === "relative" ? endOfRelative : endOfColors([pn], this.size, shading);
+      for (const [isLinear, array] of values)
+        this.viewer.pane(isLinear).setValues(shading === "relative" ? relativeToMean(array) : array);
     }
-    this.viewer.setLayout(this.settings.layout);
+    this.viewer.setLayout(this.settings.layout, this.settings.split);
     this.viewer.setShading(shading, this.colorEnd);
     this.viewer.setVisible(this.settings.showControl, this.settings.showNormals);
     this.viewer.setSize(this.size / 2);
@@ -416,17 +447,20 @@ export class Editor {
     this.onChange?.(false);
   }
 
-  /** How far the surfaces are from the sphere that the control points are on, if they are on one. */
+  /** How much the radii of each surface differ, about the sphere that fits it best, if the control points are on one. */
   private deviations(isLast: boolean): string {
-    const sphere = isLast ? roundShapeThrough(this.handles.points, 3) : undefined;
-    if (!sphere) return "";
-    const parts = [...this.surfaces].map(
-      ([isLinear, surface]) =>
-        `${isLinear ? "linear" : "point-normal"} ${deviation(surface.points(), sphere.center, sphere.radius).toExponential(0)}`,
-    );
-    return ` · distance from the sphere in radii: ${parts.join(", ")}`;
+    if (!isLast || !roundShapeThrough(this.handles.points, 3)) return "";
+    const parts = [...this.surfaces].reverse().map(([isLinear, surface]) => {
+      const points = surface.points();
+      const { center, radius } = bestSphere(points);
+      return `${isLinear ? "linear" : "point-normal"} ±${share(deviation(points, center, radius))}`;
+    });
+    return ` · radii about the best sphere: ${parts.join(", ")}`;
   }
 
+  get showsLimit(): boolean {
+    return this.settings.limit && this.canShowLimit;
+  }
   get canShowLimit(): boolean {
     return this.scheme.hasLimitPoints && this.mesh.numberOfSharpEdges() === 0;
   }
@@ -449,6 +483,18 @@ function boxOf(points: Float64Array): { center: Triple; size: number } {
 
 function isTriple(values: Float64Array, i: number, triple: number[]): boolean {
   return triple.every((x, k) => values[3 * i + k] === x);
+}
+
+function hasTwoSurfaces(layout: Layout): boolean {
+  return layout === "both" || layout === "split";
+}
+function isCurvature(shading: Shading): boolean {
+  return shading === "gaussian" || shading === "mean" || shading === "relative";
+}
+
+/** A small number in hundredths, one that is rounding with its power of ten. */
+function share(x: number): string {
+  return x < 1e-6 ? x.toExponential(0) : `${(100 * x).toPrecision(2)} %`;
 }
 
 function timeOf(work: () => void): number {

@@ -10,16 +10,28 @@
 
 import type { Faces } from "./modeler";
 
-/** A binary PLY file with all digits; normals are left out where there are none. */
-export function plyFile(points: Float64Array, normals: Float64Array, faces: Faces): Uint8Array {
+export interface PlyVertices {
+  points: Float64Array;
+  /** Left out where there are none. */
+  normals: Float64Array;
+  /** Left out where it is 1. */
+  roundness?: Float64Array;
+}
+
+/** A binary PLY file with all digits. The kind of the normals is said as the command says it. */
+export function plyFile(of: PlyVertices, faces: Faces, kind: "control normals" | "normals of the surface"): Uint8Array {
+  const { points, normals, roundness } = of;
   const vertices = points.length / 3;
   const hasNormals = normals.length === points.length;
   const hasShortFaces = faces.degrees.every((degree) => degree < 256);
+  const hasRoundness = hasNormals && roundness?.length === vertices;
+  const names = ["x", "y", "z", ...(hasNormals ? ["nx", "ny", "nz"] : []), ...(hasRoundness ? ["roundness"] : [])];
   const header = [
     "ply",
     "format binary_little_endian 1.0",
+    ...(hasNormals ? [`comment ${kind}`] : []),
     `element vertex ${vertices}`,
-    ...["x", "y", "z", ...(hasNormals ? ["nx", "ny", "nz"] : [])].map((name) => `property double ${name}`),
+    ...names.map((name) => `property double ${name}`),
     `element face ${faces.degrees.length}`,
     `property list ${hasShortFaces ? "uchar" : "uint"} uint vertex_indices`,
     "end_header\n",
@@ -27,7 +39,7 @@ export function plyFile(points: Float64Array, normals: Float64Array, faces: Face
   const head = new TextEncoder().encode(header);
   const sizeOfDegree = hasShortFaces ? 1 : 4;
   const size =
-    head.length + vertices * (hasNormals ? 48 : 24) + faces.degrees.length * sizeOfDegree + 4 * faces.corners.length;
+    head.length + vertices * 8 * names.length + faces.degrees.length * sizeOfDegree + 4 * faces.corners.length;
   const bytes = new Uint8Array(size);
   bytes.set(head);
   const view = new DataView(bytes.buffer);
@@ -39,6 +51,7 @@ export function plyFile(points: Float64Array, normals: Float64Array, faces: Face
   for (let v = 0; v < vertices; ++v) {
     for (let k = 0; k < 3; ++k) put(points[3 * v + k]);
     if (hasNormals) for (let k = 0; k < 3; ++k) put(normals[3 * v + k]);
+    if (hasRoundness) put(roundness[v]);
   }
   let corner = 0;
   for (const degree of faces.degrees) {

@@ -10,7 +10,7 @@
 
 import * as THREE from "three";
 
-export type Shading = "smooth" | "zebra" | "gaussian" | "mean";
+export type Shading = "smooth" | "zebra" | "gaussian" | "mean" | "relative";
 
 export interface Theme {
   background: string;
@@ -107,6 +107,15 @@ export function setShading(material: THREE.ShaderMaterial, shading: Shading, sca
 export function setTheme(material: THREE.ShaderMaterial, theme: Theme): void {
   material.uniforms.surface.value.set(theme.surface);
   material.uniforms.inside.value.set(theme.inside);
+}
+
+/** The end of the colors of curvatures relative to their mean: this much less and more. */
+export const endOfRelative = 0.4;
+
+/** How much each value differs from the mean of all, as a share of it. */
+export function relativeToMean(values: Float32Array): Float32Array {
+  const mean = values.reduce((sum, x) => sum + x, 0) / Math.max(1, values.length);
+  return values.map((x) => x / mean - 1);
 }
 
 /** The value at the end of the colors: nine tenths of the vertices are within. What is flat but for rounding stays so. */

@@ -197,7 +197,12 @@ function graphicsOfBrowser(): "none" | "software" | "hardware" {
   return /swiftshader|llvmpipe|software/i.test(renderer) ? "software" : "hardware";
 }
 
-export type Layout = "pn" | "linear" | "both";
+export type Layout = "pn" | "linear" | "both" | "split";
+
+/** Where the two surfaces of one view meet: the middle of a slider's thumb of 28 pixels. */
+export function splitPlace(share: number, width: number): number {
+  return 14 + share * (width - 28);
+}
 
 export class Viewer {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
@@ -209,6 +214,7 @@ export class Viewer {
   private readonly pn: Pane;
   private readonly linear: Pane;
   private layout: Layout = "both";
+  private split = 0.5;
   private radius = 1;
   private normalLength = 1;
   private frame = 0;
@@ -248,8 +254,9 @@ export class Viewer {
     this.requestDraw();
   }
 
-  setLayout(layout: Layout): void {
+  setLayout(layout: Layout, split: number): void {
     this.layout = layout;
+    this.split = split;
     this.requestDraw();
   }
 
@@ -276,17 +283,20 @@ export class Viewer {
     this.requestDraw();
   }
 
-  /** Looks at everything from the usual direction, or from that of now. */
-  frameAll(pointLists: ArrayLike<number>[], keepDirection = false): void {
+  /** Where the eye is, from what it looks at. */
+  get direction(): [number, number, number] {
+    return this.camera.position.clone().sub(this.controls.target).toArray();
+  }
+
+  /** Looks at everything from the usual direction, or another one. */
+  frameAll(pointLists: ArrayLike<number>[], wanted?: [number, number, number]): void {
     const box = new THREE.Box3();
     const p = new THREE.Vector3();
     for (const points of pointLists)
       for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
     const sphere = box.getBoundingSphere(new THREE.Sphere());
     this.radius = sphere.radius || 1;
-    const direction = keepDirection
-      ? this.camera.position.clone().sub(this.controls.target).normalize()
-      : new THREE.Vector3(0.62, -1, 0.62).normalize();
+    const direction = new THREE.Vector3(...(wanted ?? ([0.62, -1, 0.62] as const))).normalize();
     const center = box.getCenter(new THREE.Vector3());
     const aspect = this.paneSize().x / Math.max(1, this.paneSize().y);
     const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
@@ -348,7 +358,8 @@ export class Viewer {
     const inX = isSecond && !this.isStacked() ? x - size.x : x;
     const inY = isSecond && this.isStacked() ? y - size.y : y;
     const ndc = new THREE.Vector2((2 * inX) / size.x - 1, 1 - (2 * inY) / size.y);
-    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) };
+    const isLeft = this.layout === "split" && x < splitPlace(this.split, size.x);
+    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) || isLeft };
   }
 
   /** Where a point is in a pane, in CSS pixels from its middle, and how far away. */
@@ -356,6 +367,16 @@ export class Viewer {
     const size = this.paneSize();
     const projected = p.clone().project(this.camera);
     return { x: (projected.x * size.x) / 2, y: (-projected.y * size.y) / 2, depth: projected.z };
+  }
+
+  /** The middle of a pane on the canvas, in CSS pixels. */
+  middleOf(isLinear: boolean): { x: number; y: number } {
+    const size = this.paneSize();
+    const isSecond = this.layout === "both" && !isLinear;
+    return {
+      x: size.x / 2 + (isSecond && !this.isStacked() ? size.x : 0),
+      y: size.y / 2 + (isSecond && this.isStacked() ? size.y : 0),
+    };
   }
 
   ndcToPixels(ndc: THREE.Vector2): { x: number; y: number } {
@@ -419,16 +440,31 @@ export class Viewer {
     const dotSize = THREE.MathUtils.clamp(0.28 * pixels, 3.5, 9);
     this.control.setDotSize(dotSize);
     this.controlCopy.setDotSize(dotSize);
+    if (this.layout === "split") this.drawSplit(renderer, size);
+    else this.drawBesideEachOther(renderer, size);
+    this.onDraw?.();
+  }
+
+  private drawBesideEachOther(renderer: THREE.WebGLRenderer, size: THREE.Vector2): void {
     const panes = this.layout === "both" ? [this.linear, this.pn] : [this.pane(this.layout === "linear")];
     panes.forEach((pane, i) => {
       // from the lower left
       const x = this.isStacked() ? 0 : i * size.x;
-      const y = this.isStacked() && this.layout === "both" ? height - (i + 1) * size.y : 0;
+      const y = this.isStacked() && this.layout === "both" ? this.canvas.clientHeight - (i + 1) * size.y : 0;
       renderer.setViewport(x, y, size.x, size.y);
       renderer.setScissor(x, y, size.x, size.y);
       renderer.render(pane.scene, this.camera);
     });
-    this.onDraw?.();
+  }
+
+  /** One view, the linear surface on the left of it. */
+  private drawSplit(renderer: THREE.WebGLRenderer, size: THREE.Vector2): void {
+    const place = splitPlace(this.split, size.x);
+    renderer.setViewport(0, 0, size.x, size.y);
+    renderer.setScissor(0, 0, place, size.y);
+    renderer.render(this.linear.scene, this.camera);
+    renderer.setScissor(place, 0, size.x - place, size.y);
+    renderer.render(this.pn.scene, this.camera);
   }
 
   private updateClipping(): void {
