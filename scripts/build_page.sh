@@ -10,19 +10,21 @@
 # Makes one HTML file of demo/PN_subdivision_3, with the package in it as WebAssembly, and the library for JavaScript in
 # build/page/library. Installs what is missing from Debian and npm.
 #
-#   scripts/build_page.sh [--offline] [--url ADDRESS] [OUTPUT.html]      default: build/page/pn_subdivision_3.html
+#   scripts/build_page.sh [--offline] [--url ADDRESS] [--separate] [OUTPUT.html]      default: build/page/pn_subdivision_3.html
 #
-# --offline: nothing is installed; --url: where the package is to be found, which the page then links to
+# --offline: nothing is installed; --url: where the package is to be found, which the page then links to; --separate:
+# script and style are files beside the page, for servers with a strict content policy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 offline=no
-url=()
+options=()
 while [[ ${1:-} == --* ]]; do
   case $1 in
     --offline) offline=yes ;;
-    --url) url=(--url "$2"); shift ;;
-    *) echo "usage: $0 [--offline] [--url ADDRESS] [OUTPUT.html]" >&2; exit 2 ;;
+    --url) options+=(--url "$2"); shift ;;
+    --separate) options+=(--separate) ;;
+    *) echo "usage: $0 [--offline] [--url ADDRESS] [--separate] [OUTPUT.html]" >&2; exit 2 ;;
   esac
   shift
 done
@@ -54,5 +56,5 @@ nice cmake --build $build/modeler --parallel "$(nproc)"
 
 (cd $demo && node_modules/.bin/tsc --noEmit)
 mkdir -p "$(dirname "$output")"
-node $demo/build.mjs $build/modeler "$output" "${url[@]}"
+node $demo/build.mjs $build/modeler "$output" "${options[@]}"
 node $demo/build_library.mjs $build/modeler $build/library

@@ -40,5 +40,5 @@ if [[ -z $command ]]; then
   scripts/build.sh pn_subdivide
   command=build/release/src/pn_subdivide/pn_subdivide
 fi
-PN_PAGE=$page PN_LIBRARY=build/page/library PN_SUBDIVIDE=$command node --test \
-  $tests/test_editing.mjs $tests/test_page.mjs $tests/test_pictures.mjs $tests/test_library.mjs
+export PN_PAGE=$page PN_LIBRARY=build/page/library PN_MODELER=build/page/modeler PN_SUBDIVIDE=$command
+node --test $tests/test_editing.mjs $tests/test_page.mjs $tests/test_pictures.mjs $tests/test_outputs.mjs $tests/test_library.mjs

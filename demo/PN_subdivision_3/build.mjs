@@ -6,16 +6,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Makes one HTML file of the page: node build.mjs FOLDER_OF_MODELER OUTPUT.html [--url ADDRESS]
-// ADDRESS: where the package is to be found, which the page then links to.
+// Makes one HTML file of the page: node build.mjs FOLDER_OF_MODELER OUTPUT.html [--url ADDRESS] [--separate]
+// --url: where the package is to be found, which the page then links to; --separate: script and style are files beside it,
+// for servers whose content policy allows none in the page.
 import { build } from "esbuild";
+import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { licences } from "./licences.mjs";
 
 const [, , modelerFolder, output, ...options] = process.argv;
-const url = options[0] === "--url" ? new URL(options[1]).href : undefined;
+const url = options.includes("--url") ? new URL(options[options.indexOf("--url") + 1]).href : undefined;
+const isSeparate = options.includes("--separate");
 const here = path.dirname(fileURLToPath(import.meta.url));
 
 /** The module's code, and its binary compressed. */
@@ -53,12 +57,35 @@ const style = await build({
 
 const address = url === undefined ? "" : `<meta property="og:url" content="${url}">`;
 const link = url === undefined ? "" : `<a href="${url}" rel="noopener">Its sources and manual</a>. `;
+/** A file beside the page, whose name and integrity are its hash. */
+async function fileBeside(text, extension) {
+  const hash = createHash("sha384").update(text).digest();
+  const name = `${path.basename(output, ".html")}.${hash.toString("hex").slice(0, 16)}.${extension}`;
+  await writeFile(path.join(path.dirname(output), name), text);
+  return { name, integrity: `sha384-${hash.toString("base64")}` };
+}
+
+async function styleTag(text) {
+  if (!isSeparate) return `<style>${text}</style>`;
+  const { name, integrity } = await fileBeside(text, "css");
+  return `<link rel="stylesheet" href="${name}" integrity="${integrity}" crossorigin="anonymous">`;
+}
+
+async function scriptTag(text) {
+  if (!isSeparate) return `<script type="module">${text.replaceAll("</script", "<\\/script")}</script>`;
+  const { name, integrity } = await fileBeside(text, "js");
+  return `<script type="module" src="${name}" integrity="${integrity}" crossorigin="anonymous"></script>`;
+}
+
+const tags = { style: await styleTag(style.outputFiles[0].text), script: await scriptTag(script.outputFiles[0].text) };
+const texts = await licences();
 const html = (await readFile(path.join(here, "page/index.html"), "utf8"))
-  .replace("<!-- style -->", () => `<style>${style.outputFiles[0].text}</style>`)
+  .replaceAll("'unsafe-inline'", () => (isSeparate ? "'self'" : "'unsafe-inline'"))
+  .replace("<!-- style -->", () => tags.style)
+  .replace("<!-- licences -->", () => texts)
   .replace("<!-- address -->", () => address)
   .replace("<!-- link -->", () => link)
-  .replace("<!-- script -->", () =>
-    `<script type="module">${script.outputFiles[0].text.replaceAll("</script", "<\\/script")}</script>`);
+  .replace("<!-- script -->", () => tags.script);
 await writeFile(output, html);
 
 const size = Buffer.byteLength(html);

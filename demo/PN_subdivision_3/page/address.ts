@@ -33,7 +33,7 @@ function changedTriples(before: Float64Array, after: Float64Array): number[][] {
 }
 
 /** One number where it is the same everywhere. */
-function shortRoundness({ roundness }: MeshState): number[] {
+export function shortRoundness({ roundness }: MeshState): number[] {
   if (!roundness) return [1];
   return roundness.every((w) => w === roundness[0]) ? [roundness[0]] : [...roundness];
 }

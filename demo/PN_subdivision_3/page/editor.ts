@@ -8,6 +8,7 @@
 
 // The surface that is shown: its control mesh, what is made of it, and every change of it.
 
+import { shortRoundness } from "./address";
 import { History } from "./history";
 import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
 import { bestSphere, deviation, roundShapeThrough } from "./round_shapes";
@@ -68,6 +69,8 @@ export class Editor {
   /** What the mesh is called; it is changed if it differs from its example. */
   name = "";
   normalLength = 1;
+  /** That of all vertices, if it is the same. */
+  roundness: number | undefined = 1;
   colorEnd = 1;
   /** The most rounds for this mesh and scheme. */
   greatestRounds = 7;
@@ -208,13 +211,6 @@ export class Editor {
 
   // --- changes of the mesh ---
 
-  /** That of all vertices, if it is the same. */
-  get roundness(): number | undefined {
-    const { roundness } = this.mesh.state();
-    if (!roundness) return 1;
-    return roundness.every((w) => w === roundness[0]) ? roundness[0] : undefined;
-  }
-
   /** While a slider moves it is one change. */
   slideRoundness(w: number, isLast: boolean): void {
     if (!this.beforeSlide) this.history.remember((this.beforeSlide = this.version()));
@@ -316,7 +312,7 @@ export class Editor {
 
   select(selection: Selection): void {
     this.selection = selection;
-    this.showControlMesh();
+    this.viewer.showSelection(this.shownHandles, this.normalLength, selection);
     this.onChange?.(false);
   }
 
@@ -336,10 +332,11 @@ export class Editor {
     const traits = this.schemes.get(wanted.scheme);
     if (!traits) throw new Error(`there is no scheme ${wanted.scheme}`);
     const split = traits.takesTriangles && !mesh.hasOnlyTriangles() ? mesh.triangulated() : mesh;
-    const most = this.mostRounds(split, wanted.scheme);
+    const state = split.state();
+    const most = this.mostRounds(state, wanted.scheme);
     const rounds = Math.min(wanted.rounds, most);
     const made = new Map<boolean, RefinedSurface>();
-    const origin = this.originFor(split);
+    const origin = this.originFor(state.points);
     try {
       for (const isLinear of [false, true])
         if (hasTwoSurfaces(wanted.layout) || (wanted.layout === "linear") === isLinear)
@@ -359,20 +356,19 @@ export class Editor {
     this.origin = origin;
     this.settings = { ...wanted, rounds };
     this.greatestRounds = most;
-    this.readHandles();
+    this.readHandles(state);
     for (const [isLinear, surface] of made) this.viewer.pane(isLinear).setTriangles(surface.triangles());
     this.show(true, performance.now() - started);
   }
 
   /** 0 for what is near it; otherwise the center, which stays while the mesh does not go far away. */
-  private originFor(mesh: ControlMesh): Triple {
-    const { center, size } = boxOf(mesh.state().points);
+  private originFor(points: Float64Array): Triple {
+    const { center, size } = boxOf(points);
     const isNear = (origin: Triple): boolean => Math.hypot(...center.map((x, k) => x - origin[k])) <= 10 * size;
     return ([[0, 0, 0], this.origin] as Triple[]).find(isNear) ?? center;
   }
 
-  private mostRounds(mesh: ControlMesh, scheme: string): number {
-    const { corners, degrees } = mesh.state();
+  private mostRounds({ corners, degrees }: MeshState, scheme: string): number {
     const traits = this.schemes.get(scheme)!;
     const inFirst = traits.takesTriangles ? (scheme === "sqrt3" ? 3 : 4) * degrees.length : corners.length;
     const perRound = scheme === "sqrt3" ? 3 : 4;
@@ -381,9 +377,11 @@ export class Editor {
     return Math.min(rounds, 7);
   }
 
-  private readHandles(): void {
+  private readHandles(state: MeshState): void {
     ++this.meshNumber;
     this.handles = this.mesh.handles();
+    const roundness = shortRoundness(state);
+    this.roundness = roundness.length === 1 ? roundness[0] : undefined;
     const { points, edges, sharp } = this.handles;
     let length = 0;
     for (let e = 0; e < sharp.length; ++e) {
@@ -392,6 +390,7 @@ export class Editor {
     }
     this.shownHandles = { ...this.handles, points: points.map((x, i) => x - this.origin[i % 3]) };
     this.size = boxOf(points).size || 1;
+    this.viewer.setClosed(!this.handles.border.includes(1));
     this.normalLength = Math.min((0.5 * length) / Math.max(1, sharp.length), 0.14 * this.size);
     const { wedge, vertex } = this.selection;
     if (wedge !== undefined && (wedge >= this.handles.vertices.length || this.handles.vertices[wedge] !== vertex))

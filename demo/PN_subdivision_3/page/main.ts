@@ -20,6 +20,7 @@ import { Handles } from "./handles";
 import { loadModeler, type MeshState, type Modeler } from "./modeler";
 import type { Theme } from "./shading";
 import { SurfacePanel } from "./surface_panel";
+import { Tour } from "./tour";
 import { TurnMe } from "./turn_me";
 import { Viewer } from "./viewer";
 
@@ -67,6 +68,7 @@ class Page {
     this.formula = new FormulaView(element<SVGSVGElement>("formula-drawing"), announce);
     this.turnMe = new TurnMe(this.viewer, this.editor);
     fillGallery((name) => this.showPicture(name));
+    new Tour((name) => this.showStep(name));
     this.editor.onChange = (isFinal) => {
       this.panel.refresh();
       if (this.picture && this.editor.name !== exampleOf(this.picture)) this.takePicture(undefined);
@@ -80,6 +82,7 @@ class Page {
     this.editor.history.onChange = this.curve.history.onChange = () => this.showHistory();
     this.wire();
     this.takeTheme();
+    document.body.classList.toggle("embedded", new URLSearchParams(location.search).get("embed") === "1");
   }
 
   async start(): Promise<void> {
@@ -113,6 +116,7 @@ class Page {
       button(`tab-${this.tab}`).focus();
     });
     window.addEventListener("keydown", (event) => this.key(event));
+    for (const form of document.querySelectorAll("form.panel")) form.addEventListener("submit", (event) => event.preventDefault());
     window.addEventListener("hashchange", () => {
       if (location.hash !== this.ownAddress) void this.goTo();
     });
@@ -153,7 +157,7 @@ class Page {
 
   private showPicture(name: string, isFirst = false): boolean {
     const picture = pictures[name];
-    silence();
+    if (!isFirst) silence();
     if (!picture?.settings) {
       this.curve.show(curveExamples.bottle, "bottle");
       this.show("curve");
@@ -163,6 +167,12 @@ class Page {
     this.editor.frameAll(picture.direction);
     this.takePicture(name);
     return true;
+  }
+
+  private showStep(name: string): void {
+    if (name === "formula") return this.show("formula");
+    if (this.tab !== "surface") this.show("surface");
+    this.showPicture(name);
   }
 
   private takePicture(name: string | undefined): void {
@@ -258,6 +268,7 @@ class Page {
     const write = place === this.place ? history.replaceState : history.pushState;
     this.place = place;
     this.ownAddress = hash;
+    element<HTMLAnchorElement>("whole").href = location.pathname + hash;
     write.call(history, null, "", hash || location.pathname + location.search);
   }
 

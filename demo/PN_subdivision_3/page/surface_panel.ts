@@ -11,7 +11,7 @@
 import { button, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
 import { format, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
-import { objFile, plyFile, save } from "./files";
+import { glbFile, objFile, objOfVertices, plyFile, save, stlFile } from "./files";
 import type { Handles } from "./handles";
 import type { Modeler } from "./modeler";
 import { commandFor, controlFiles, programFor } from "./recipe";
@@ -188,18 +188,32 @@ export class SurfacePanel {
 
   private wireExport(): void {
     const name = (): string => this.editor.name.replace(/\.[^.]*$/, "") || "mesh";
-    button("save-surface").addEventListener("click", () => {
-      const surface = this.editor.shownSurface;
-      const { mesh, showsLimit } = this.editor;
-      const vertices = { points: surface.points(), normals: surface.controlNormals(),
-        roundness: showsLimit ? undefined : surface.roundness(mesh) };
-      const kind = showsLimit ? "normals of the surface" : "control normals";
-      save(plyFile(vertices, surface.faces(), kind) as BlobPart, "model/ply", `${name()}_${this.editor.settings.scheme}.ply`);
-    });
+    button("save-surface").addEventListener("click", () => this.saveSurface(name()));
     button("save-control").addEventListener("click", () => this.saveControlMesh());
     button("save-png").addEventListener("click", async () => save(await this.viewer.png(), "image/png", `${name()}.png`));
     button("copy-link").addEventListener("click", this.onLink);
     button("recipe").addEventListener("click", () => this.showRecipe());
+  }
+
+  /** PLY has all digits; the others are what is drawn. */
+  private saveSurface(name: string): void {
+    const format = select("surface-format").value;
+    const stem = `${name}_${this.editor.settings.scheme}`;
+    if (format === "ply") return this.savePly(`${stem}.ply`);
+    const { shownSurface: surface, origin } = this.editor;
+    const drawn = { positions: surface.positionsView().map((x, i) => x + origin[i % 3]), normals: surface.normalsView().slice(),
+      triangles: surface.triangles() };
+    if (format === "stl") return save(stlFile(drawn) as BlobPart, "model/stl", `${stem}.stl`);
+    if (format === "glb") return save(glbFile(drawn) as BlobPart, "model/gltf-binary", `${stem}.glb`);
+    save(objOfVertices(surface.points(), surface.controlNormals(), surface.faces()), "model/obj", `${stem}.obj`);
+  }
+
+  private savePly(fileName: string): void {
+    const { mesh, showsLimit, shownSurface: surface } = this.editor;
+    const roundness = showsLimit ? undefined : surface.roundness(mesh);
+    const vertices = { points: surface.points(), normals: surface.controlNormals(), roundness };
+    const kind = showsLimit ? "normals of the surface" : "control normals";
+    save(plyFile(vertices, surface.faces(), kind) as BlobPart, "model/ply", fileName);
   }
 
   private showRecipe(): void {
@@ -305,7 +319,7 @@ export class SurfacePanel {
     element("scale").hidden = !(settings.shading in title);
     element("scale-name").textContent = title[settings.shading as keyof typeof title] ?? "";
     element("scale-low").textContent = isRelative ? `−${100 * colorEnd} %` : `−${colorEnd.toPrecision(2)}`;
-    element("scale-middle").textContent = isRelative ? "its average" : "0";
+    element("scale-middle").textContent = isRelative ? "average" : "0";
     element("scale-high").textContent = isRelative ? `+${100 * colorEnd} %` : colorEnd.toPrecision(2);
   }
 }

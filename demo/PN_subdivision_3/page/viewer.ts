@@ -79,6 +79,12 @@ class ControlPicture {
       object.frustumCulled = false;
       object.add(makeGhost(object));
     }
+    // what is selected is seen in front of the surface, too
+    for (const mark of [this.mark, this.tipMark]) {
+      mark.material.depthTest = false;
+      mark.renderOrder = 1;
+      mark.children[0].visible = false;
+    }
   }
 
   setTheme(theme: Theme): void {
@@ -102,31 +108,21 @@ class ControlPicture {
   }
 
   show(handles: Handles, normalLength: number, selection: Selection): void {
-    const { points, edges, sharp, vertices } = handles;
-    const lines: number[] = [];
-    const creases: number[] = [];
-    for (let e = 0; e < sharp.length; ++e) {
-      const list = sharp[e] ? creases : lines;
-      for (const v of [edges[2 * e], edges[2 * e + 1]]) list.push(points[3 * v], points[3 * v + 1], points[3 * v + 2]);
-    }
-    const stems: number[] = [];
-    const tips: number[] = [];
-    for (let w = 0; w < vertices.length; ++w) {
-      const tip = normalTip(handles, w, normalLength);
-      if (!tip) continue;
-      const v = vertices[w];
-      stems.push(points[3 * v], points[3 * v + 1], points[3 * v + 2], ...tip);
-      tips.push(...tip);
-    }
-    setPositions(this.edges, lines);
-    setPositions(this.sharp, creases);
+    const { points, edges, sharp } = handles;
+    const isSharp = (e: number): boolean => sharp[e] > 0;
+    setPositions(this.edges, linesOf(points, edges, (e) => !isSharp(e)));
+    setPositions(this.sharp, linesOf(points, edges, isSharp));
+    const { stems, tips } = stemsOf(handles, normalLength);
     setPositions(this.dots, points);
     setPositions(this.stems, stems);
     setPositions(this.tips, tips);
-    const v = selection.vertex;
-    setPositions(this.mark, v === undefined ? [] : points.slice(3 * v, 3 * v + 3));
-    const tip = selection.wedge === undefined ? undefined : normalTip(handles, selection.wedge, normalLength);
-    setPositions(this.tipMark, tip ?? []);
+    this.select(handles, normalLength, selection);
+  }
+
+  /** Marks what is selected; the rest stays as it is. */
+  select(handles: Handles, normalLength: number, { vertex: v, wedge }: Selection): void {
+    setPositions(this.mark, v === undefined ? [] : handles.points.slice(3 * v, 3 * v + 3));
+    setPositions(this.tipMark, (wedge === undefined ? undefined : normalTip(handles, wedge, normalLength)) ?? []);
   }
 }
 
@@ -137,7 +133,8 @@ export interface Selection {
 
 export function normalTip(handles: Handles, wedge: number, length: number): [number, number, number] | undefined {
   const v = handles.vertices[wedge];
-  const [x, y, z] = handles.normals.subarray(3 * wedge, 3 * wedge + 3);
+  const { normals } = handles;
+  const [x, y, z] = [normals[3 * wedge], normals[3 * wedge + 1], normals[3 * wedge + 2]];
   const size = Math.hypot(x, y, z);
   if (size === 0) return undefined;
   const s = length / size;
@@ -171,6 +168,36 @@ function makeGhost(object: Drawn): Drawn {
   ghost.material.transparent = true;
   ghost.material.opacity = 0.22;
   return ghost;
+}
+
+/** The ends of those edges that are wanted. */
+function linesOf(points: Float64Array, edges: Uint32Array, isWanted: (edge: number) => boolean): Float32Array {
+  const result = new Float32Array(3 * edges.length);
+  let n = 0;
+  for (let e = 0; e < edges.length; ++e) {
+    if (!isWanted(e >> 1)) continue;
+    result.set(points.subarray(3 * edges[e], 3 * edges[e] + 3), n);
+    n += 3;
+  }
+  return result.subarray(0, n);
+}
+
+/** The lines from vertices to the tips of their normals, of those that have one. */
+function stemsOf(handles: Handles, length: number): { stems: Float32Array; tips: Float32Array } {
+  const { points, vertices } = handles;
+  const stems = new Float32Array(6 * vertices.length);
+  const tips = new Float32Array(3 * vertices.length);
+  let n = 0;
+  for (let w = 0; w < vertices.length; ++w) {
+    const tip = normalTip(handles, w, length);
+    if (!tip) continue;
+    for (let k = 0; k < 3; ++k) {
+      stems[6 * n + k] = points[3 * vertices[w] + k];
+      stems[6 * n + 3 + k] = tips[3 * n + k] = tip[k];
+    }
+    ++n;
+  }
+  return { stems: stems.subarray(0, 6 * n), tips: tips.subarray(0, 3 * n) };
 }
 
 function setPositions(object: THREE.LineSegments | THREE.Points, positions: ArrayLike<number>): void {
@@ -254,6 +281,11 @@ export class Viewer {
     this.requestDraw();
   }
 
+  /** The inside of what has no border is never seen: where two triangles meet on the outline, rounding shows it. */
+  setClosed(isClosed: boolean): void {
+    for (const pane of [this.pn, this.linear]) pane.material.uniforms.isClosed.value = isClosed;
+  }
+
   setLayout(layout: Layout, split: number): void {
     this.layout = layout;
     this.split = split;
@@ -280,6 +312,13 @@ export class Viewer {
     this.normalLength = normalLength;
     this.control.show(handles, normalLength, selection);
     this.controlCopy.show(handles, normalLength, selection);
+    this.requestDraw();
+  }
+
+  /** What is selected, where the rest is as it was. */
+  showSelection(handles: Handles, normalLength: number, selection: Selection): void {
+    this.control.select(handles, normalLength, selection);
+    this.controlCopy.select(handles, normalLength, selection);
     this.requestDraw();
   }
 
