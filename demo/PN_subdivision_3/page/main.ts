@@ -106,7 +106,7 @@ class Page {
     button("undo").addEventListener("click", () => this.undo());
     button("redo").addEventListener("click", () => this.redo());
     button("help").addEventListener("click", () => element<HTMLDialogElement>("help-dialog").showModal());
-    element("message").querySelector("button")!.addEventListener("click", silence);
+    element("message").querySelector("button")!.addEventListener("click", () => silence());
     for (const tab of tabs)
       button(`tab-${tab}`).addEventListener("click", () => this.show(tab));
     element("tab-surface").parentElement!.addEventListener("keydown", (event) => {

@@ -32,6 +32,15 @@ const titles: Record<string, string> = {
   "ct-loop": "Loop, curvature transfer",
 };
 
+/** Files of more bytes are read so slowly that it is said before. */
+const large = 2e6;
+
+/** The page stands still afterwards. */
+async function sayAndShow(text: string): Promise<void> {
+  say(text, "note");
+  for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+}
+
 export class SurfacePanel {
   constructor(
     private readonly editor: Editor,
@@ -83,9 +92,11 @@ export class SurfacePanel {
     const file = mesh ?? creases;
     if (!file) return;
     try {
+      if (file.size > large) await sayAndShow(`Reading ${file.name} …`);
       const selection = await creases?.text();
       if (mesh) this.editor.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name, selection);
       else this.editor.openSelection(selection!, file.name);
+      silence(`Reading ${file.name} …`);
     } catch {
       say(`${file.name}: the file cannot be read`, "error");
     }

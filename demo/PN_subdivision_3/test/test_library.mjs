@@ -201,7 +201,18 @@ test("browsers make the same as Node.js", { skip: !hasBrowser }, async () => {
       const { load } = await import("/library/index.js");
       return Array.from((await load()).subdivide(given, { levels: 3 }).positions);
     }, mesh);
-    assert.equal(largestDifference(theirs, [...subdivision.subdivide(mesh, { levels: 3 }).positions]), 0);
+    const ours = [...subdivision.subdivide(mesh, { levels: 3 }).positions];
+    assert.equal(largestDifference(theirs, ours), 0);
+    const ofWorker = await page.evaluate(async (given) => {
+      const { startWorker } = await import("/library/worker.js");
+      const worker = startWorker();
+      const refusal = worker.subdivide(given, { scheme: "loop" }).catch((error) => error.message);
+      const [one, three] = await Promise.all([1, 3].map((levels) => worker.subdivide(given, { levels })));
+      const result = [await refusal, one.positions.length, Array.from(three.positions), three.geometry.triangles.length];
+      worker.terminate();
+      return result;
+    }, mesh);
+    assert.deepEqual(ofWorker, ["loop takes triangles only", 3 * 26, ours, 6 * 384]);
   } finally {
     await browser.close();
     server.close();

@@ -89,6 +89,21 @@ test("the first view says what it is about, and its normal can be turned", async
   });
 });
 
+test("radii are about the sphere that fits best, also of uneven points", async () => {
+  await withPage(file, { hash: "#cube" }, async (page) => {
+    // an octahedron whose upper half is wider than the lower one, about (5, 0, 0)
+    const rings = [0.3, 1.9, 3.1, 4.9].map((a, i) => [0.95 * Math.cos(a), 0.95 * Math.sin(a), Math.sqrt(1 - 0.95 ** 2) * (i % 2 ? 1 : 0.99)]);
+    const points3 = [...rings, [0, 0, 1], [0.1, 0, -1]].map((p) => p.map((x) => x / Math.hypot(...p)));
+    const faces = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
+    await drop(page, "uneven.off", `OFF\n6 8 0\n${points3.map(([x, y, z]) => `${5 + x} ${y} ${z}`).join("\n")}\n` +
+      `${faces.map((face) => `3 ${face.join(" ")}`).join("\n")}\n`);
+    await page.waitForFunction(() => window.page.editor.name === "uneven.off");
+    await page.click("#normals-sphere");
+    const [linear, pn] = (await page.textContent("#status")).match(/linear ±(\S+) %, point-normal ±(\S+)$/).slice(1).map(Number);
+    assert.ok(linear > 1 && pn < 1e-11, `${linear} ${pn}`);
+  });
+});
+
 test("each picture has its camera, shading and overlays", async () => {
   await withPage(file, {}, async (page) => {
     const seen = [];
