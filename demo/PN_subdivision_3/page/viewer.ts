@@ -79,6 +79,12 @@ class ControlPicture {
       object.frustumCulled = false;
       object.add(makeGhost(object));
     }
+    // what is selected is seen in front of the surface, too
+    for (const mark of [this.mark, this.tipMark]) {
+      mark.material.depthTest = false;
+      mark.renderOrder = 1;
+      mark.children[0].visible = false;
+    }
   }
 
   setTheme(theme: Theme): void {
@@ -102,31 +108,21 @@ class ControlPicture {
   }
 
   show(handles: Handles, normalLength: number, selection: Selection): void {
-    const { points, edges, sharp, vertices } = handles;
-    const lines: number[] = [];
-    const creases: number[] = [];
-    for (let e = 0; e < sharp.length; ++e) {
-      const list = sharp[e] ? creases : lines;
-      for (const v of [edges[2 * e], edges[2 * e + 1]]) list.push(points[3 * v], points[3 * v + 1], points[3 * v + 2]);
-    }
-    const stems: number[] = [];
-    const tips: number[] = [];
-    for (let w = 0; w < vertices.length; ++w) {
-      const tip = normalTip(handles, w, normalLength);
-      if (!tip) continue;
-      const v = vertices[w];
-      stems.push(points[3 * v], points[3 * v + 1], points[3 * v + 2], ...tip);
-      tips.push(...tip);
-    }
-    setPositions(this.edges, lines);
-    setPositions(this.sharp, creases);
+    const { points, edges, sharp } = handles;
+    const isSharp = (e: number): boolean => sharp[e] > 0;
+    setPositions(this.edges, linesOf(points, edges, (e) => !isSharp(e)));
+    setPositions(this.sharp, linesOf(points, edges, isSharp));
+    const { stems, tips } = stemsOf(handles, normalLength);
     setPositions(this.dots, points);
     setPositions(this.stems, stems);
     setPositions(this.tips, tips);
-    const v = selection.vertex;
-    setPositions(this.mark, v === undefined ? [] : points.slice(3 * v, 3 * v + 3));
-    const tip = selection.wedge === undefined ? undefined : normalTip(handles, selection.wedge, normalLength);
-    setPositions(this.tipMark, tip ?? []);
+    this.select(handles, normalLength, selection);
+  }
+
+  /** Marks what is selected; the rest stays as it is. */
+  select(handles: Handles, normalLength: number, { vertex: v, wedge }: Selection): void {
+    setPositions(this.mark, v === undefined ? [] : handles.points.slice(3 * v, 3 * v + 3));
+    setPositions(this.tipMark, (wedge === undefined ? undefined : normalTip(handles, wedge, normalLength)) ?? []);
   }
 }
 
@@ -137,7 +133,8 @@ export interface Selection {
 
 export function normalTip(handles: Handles, wedge: number, length: number): [number, number, number] | undefined {
   const v = handles.vertices[wedge];
-  const [x, y, z] = handles.normals.subarray(3 * wedge, 3 * wedge + 3);
+  const { normals } = handles;
+  const [x, y, z] = [normals[3 * wedge], normals[3 * wedge + 1], normals[3 * wedge + 2]];
   const size = Math.hypot(x, y, z);
   if (size === 0) return undefined;
   const s = length / size;
@@ -173,6 +170,36 @@ function makeGhost(object: Drawn): Drawn {
   return ghost;
 }
 
+/** The ends of those edges that are wanted. */
+function linesOf(points: Float64Array, edges: Uint32Array, isWanted: (edge: number) => boolean): Float32Array {
+  const result = new Float32Array(3 * edges.length);
+  let n = 0;
+  for (let e = 0; e < edges.length; ++e) {
+    if (!isWanted(e >> 1)) continue;
+    result.set(points.subarray(3 * edges[e], 3 * edges[e] + 3), n);
+    n += 3;
+  }
+  return result.subarray(0, n);
+}
+
+/** The lines from vertices to the tips of their normals, of those that have one. */
+function stemsOf(handles: Handles, length: number): { stems: Float32Array; tips: Float32Array } {
+  const { points, vertices } = handles;
+  const stems = new Float32Array(6 * vertices.length);
+  const tips = new Float32Array(3 * vertices.length);
+  let n = 0;
+  for (let w = 0; w < vertices.length; ++w) {
+    const tip = normalTip(handles, w, length);
+    if (!tip) continue;
+    for (let k = 0; k < 3; ++k) {
+      stems[6 * n + k] = points[3 * vertices[w] + k];
+      stems[6 * n + 3 + k] = tips[3 * n + k] = tip[k];
+    }
+    ++n;
+  }
+  return { stems: stems.subarray(0, 6 * n), tips: tips.subarray(0, 3 * n) };
+}
+
 function setPositions(object: THREE.LineSegments | THREE.Points, positions: ArrayLike<number>): void {
   const array = Float32Array.from(positions);
   const old = object.geometry.getAttribute("position") as THREE.BufferAttribute | undefined;
@@ -197,7 +224,12 @@ function graphicsOfBrowser(): "none" | "software" | "hardware" {
   return /swiftshader|llvmpipe|software/i.test(renderer) ? "software" : "hardware";
 }
 
-export type Layout = "pn" | "linear" | "both";
+export type Layout = "pn" | "linear" | "both" | "split";
+
+/** Where the two surfaces of one view meet: the middle of a slider's thumb of 28 pixels. */
+export function splitPlace(share: number, width: number): number {
+  return 14 + share * (width - 28);
+}
 
 export class Viewer {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
@@ -209,6 +241,7 @@ export class Viewer {
   private readonly pn: Pane;
   private readonly linear: Pane;
   private layout: Layout = "both";
+  private split = 0.5;
   private radius = 1;
   private normalLength = 1;
   private frame = 0;
@@ -248,8 +281,14 @@ export class Viewer {
     this.requestDraw();
   }
 
-  setLayout(layout: Layout): void {
+  /** The inside of what has no border is never seen: where two triangles meet on the outline, rounding shows it. */
+  setClosed(isClosed: boolean): void {
+    for (const pane of [this.pn, this.linear]) pane.material.uniforms.isClosed.value = isClosed;
+  }
+
+  setLayout(layout: Layout, split: number): void {
     this.layout = layout;
+    this.split = split;
     this.requestDraw();
   }
 
@@ -276,17 +315,27 @@ export class Viewer {
     this.requestDraw();
   }
 
-  /** Looks at everything from the usual direction, or from that of now. */
-  frameAll(pointLists: ArrayLike<number>[], keepDirection = false): void {
+  /** What is selected, where the rest is as it was. */
+  showSelection(handles: Handles, normalLength: number, selection: Selection): void {
+    this.control.select(handles, normalLength, selection);
+    this.controlCopy.select(handles, normalLength, selection);
+    this.requestDraw();
+  }
+
+  /** Where the eye is, from what it looks at. */
+  get direction(): [number, number, number] {
+    return this.camera.position.clone().sub(this.controls.target).toArray();
+  }
+
+  /** Looks at everything from the usual direction, or another one. */
+  frameAll(pointLists: ArrayLike<number>[], wanted?: [number, number, number]): void {
     const box = new THREE.Box3();
     const p = new THREE.Vector3();
     for (const points of pointLists)
       for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
     const sphere = box.getBoundingSphere(new THREE.Sphere());
     this.radius = sphere.radius || 1;
-    const direction = keepDirection
-      ? this.camera.position.clone().sub(this.controls.target).normalize()
-      : new THREE.Vector3(0.62, -1, 0.62).normalize();
+    const direction = new THREE.Vector3(...(wanted ?? ([0.62, -1, 0.62] as const))).normalize();
     const center = box.getCenter(new THREE.Vector3());
     const aspect = this.paneSize().x / Math.max(1, this.paneSize().y);
     const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
@@ -348,7 +397,8 @@ export class Viewer {
     const inX = isSecond && !this.isStacked() ? x - size.x : x;
     const inY = isSecond && this.isStacked() ? y - size.y : y;
     const ndc = new THREE.Vector2((2 * inX) / size.x - 1, 1 - (2 * inY) / size.y);
-    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) };
+    const isLeft = this.layout === "split" && x < splitPlace(this.split, size.x);
+    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) || isLeft };
   }
 
   /** Where a point is in a pane, in CSS pixels from its middle, and how far away. */
@@ -356,6 +406,16 @@ export class Viewer {
     const size = this.paneSize();
     const projected = p.clone().project(this.camera);
     return { x: (projected.x * size.x) / 2, y: (-projected.y * size.y) / 2, depth: projected.z };
+  }
+
+  /** The middle of a pane on the canvas, in CSS pixels. */
+  middleOf(isLinear: boolean): { x: number; y: number } {
+    const size = this.paneSize();
+    const isSecond = this.layout === "both" && !isLinear;
+    return {
+      x: size.x / 2 + (isSecond && !this.isStacked() ? size.x : 0),
+      y: size.y / 2 + (isSecond && this.isStacked() ? size.y : 0),
+    };
   }
 
   ndcToPixels(ndc: THREE.Vector2): { x: number; y: number } {
@@ -419,16 +479,31 @@ export class Viewer {
     const dotSize = THREE.MathUtils.clamp(0.28 * pixels, 3.5, 9);
     this.control.setDotSize(dotSize);
     this.controlCopy.setDotSize(dotSize);
+    if (this.layout === "split") this.drawSplit(renderer, size);
+    else this.drawBesideEachOther(renderer, size);
+    this.onDraw?.();
+  }
+
+  private drawBesideEachOther(renderer: THREE.WebGLRenderer, size: THREE.Vector2): void {
     const panes = this.layout === "both" ? [this.linear, this.pn] : [this.pane(this.layout === "linear")];
     panes.forEach((pane, i) => {
       // from the lower left
       const x = this.isStacked() ? 0 : i * size.x;
-      const y = this.isStacked() && this.layout === "both" ? height - (i + 1) * size.y : 0;
+      const y = this.isStacked() && this.layout === "both" ? this.canvas.clientHeight - (i + 1) * size.y : 0;
       renderer.setViewport(x, y, size.x, size.y);
       renderer.setScissor(x, y, size.x, size.y);
       renderer.render(pane.scene, this.camera);
     });
-    this.onDraw?.();
+  }
+
+  /** One view, the linear surface on the left of it. */
+  private drawSplit(renderer: THREE.WebGLRenderer, size: THREE.Vector2): void {
+    const place = splitPlace(this.split, size.x);
+    renderer.setViewport(0, 0, size.x, size.y);
+    renderer.setScissor(0, 0, place, size.y);
+    renderer.render(this.linear.scene, this.camera);
+    renderer.setScissor(place, 0, size.x - place, size.y);
+    renderer.render(this.pn.scene, this.camera);
   }
 
   private updateClipping(): void {
