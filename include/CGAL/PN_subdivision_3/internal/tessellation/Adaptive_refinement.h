@@ -92,7 +92,9 @@ private:
   static constexpr Index null = Level_connectivity::null;
 
   // The sagitta of halves is a fourth; what is known badly may fall more slowly.
-  static constexpr double rest_of_discrepancy = 0.4, rest_of_distance = 0.35, safety = 1.05;
+  static constexpr double rest_of_discrepancy = 0.4, rest_of_distance = 0.35;
+  // where a normal is not to be trusted, and the surface not smooth about the vertex
+  static constexpr double distrust = 2;
 
   // \name Limits
   Results limits(Level& level, const std::vector<Index>* some)
@@ -105,18 +107,18 @@ private:
     return results;
   }
 
-  void set_slot(Index slot, const Result& result)
+  // is_smooth: whether the surface has a tangent plane wherever there is a normal of it
+  void set_slot(Index slot, const Result& result, bool is_smooth = true)
   {
     auto& s = all_.slot(slot);
     const auto& point = point_of(result.value);
     check_in_range<FT, 3>(
       point, [&] { return "the limit point of vertex number " + std::to_string(s.vertex); });
     all_.set_point(s.vertex, point, to_double_3(point));
-    s.has_surface_normal = result.has_surface_normal;
-    if (result.has_surface_normal)
-      s.normal = result.surface_normal;
-    else if constexpr (is_pn_v<Scheme>)
-      s.normal = to_double_3(result.value.normal);
+    s.has_surface_normal = result.has_surface_normal && is_smooth;
+    if constexpr (is_pn_v<Scheme>) s.normal = to_double_3(result.value.normal);
+    if (result.has_surface_normal) s.normal = result.surface_normal;
+    if (is_smooth) s.shape_normal = s.normal;
   }
 
   // \name Levels
@@ -129,7 +131,8 @@ private:
       level.slots.push_back(all_.add_slot(all_.add_vertex()));
     for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
       level.slots.push_back(all_.add_slot(v));
-    for (Index s = 0; s < level.slots.size(); ++s) set_slot(s, results[s]);
+    const std::vector<unsigned> faces = faces_of_slots(level);
+    for (Index s = 0; s < level.slots.size(); ++s) set_slot(s, results[s], faces[s] != 1);
     for (Index e = 0; e < connectivity.number_of_edges(); ++e)
       level.edges.push_back(all_.add_edge());
     level.faces.resize(connectivity.number_of_faces());
@@ -138,6 +141,17 @@ private:
       level.faces[f].is_wanted = true;
     }
     return level;
+  }
+
+  // A single face between two edges of a smooth curve has no angle that a tangent plane could tell.
+  static std::vector<unsigned> faces_of_slots(const Level& level)
+  {
+    const Level_connectivity& connectivity = level.level.level;
+    const Slots slot_of(connectivity, level.creases);
+    std::vector<unsigned> faces(level.slots.size(), 0);
+    for (Index h = 0; h < connectivity.number_of_halfedges(); ++h)
+      if (!connectivity.is_border(h)) ++faces[slot_of(h)];
+    return faces;
   }
 
   // one round; false if there is nothing to refine
@@ -203,14 +217,15 @@ private:
     if (!is_leaf(level, f)) return std::numeric_limits<double>::infinity();
     const auto estimate = flatness.estimate(f);
     const Adaptive_face& face = level.faces[f];
-    const double by_normals =
-      estimate.error + (is_control ? 1 : rest_of_discrepancy) * face.discrepancy;
     double e = (is_control ? 1 : rest_of_distance) * face.measured;
-    if (is_control)
-      e = (std::max)(e, estimate.knows_normals ? by_normals : 0);
-    else if (estimate.knows_normals)
-      e = by_normals;
-    return safety * (std::max)(e, estimate.along_curves);
+    if (estimate.knows_normals) {
+      const double by_normals =
+        estimate.error + (is_control ? 1 : rest_of_discrepancy) * face.discrepancy;
+      e = is_control ? (std::max)(e, by_normals) : by_normals;
+    } else if (!estimate.trusts_normals)
+      e *= distrust;
+    return (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
+           (std::max)(e, estimate.along_curves);
   }
 
   void cut(Level& level) const

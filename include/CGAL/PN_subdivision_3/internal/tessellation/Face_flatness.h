@@ -41,7 +41,7 @@ public:
   {
     double error = 0;        // by the normals
     double along_curves = 0; // of its edges on creases and the border
-    bool knows_normals = true;
+    bool knows_normals = true, trusts_normals = true, is_at_curve = false;
   };
   // limit points on the middles of the edges, and of the face
   struct Middles
@@ -89,6 +89,8 @@ public:
     const Corners c = corners(f);
     Estimate result;
     result.knows_normals = c.know_normals;
+    result.trusts_normals = c.are_trusted;
+    result.is_at_curve = c.are_at_curve;
     if (c.number == 3)
       result.error = flatness::over_triangle(c[0], c[1], c[2]);
     else
@@ -141,7 +143,7 @@ private:
     std::array<flatness::Corner, 4> corners;
     std::array<Index, 4> halfedges; // from each corner to the next
     std::size_t number = 0;
-    bool know_normals = true;
+    bool know_normals = true, are_trusted = true, are_at_curve = false;
     const flatness::Corner& operator[](std::size_t i) const { return corners[i]; }
   };
 
@@ -154,6 +156,8 @@ private:
       const Index slot = level_.slots[slot_of_(h)];
       c.corners[c.number] = all_.corner(slot);
       c.know_normals = c.know_normals && all_.slot(slot).has_surface_normal;
+      c.are_trusted = c.are_trusted && !(c.corners[c.number].normal == Vector{});
+      c.are_at_curve = c.are_at_curve || connectivity_.is_border_vertex(connectivity_.target(h));
       h = connectivity_.next(h);
       c.halfedges[c.number++] = h;
     } while (h != first);

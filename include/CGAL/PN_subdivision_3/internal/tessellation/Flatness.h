@@ -19,6 +19,9 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// by which estimates are multiplied
+constexpr double tessellation_safety = 1.05, safety_at_curves = 1.2;
+
 // How far a surface is from triangles between its points, told from the normals at these.
 namespace flatness {
 
@@ -75,15 +78,16 @@ inline double distance(const Corner& a, const Corner& b)
 class Section
 {
 public:
+  // If one of the normals is not known, it is an arc.
   Section(const Corner& a, const Corner& b)
     : a_(a.point)
     , chord_(minus(b.point, a.point))
   {
-    Vector sum = a.normal;
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += b.normal[i];
-    normal_ = unit(sum);
-    start_ = -slope(a.normal);
-    end_ = slope(b.normal);
+    const Vector of_a = a.normal == Vector{} ? mirrored(b.normal) : a.normal;
+    const Vector of_b = b.normal == Vector{} ? mirrored(a.normal) : b.normal;
+    normal_ = unit({of_a[0] + of_b[0], of_a[1] + of_b[1], of_a[2] + of_b[2]});
+    start_ = -slope(of_a);
+    end_ = slope(of_b);
   }
 
   const Vector& normal() const { return normal_; }
@@ -105,6 +109,13 @@ public:
   double excess_of(const Vector& p) const { return height_of(p) - height(along(p)); }
 
 private:
+  // by the plane between the ends
+  Vector mirrored(Vector n) const
+  {
+    const double square = product(chord_, chord_);
+    if (square > 0) add_multiple<double, 3>(n, -2 * product(n, chord_) / square, chord_);
+    return n;
+  }
   double slope_of_chord() const { return product(normal_, chord_); }
   double along(const Vector& p) const
   {

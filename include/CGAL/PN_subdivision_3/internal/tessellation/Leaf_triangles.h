@@ -41,8 +41,10 @@ class Leaf_triangles
 public:
   using Index = Level_connectivity::Index;
 
-  explicit Leaf_triangles(const Split_edges<FT>& all)
+  // `tolerance` is that of the triangles
+  Leaf_triangles(const Split_edges<FT>& all, double tolerance)
     : all_(all)
+    , tolerance_(tolerance)
     , edge_(all.number_of_edges(), Level_connectivity::null)
   {}
 
@@ -66,7 +68,7 @@ public:
 
   const std::vector<Tessellation_triangle>& triangles() const { return triangles_; }
   Index number_of_edges() const { return edges_; }
-  // the largest estimated distance
+  // the largest estimated distance of the leaves, and of the triangles by the normals at their corners
   double bound() const { return bound_; }
 
 private:
@@ -121,15 +123,14 @@ private:
     add_triangle(origin, p[0], p[1], p[2]);
   }
 
-  // Ears, the flattest and shortest first. A triangle has no three corners on one side, and what is left has neither.
+  // A triangle has no three corners on one side, and what is left after it neither. Ears, the flattest and shortest
+  // first, until there are few places; then the best of all divisions.
   void clip(Index origin)
   {
-    while (polygon_.size() > 3) {
-      std::array<std::size_t, 4> off{}; // how many places are not on a side
-      for (const Place& p : polygon_)
-        for (unsigned s = 0; s < 4; ++s) off[s] += (p.sides >> s & 1u) == 0 ? 1 : 0;
+    while (polygon_.size() > most_places) {
       std::size_t best = polygon_.size();
       auto best_key = std::make_pair(0., 0.);
+      const auto off = places_off_sides();
       for (std::size_t i = 0; i < polygon_.size(); ++i) {
         if (!is_ear(i, off)) continue;
         const auto key = key_of_ear(i);
@@ -139,9 +140,17 @@ private:
       }
       clip_corner(origin, best);
     }
-    add_triangle(origin, polygon_[0], polygon_[1], polygon_[2]);
+    divide(origin);
   }
 
+  // of each side, how many places are not on it
+  std::array<std::size_t, 4> places_off_sides() const
+  {
+    std::array<std::size_t, 4> off{};
+    for (const Place& p : polygon_)
+      for (unsigned s = 0; s < 4; ++s) off[s] += (p.sides >> s & 1u) == 0 ? 1 : 0;
+    return off;
+  }
   bool is_ear(std::size_t i, const std::array<std::size_t, 4>& off) const
   {
     const auto [before, after] = neighbors(i);
@@ -163,10 +172,89 @@ private:
             section.bulge() + tie * flatness::distance(before->corner, after->corner)};
   }
 
+  // The division of least cost, part by part: of the places from i to k the best apex of the triangle at i, k.
+  void divide(Index origin)
+  {
+    const std::size_t n = polygon_.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = i + 1; k < n; ++k) {
+        const flatness::Section section(polygon_[i].corner, polygon_[k].corner);
+        chords_[i][k] = {section.sagitta(), section.bulge(),
+                         flatness::distance(polygon_[i].corner, polygon_[k].corner)};
+      }
+    for (std::size_t step = 1; step < n; ++step)
+      for (std::size_t i = 0, k = step; k < n; ++i, ++k) {
+        Part& part = parts_[i][k];
+        part = {step == 1 ? 0 : std::numeric_limits<double>::infinity(), i};
+        for (std::size_t j = i + 1; j < k; ++j) {
+          const double cost = parts_[i][j].cost + parts_[j][k].cost + cost_of(i, j, k);
+          if (cost < part.cost) part = {cost, j};
+        }
+      }
+    add_part(origin, 0, n - 1, polygon_[n - 1].halfedge);
+  }
+
+  double cost_of(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    const Place &a = polygon_[i], &b = polygon_[j], &c = polygon_[k];
+    if ((a.sides & b.sides & c.sides) != 0) return std::numeric_limits<double>::infinity();
+    const Chord &ab = chords_[i][j], &bc = chords_[j][k], &ac = chords_[i][k];
+    const double error =
+      (std::max)(
+        {flatness::over_triangle(std::abs(ab.sagitta), std::abs(bc.sagitta), std::abs(ac.sagitta)),
+         ab.bulge, bc.bulge, ac.bulge}) /
+      tolerance_;
+    constexpr double cost_of_turn = 1024, cost_of_excess = 64, cost_of_length = 1. / 256;
+    const double around = ab.length + bc.length + ac.length;
+    const double longest = (std::max)({ab.length, bc.length, ac.length});
+    const double shape = around > longest ? longest / (around - longest) : 1; // 1/2 to 1
+    const double fourth = error * error * error * error;
+    return fourth * (error > 1 ? cost_of_excess : 1) + cost_of_length * shape +
+           cost_of_turn * turns(a, b, c);
+  }
+
+  // what lies between the places i to k and the half-edge that leads from k to i
+  void add_part(Index origin, std::size_t i, std::size_t k, Index back)
+  {
+    if (k == i + 1) return;
+    const std::size_t j = parts_[i][k].apex;
+    const auto halfedge = [&](std::size_t from, std::size_t to) {
+      return to == from + 1 ? polygon_[from].halfedge : 2 * edges_++;
+    };
+    const Index first = halfedge(i, j), second = halfedge(j, k);
+    triangles_.push_back(
+      {origin, {polygon_[i].slot, polygon_[j].slot, polygon_[k].slot}, {first, second, back}});
+    if (is_known(i) && is_known(j) && is_known(k))
+      bound_ = (std::max)(bound_, tessellation_safety *
+                                    flatness::over_triangle(polygon_[i].corner, polygon_[j].corner,
+                                                            polygon_[k].corner));
+    add_part(origin, i, j, first + 1);
+    add_part(origin, j, k, second + 1);
+  }
+
+  bool is_known(std::size_t i) const { return all_.slot(polygon_[i].slot).has_surface_normal; }
+
+  struct Chord
+  {
+    double sagitta, bulge, length;
+  };
+  struct Part
+  {
+    double cost;
+    std::size_t apex;
+  };
+  static constexpr std::size_t most_places = 16;
+
   // what the length of a diagonal counts where heights over it are about equal
   static constexpr double tie = 1. / 1024;
 
+  template <class T>
+  using Table = std::array<std::array<T, most_places>, most_places>;
+
   const Split_edges<FT>& all_;
+  const double tolerance_;
+  Table<Chord> chords_;
+  Table<Part> parts_;
   std::vector<Index> edge_; // of the result
   Index edges_ = 0;
   double bound_ = 0;

@@ -32,7 +32,8 @@ public:
   struct Slot
   {
     Index vertex;
-    Vector normal; // unit or zero
+    Vector normal;       // unit or zero
+    Vector shape_normal; // by which flatness goes, zero where it is not to be trusted
     bool has_surface_normal;
   };
   struct Edge
@@ -54,7 +55,7 @@ public:
   }
   Index add_slot(Index vertex)
   {
-    slots_.push_back({vertex, {}, false});
+    slots_.push_back({vertex, {}, {}, false});
     return number_of_slots() - 1;
   }
   Index add_edge()
@@ -72,7 +73,10 @@ public:
   const Slot& slot(Index s) const { return slots_[s]; }
   const Edge& edge(Index e) const { return edges_[e]; }
   const Coordinates<FT, 3>& point(Index vertex) const { return points_[vertex]; }
-  flatness::Corner corner(Index s) const { return {places_[slots_[s].vertex], slots_[s].normal}; }
+  flatness::Corner corner(Index s) const
+  {
+    return {places_[slots_[s].vertex], slots_[s].shape_normal};
+  }
 
   // \pre it is not split
   void split(Index e, std::array<Index, 2> middle)

@@ -57,7 +57,7 @@ public:
     Report report;
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
       refine(access, s, Parameters::const_point_map(control, np_), [&](const auto& refinement) {
-        Leaf_triangles<FT> triangles(refinement.all());
+        Leaf_triangles<FT> triangles(refinement.all(), chord_error_ / tessellation_safety);
         for (const Tessellation_leaf& leaf : refinement.leaves()) triangles.add(leaf);
         const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
         using Out = Surface_parameters<OutputMesh, Out_parameters>;
