@@ -119,6 +119,7 @@ TEST(Recognize_surfaces, flat_pyramids_and_frusta)
   for (int n = 3; n <= 7; ++n)
     for (double stretch : {1., 1.3})
       for (double top : {0., 0.5}) {
+        if (top > 0 && stretch > 1) continue; // some of the sides meet at more than that
         SCOPED_TRACE(n);
         Part part = regular_prism(n, top);
         for (Vec& p : part.points) p = {stretch * p[0], p[1], (top > 0 ? 0.4 : 0.15) * p[2]};
