@@ -44,6 +44,7 @@ struct Plot
   std::size_t tick_step = 5;
   bool numbered_labels = true; // the legend is in the order of numbers, else of appearance
   double legend_width = 90;
+  std::vector<std::string> tick_labels = {}; // instead of 0, 1, 2, ...
 };
 
 namespace internal {
@@ -96,7 +97,8 @@ inline void write_axes(std::ostream& out, const Plot& plot, std::size_t n, doubl
   for (std::size_t i = 0; i <= n; i += plot.tick_step) {
     const double at = x0 + width * double(i) / double(n);
     out << "<path class=\"grid\" d=\"M" << at << ' ' << top << 'v' << height << "\"/><text x=\""
-        << at << "\" y=\"" << top + height + 19 << "\">" << i << "</text>\n";
+        << at << "\" y=\"" << top + height + 19 << "\">"
+        << (plot.tick_labels.empty() ? std::to_string(i) : plot.tick_labels.at(i)) << "</text>\n";
   }
   out << "<text x=\"" << x0 + width / 2 << "\" y=\"" << top + height + 42 << "\">" << plot.x_label
       << "</text>\n";

@@ -151,14 +151,7 @@ Plan make_plan(const Surface_options& options)
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
-  if (options.roundness && plan.interpolation)
-    throw Usage_error(
-      "--roundness and --interpolate exclude each other: surfaces through points are "
-      "known with roundness 1 only");
-  if (plan.interpolation) { // the estimate that natural normals begin with
-    plan.roundness = {Roundness_option::Source::constant, 1};
-    plan.normals.is_reciprocal = true;
-  }
+  if (plan.interpolation) plan.normals.is_reciprocal = true; // natural normals begin with it
   if (options.roundness) plan.roundness = parse_roundness_option(*options.roundness);
   if (options.curvature) plan.curvature = parse_curvature_option(*options.curvature, plan.output);
   plan.threads = number_of_threads(options);

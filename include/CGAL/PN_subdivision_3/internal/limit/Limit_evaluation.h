@@ -92,7 +92,8 @@ public:
     const Settled_neighborhood<Scheme> is_settled(scheme_, level.level,
                                                   next_round >= first_final_round);
     const bool keeps_points =
-      neighborhood_.keeps_points && !demand_.surface_normals && !demand_.curvatures;
+      neighborhood_.keeps_points &&
+      !(neighborhood_.has_tangent_planes && (demand_.surface_normals || demand_.curvatures));
     const bool is_final_then = next_round + 1 >= first_final_round;
     std::vector<Vertex_state> states(vertices.size());
     // all about a vertex in one go: what is read of the level is at hand then

@@ -87,6 +87,8 @@ struct Part
 
   Index number_of_faces() const { return corners.size(); }
   bool is_sliver(Index f) const { return altitude[f] < 4 * tolerance; }
+  // the face on the other side of an inner edge
+  Index across(Index f, Index e) const { return edges[e].f == f ? edges[e].g : edges[e].f; }
   double length(const Edge& e) const { return norm(points[e.v] - points[e.w]); }
 };
 

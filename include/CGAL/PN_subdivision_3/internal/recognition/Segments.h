@@ -10,6 +10,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region_borders.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Sliver_segments.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/fit_shape.h>
 
 #include <algorithm>
@@ -22,20 +23,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
-
-// What every face of the part belongs to.
-struct Segments
-{
-  struct Segment
-  {
-    Shape shape;
-    int side = 1;
-    double widest_step = 0, widest_meridian_step = 0, residual = 0;
-    std::vector<Index> faces;
-  };
-  std::vector<Segment> segments;
-  std::vector<Index> segment_of_face;
-};
 
 // From regions of patches to segments of faces: facets of two rounds in one plane, planes, what is unknown, slivers.
 class Make_segments
@@ -78,7 +65,7 @@ public:
     relabel_faces();
     find_planes();
     join_unknown();
-    give_slivers_away();
+    Give_slivers_away(c_, edges_of_face_, label_, labels_)();
     join_equal();
     return collect();
   }
@@ -151,7 +138,7 @@ private:
   {
     Index best = label_[f];
     for (const Index e : edges_of_face_[f]) {
-      const Index label = label_across(f, e);
+      const Index label = label_[c_.part.across(f, e)];
       if (label == null || label == best || !(border_with(f, label) > 1.05 * border_with(f, best)))
         continue;
       if (borders_.may_be_facet(label, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
@@ -160,16 +147,11 @@ private:
     }
     return best;
   }
-  Index label_across(Index f, Index e) const
-  {
-    const Part::Edge& edge = c_.part.edges[e];
-    return label_[edge.f == f ? edge.g : edge.f];
-  }
   double border_with(Index f, Index label) const
   {
     double length = 0;
     for (const Index e : edges_of_face_[f])
-      if (label_across(f, e) == label) length += c_.part.length(c_.part.edges[e]);
+      if (label_[c_.part.across(f, e)] == label) length += c_.part.length(c_.part.edges[e]);
     return length;
   }
 
@@ -262,63 +244,6 @@ private:
         for (const Index p : component) set_label(p, label);
       }
     }
-  }
-
-  // Slivers, from the edge of what has labels: to the longest common border among the best.
-  void give_slivers_away()
-  {
-    std::vector<Index> slivers;
-    for (Index f = 0; f < label_.size(); ++f)
-      if (label_[f] == null) slivers.push_back(f);
-    for (int quality = 0; quality < 4 && !slivers.empty();) {
-      std::vector<std::pair<Index, Index>> given;
-      std::vector<Index> rest;
-      for (const Index f : slivers) {
-        const Index label = label_for_sliver(f, quality);
-        if (label == null)
-          rest.push_back(f);
-        else
-          given.emplace_back(f, label);
-      }
-      for (const auto& g : given) label_[g.first] = g.second;
-      quality = given.empty() ? quality + 1 : 0;
-      slivers = rest;
-    }
-    if (slivers.empty()) return;
-    const Index label = new_label(Shape()); // components of nothing but slivers
-    for (const Index f : slivers) label_[f] = label;
-  }
-  Index label_for_sliver(Index f, int quality) const
-  {
-    std::vector<std::pair<Index, double>> borders;
-    for (const Index e : edges_of_face_[f]) {
-      const Part::Edge& edge = c_.part.edges[e];
-      const Index label = label_across(f, e);
-      if (label == null || !is_good_for(f, labels_[label].shape, quality)) continue;
-      auto it = borders.begin();
-      while (it != borders.end() && it->first != label) ++it;
-      if (it == borders.end())
-        borders.emplace_back(label, c_.part.length(edge));
-      else
-        it->second += c_.part.length(edge);
-    }
-    Index best = null;
-    double longest = -1;
-    for (const auto& b : borders)
-      if (b.second > longest) {
-        best = b.first;
-        longest = b.second;
-      }
-    return best;
-  }
-  bool is_good_for(Index f, const Shape& s, int quality) const
-  {
-    if (quality == 3) return true;
-    if (quality == 2 || s.kind == Kind::unknown) return quality == 2 && s.kind == Kind::unknown;
-    for (const Index v : c_.part.corners[f])
-      if (!(std::abs(s.distance(c_.point(v))) <= (quality == 0 ? 2 : 8) * c_.tolerance()))
-        return false;
-    return true;
   }
 
   // neighbors on one surface
