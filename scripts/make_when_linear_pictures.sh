@@ -53,14 +53,14 @@ write("reversed", 0, 2 + 26 * M)
 PY
 
 refine() { # control mesh, result, options
-  "$command" surface "$work/$1.ply" "$work/$2.vtp" --levels 3 --scheme catmull-clark --curvature mean --normals file --quiet "${@:3}"
+  "$command" surface "$work/$1.ply" "$work/$2.vtp" --levels 3 --scheme catmull-clark --curvature mean --quiet "${@:3}"
 }
 refine exact linear --linear
-refine exact PN_exact
-refine noise_2 PN_2
-refine noise_2 half_2 --roundness 0.5
-refine noise_5 PN_5
-refine reversed PN_reversed
+refine exact PN_exact --normals file
+refine noise_2 PN_2 --normals file
+refine noise_2 half_2 --normals file --roundness 0.5
+refine noise_5 PN_5 --normals file
+refine reversed PN_reversed --normals file 2> "$work/warnings" # of the normal
 scripts/render.py --output "$folder/noise.png" --columns 3 --tile 360 --same-view --shading averaged \
                   --scalars mean_curvature --range 1.6 --view=20,50 \
                   --caption "linear" --caption "PN, exact normals" --caption "PN, noise of 2 degrees" \
