@@ -11,6 +11,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { DistancePicture } from "./distance_picture";
+import { makePale, Segments } from "./lines";
 import type { Handles } from "./modeler";
 import { makeMaterial, setShading, setTheme, type Shading, type Theme } from "./shading";
 
@@ -64,10 +65,10 @@ class Pane {
 class ControlPicture {
   readonly group = new THREE.Group();
   readonly normals = new THREE.Group();
-  private readonly edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
-  private readonly sharp = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly edges = new Segments();
+  private readonly sharp = new Segments();
   private readonly dots = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
-  private readonly stems = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly stems = new Segments();
   private readonly tips = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
   private readonly mark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
   private readonly tipMark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
@@ -75,7 +76,7 @@ class ControlPicture {
   constructor() {
     this.group.add(this.edges, this.sharp, this.dots, this.mark);
     this.normals.add(this.stems, this.tips, this.tipMark);
-    for (const object of [...this.group.children, ...this.normals.children] as Drawn[]) {
+    for (const object of this.allDots) {
       object.frustumCulled = false;
       object.add(makeGhost(object));
     }
@@ -87,34 +88,37 @@ class ControlPicture {
     }
   }
 
+  private get allDots(): Dots[] {
+    return [this.dots, this.tips, this.mark, this.tipMark];
+  }
+
   setTheme(theme: Theme): void {
-    this.edges.material.color.set(theme.edge);
-    this.sharp.material.color.set(theme.crease);
+    this.edges.setColor(theme.edge);
+    this.sharp.setColor(theme.crease);
+    this.stems.setColor(theme.normal);
     this.dots.material.color.set(theme.vertex);
-    this.stems.material.color.set(theme.normal);
     this.tips.material.color.set(theme.normal);
     this.mark.material.color.set(theme.selection);
     this.tipMark.material.color.set(theme.selection);
-    for (const object of [...this.group.children, ...this.normals.children] as Drawn[])
-      (object.children[0] as Drawn).material.color.copy(object.material.color);
+    for (const object of this.allDots) (object.children[0] as Dots).material.color.copy(object.material.color);
   }
 
   /** In pixels. */
   setDotSize(size: number): void {
     for (const [points, factor] of [[this.dots, 1], [this.tips, 0.9], [this.mark, 1.6], [this.tipMark, 1.5]] as const) {
       points.material.size = factor * size;
-      (points.children[0] as THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial>).material.size = factor * size;
+      (points.children[0] as Dots).material.size = factor * size;
     }
   }
 
   show(handles: Handles, normalLength: number, selection: Selection): void {
     const { points, edges, sharp } = handles;
     const isSharp = (e: number): boolean => sharp[e] > 0;
-    setPositions(this.edges, linesOf(points, edges, (e) => !isSharp(e)));
-    setPositions(this.sharp, linesOf(points, edges, isSharp));
+    this.edges.setEnds(linesOf(points, edges, (e) => !isSharp(e)));
+    this.sharp.setEnds(linesOf(points, edges, isSharp));
     const { stems, tips } = stemsOf(handles, normalLength);
     setPositions(this.dots, points);
-    setPositions(this.stems, stems);
+    this.stems.setEnds(stems);
     setPositions(this.tips, tips);
     this.select(handles, normalLength, selection);
   }
@@ -156,17 +160,14 @@ function dotMaterial(): THREE.PointsMaterial {
   return material;
 }
 
-type Drawn = (THREE.LineSegments | THREE.Points) & { material: THREE.LineBasicMaterial | THREE.PointsMaterial };
+type Dots = THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial>;
 
 /** The same, pale, where it is behind the surface. */
-function makeGhost(object: Drawn): Drawn {
-  const ghost = object.clone(false) as Drawn;
+function makeGhost(object: Dots): Dots {
+  const ghost = object.clone(false) as Dots;
   ghost.material = object.material.clone();
   ghost.material.onBeforeCompile = object.material.onBeforeCompile;
-  ghost.material.depthFunc = THREE.GreaterDepth;
-  ghost.material.depthWrite = false;
-  ghost.material.transparent = true;
-  ghost.material.opacity = 0.22;
+  makePale(ghost.material);
   return ghost;
 }
 
@@ -200,7 +201,7 @@ function stemsOf(handles: Handles, length: number): { stems: Float32Array; tips:
   return { stems: stems.subarray(0, 6 * n), tips: tips.subarray(0, 3 * n) };
 }
 
-function setPositions(object: THREE.LineSegments | THREE.Points, positions: ArrayLike<number>): void {
+function setPositions(object: Dots, positions: ArrayLike<number>): void {
   const array = Float32Array.from(positions);
   const old = object.geometry.getAttribute("position") as THREE.BufferAttribute | undefined;
   if (old && old.array.length === array.length) {
@@ -210,7 +211,7 @@ function setPositions(object: THREE.LineSegments | THREE.Points, positions: Arra
     object.geometry.dispose();
     object.geometry = new THREE.BufferGeometry();
     object.geometry.setAttribute("position", new THREE.BufferAttribute(array, 3));
-    for (const ghost of object.children as Drawn[]) ghost.geometry = object.geometry;
+    for (const ghost of object.children as Dots[]) ghost.geometry = object.geometry;
   }
 }
 

@@ -113,6 +113,45 @@ test("closed surfaces show no inside", async () => {
   });
 });
 
+test("lines are about two pixels wide, and what is selected is before the surface", async () => {
+  await withPage(file, { hash: "#cube" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    // along a row of the picture, which has two pixels for one, the runs of pixels of a kind
+    const runs = (y, kind) => page.evaluate(async ([row, name]) => {
+      const { viewer } = window.page.editor;
+      const picture = await createImageBitmap(await viewer.png());
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, Math.round(2 * row), picture.width, 1);
+      const kinds = { dark: ([r, g, b]) => r + g + b < 320, selected: ([r, g, b]) => r > 190 && g < 140 && b < 60 };
+      const lengths = [0];
+      for (let i = 0; i < data.length; i += 4) {
+        if (kinds[name](data.subarray(i, i + 3))) ++lengths[lengths.length - 1];
+        else if (lengths.at(-1) > 0) lengths.push(0);
+      }
+      return lengths.filter((n) => n > 0);
+    }, [y, kind]);
+    const places = (control) => page.evaluate((inFront) => {
+      const { editor } = window.page;
+      const { viewer, handles } = editor;
+      return [...handles.vertices].map((v) => {
+        const { y, depth } = viewer.toPixels(viewer.camera.position.clone().fromArray(handles.points, 3 * v));
+        return { vertex: v, y: viewer.canvas.clientHeight / 2 + y, depth };
+      }).sort((a, b) => (inFront ? a.depth - b.depth : b.depth - a.depth));
+    }, control);
+    await page.uncheck("#show-normals");
+    await page.check("input[name=layout][value=linear]"); // whose surface is far within
+    const [first] = await places(true);
+    const found = await runs(first.y + 60, "dark");
+    assert.ok(found.length >= 2 && found.every((n) => n >= 3 && n <= 12), `${found}`);
+    await page.check("input[name=layout][value=pn]");
+    const [last] = await places(false);
+    assert.deepEqual(await runs(last.y, "selected"), []);
+    await page.evaluate((vertex) => window.page.editor.select({ vertex }), last.vertex);
+    assert.ok((await runs(last.y, "selected"))[0] > 8);
+  });
+});
+
 test("a page in another one is the picture alone", async () => {
   await withPage(file, { hash: "?embed=1#picture-waves" }, async (page) => {
     for (const hidden of ["header", "#surface .panel"]) assert.ok(await page.isHidden(hidden));
