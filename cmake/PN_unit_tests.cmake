@@ -194,6 +194,7 @@ endif()
 if(TARGET test_PN_mask_3_custom)
   include(${CMAKE_CURRENT_LIST_DIR}/PN_manual_masks.cmake)
   pn_unpack_cgal_examples(test_PN_mask_3_custom)
+  pn_change_cgal_examples(test_Subdivision_method_3_examples)
 endif()
 
 # not by find_package(): Debian's OpenSubdivConfig.cmake names a static library that is not in its package

@@ -108,37 +108,14 @@ Curve_data refine(const Curve_data& curve, const Curve_rule& rule, unsigned leve
   std::visit(
     [&](const auto& points) {
       refined.points = with_mask(rule, [&](const auto& mask) {
+        const auto np = CGAL::parameters::number_of_iterations(levels);
+        if (rule.linear || rule.roundness == 1)
+          return PN::subdivide_curve(points, mask, rule.end, np);
         return PN::subdivide_curve(points, mask, rule.end,
-                                   CGAL::parameters::number_of_iterations(levels));
+                                   PN::parameters::roundness(rule.roundness, np));
       });
     },
     curve.points);
-  return refined;
-}
-
-// Each point of a round lies between the linear one and Yang's, whose normals are those of all.
-void move_to_linear(Curve_data& refined, const Curve_data& linear, double roundness)
-{
-  std::visit(
-    [&](auto& points) {
-      const auto& others = std::get<std::decay_t<decltype(points)>>(linear.points);
-      for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].first = others[i].first + roundness * (points[i].first - others[i].first);
-    },
-    refined.points);
-}
-
-Curve_data refine_rounds(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
-{
-  if (rule.linear || rule.roundness == 1) return refine(curve, rule, levels);
-  Curve_rule linear = rule;
-  linear.linear = true;
-  Curve_data refined = refine(curve, rule, 0);
-  for (unsigned k = 0; k < levels; ++k) {
-    const Curve_data of_linear = refine(refined, linear, 1);
-    refined = refine(refined, rule, 1);
-    move_to_linear(refined, of_linear, rule.roundness);
-  }
   return refined;
 }
 
@@ -147,13 +124,13 @@ Curve_data refine_rounds(const Curve_data& curve, const Curve_rule& rule, unsign
 Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
 {
   require_possible_size(curve.size(), rule, levels);
-  if (rule.scheme.levels.empty()) return refine_rounds(curve, rule, levels);
+  if (rule.scheme.levels.empty()) return refine(curve, rule, levels);
   Curve_rule of_round = rule;
-  Curve_data refined = refine_rounds(curve, rule, 0);
+  Curve_data refined = refine(curve, rule, 0);
   for (std::size_t k = 0; k < levels; ++k) {
     const std::vector<Level_mask>& masks = rule.scheme.levels;
     of_round.scheme.mask = masks[(std::min)(k, masks.size() - 1)];
-    refined = refine_rounds(refined, of_round, 1);
+    refined = refine(refined, of_round, 1);
   }
   return refined;
 }
