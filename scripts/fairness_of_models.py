@@ -1,4 +1,11 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026  PN_subdivision_3 developers
+# All rights reserved.
+#
+# This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Author(s): PN_subdivision_3 developers
 """Prints the manual's table of models refined with estimated normals: the integrals of the squared mean curvature and of its
 squared gradient, of the linear scheme and of reciprocal normals, over those of angle-weighted ones (Catmull-Clark,
 roundness 1).
