@@ -66,6 +66,9 @@ the given normals, or estimated ones. Schemes that interpolate return the net as
 it is zero, `slide` estimates a normal, and `limit_points` does as linear subdivision does. For points
 without normals see `natural_normals()`.
 
+<b>Roundness.</b> It is 1 unless it is given, and stays what it is: further calls that refine the result take it, too. For
+points without normals `estimate_control_normals()` tells both.
+
 Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
 written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
 
@@ -83,7 +86,8 @@ the user's whose `put()` throws also while old values are put back.
 \param scheme the scheme
 \param options how to proceed
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map` (needed unless the scheme is linear) and `geom_traits` as in `subdivide()`;
+  `vertex_normal_map` (needed unless the scheme is linear), `vertex_roundness_map`, which is only read, `roundness` and
+  `geom_traits` as in `subdivide()`;
   `edge_is_constrained_map` and `vertex_is_constrained_map`, in which nothing may be sharp
 
 \returns what was reached. A tolerance that cannot be met is no error: the best control net is the result,
@@ -170,7 +174,7 @@ not changed.
 \param normals a model of `WritablePropertyMap` from vertices to vectors; it may be the one that is given to
   `interpolate_limit_points()` next
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `geom_traits`
+  `geom_traits`, and `vertex_roundness_map` or `roundness`, which tell how round the surface is
 
 \throws std::invalid_argument as `interpolate_limit_points()` does; nothing has been written then
 */
@@ -186,7 +190,7 @@ void natural_normals(const PolygonMesh& mesh, const Scheme& scheme, VertexNormal
       [&](const auto& s) { return natural_normals<Concurrency_tag>(mesh, s, normals, np); });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-    static_assert(internal::are_used_v<internal::Mesh_parameters, NamedParameters>,
+    static_assert(internal::are_used_v<internal::Rounded_mesh_parameters, NamedParameters>,
                   "PN_subdivision_3: a named parameter is given that is not used here");
     static_assert(!internal::Is_linear<Scheme>::value,
                   "PN_subdivision_3: linear schemes have no control normals");

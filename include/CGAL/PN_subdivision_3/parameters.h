@@ -20,6 +20,12 @@ struct roundness_t
 {};
 struct vertex_roundness_map_t
 {};
+struct min_facets_t
+{};
+struct surface_tolerance_t
+{};
+struct sharp_angle_t
+{};
 struct control_normal_estimate_t
 {};
 
@@ -95,6 +101,61 @@ template <class VertexRoundnessMap, class NamedParameters>
 auto vertex_roundness_map(const VertexRoundnessMap& map, const NamedParameters& np)
 {
   return internal::with_parameter<internal::vertex_roundness_map_t>(map, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+the least number of facets a full turn for which `recognize_surfaces()` takes a prism for a round that nothing else about the
+part tells to be one.
+\param n at least 3
+*/
+template <class Number>
+auto min_facets(const Number& n)
+{
+  return internal::with_parameter<internal::min_facets_t>(n);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class Number, class NamedParameters>
+auto min_facets(const Number& n, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::min_facets_t>(n, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+how far vertices may be from the surface that `recognize_surfaces()` takes them to be on.
+\param x a positive length
+*/
+template <class FT>
+auto surface_tolerance(const FT& x)
+{
+  return internal::with_parameter<internal::surface_tolerance_t>(x);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class FT, class NamedParameters>
+auto surface_tolerance(const FT& x, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::surface_tolerance_t>(x, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+the angle from which on edges between facets of no recognized surface are sharp.
+\param degrees from 0 to 180
+*/
+template <class FT>
+auto sharp_angle(const FT& degrees)
+{
+  return internal::with_parameter<internal::sharp_angle_t>(degrees);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class FT, class NamedParameters>
+auto sharp_angle(const FT& degrees, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::sharp_angle_t>(degrees, np);
 }
 
 /*!

@@ -62,9 +62,15 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
   options.mode = interpolation.mode;
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), options);
-  if (interpolation.improves_normals) PN::natural_normals<Tag>(surface, scheme, *normals);
-  return PN::interpolate_limit_points<Tag>(surface, scheme, options,
-                                           CGAL::parameters::vertex_normal_map(*normals));
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  Roundness_map roundness = given ? *given : add_roundness(surface);
+  const auto np = PN::parameters::vertex_roundness_map(roundness);
+  if (interpolation.improves_normals) PN::natural_normals<Tag>(surface, scheme, *normals, np);
+  auto report = PN::interpolate_limit_points<Tag>(
+    surface, scheme, options,
+    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(*normals)));
+  if (!given) surface.remove_property_map(roundness);
+  return report;
 }
 #else // parse_interpolation() has refused
 Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, const Interpolation&)

@@ -290,6 +290,28 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
   }
 }
 
+// --- surfaces through points ---
+
+// The net has the roundness that it was solved for, with which a further call finds the points.
+TEST_F(Pn_subdivide_roundness, NetsOfInterpolationKeepIt)
+{
+  const std::vector<Triple> data = refined("triangles.obj", "o.ply", "--linear --levels 0").points;
+  for (const std::string roundness : {"0.3", "estimate", "0"}) {
+    refined("triangles.obj", "net.ply",
+            "--levels 0 --interpolate points --scheme loop --output-normals control --roundness " +
+              roundness);
+    const auto farthest = [&](const std::string& options) {
+      std::vector<Triple> limits =
+        refined("net.ply", "limit.ply",
+                "--scheme loop --levels 0 --limit --limit-tolerance 1e-13 " + options)
+          .points;
+      return largest_difference(limits, data);
+    };
+    EXPECT_LE(farthest("--roundness auto"), 1e-10) << roundness;
+    EXPECT_GE(farthest("--roundness 1"), 1e-3) << roundness;
+  }
+}
+
 // --- what does not go together ---
 
 TEST_F(Pn_subdivide_roundness, WhatMeansNothingIsAUsageError)

@@ -136,7 +136,7 @@ private:
   Eigen::VectorXd defects(const Vectors<dimension>& normals, std::vector<double>& error)
   {
     functionals_ =
-      source_(to_values<dimension>(data_.points, normals, true), active_, data_.precision());
+      source_(to_values<dimension>(data_.points, normals, data_), active_, data_.precision());
     Eigen::VectorXd f(dimension * static_cast<Eigen::Index>(active_.size()));
     error.clear();
     for (std::size_t i = 0; i < active_.size(); ++i) {

@@ -119,7 +119,7 @@ private:
   {
     std::vector<Index> vertices;
     for (const Target& t : targets_) vertices.push_back(t.vertex);
-    return source_(to_values<3>(points, normals, data_.takes_normals), vertices, precision);
+    return source_(to_values<3>(points, normals, data_), vertices, precision);
   }
 
   // Checks where the curvatures are, and adds their points and normals to what is prescribed.

@@ -46,24 +46,24 @@ Coordinates<double, dimension> to_coordinates(const Eigen_vector<dimension>& v)
 }
 
 // The PN average of a row as what it is for fixed normals, a linear map of the points: its blocks are
-//   B_j = a_j (1 + n r_j^T),  r_j = v_j - v,  v_j = chi_j (n_j + n) / (W d_j),  v = sum a_j v_j
-// with n, chi_j, d_j and W of PN_average; W = 1 if nothing fades. Their sum is 1.
+//   B_j = a_j (1 + n r_j^T),  r_j = w (v_j - v),  v_j = chi_j (n_j + n) / (W d_j),  v = sum a_j v_j
+// with n, w, chi_j, d_j and W of PN_average; W = 1 if nothing fades. Their sum is 1.
 template <int dimension>
 class PN_row_blocks
 {
 public:
   using Vector = Eigen_vector<dimension>;
-  using Value = Point_normal<double, dimension>;
+  using Value = Point_normal_roundness<double, dimension>;
 
-  // The row over old values, of which the normals are read, and the normal that it gives.
+  // The row over old values, of which the normals are read, and the value that it gives, of which the normal and the
+  // roundness are.
   template <class Entry, class Values>
-  void assign(const Entry* begin, const Entry* end, const Values& old,
-              const Coordinates<double, dimension>& normal)
+  void assign(const Entry* begin, const Entry* end, const Values& old, const Value& value)
   {
     const auto size = static_cast<std::size_t>(end - begin);
-    normal_ = to_eigen<dimension>(normal);
+    normal_ = to_eigen<dimension>(value.normal);
     r_.assign(size, Vector::Zero());
-    if (size == 1 || PN_average<double, dimension>::is_zero(normal)) return;
+    if (size == 1 || PN_average<double, dimension>::is_zero(value.normal)) return;
     double faded_weight = 0;
     bool faded = false;
     for (std::size_t j = 0; j < size; ++j) {
@@ -85,7 +85,7 @@ public:
     }
     Vector mean = Vector::Zero();
     for (std::size_t j = 0; j < size; ++j) mean += begin[j].weight * r_[j];
-    for (Vector& r : r_) r -= mean;
+    for (Vector& r : r_) r = value.roundness * (r - mean);
   }
 
   const Vector& normal() const { return normal_; }
@@ -138,14 +138,15 @@ struct Limit_precision
 // blocks of the PN averages.
 //
 // Of each place there is a block of `rows` rows: those of the limit point, then, if there are tangents,
-// those of the vectors t_a = sum T_aj [(1 - N N^T)(p_j - o) + N (n_j + N).(p_j - o) / ((n_j + N).N)].
+// those of the vectors t_a = sum T_aj [(1 - N N^T)(p_j - o) + N (n_j + N).(p_j - o) / ((n_j + N).N)], whatever the
+// roundness: with any multiple of what this differs by from p_j - o they tend to the tangents.
 template <int dimension, int tangents>
 class Functional_tower
 {
 public:
-  using Value = Point_normal<double, dimension>;
+  using Value = Point_normal_roundness<double, dimension>;
   using Vector = Eigen_vector<dimension>;
-  using Average = PN_average<double, dimension>;
+  using Average = PN_average<double, dimension, Value>;
   static constexpr int rows = dimension * (1 + tangents);
   using Block = Eigen::Matrix<double, rows, dimension>;
 
@@ -219,7 +220,7 @@ private:
     const std::vector<Value>& ring = levels_[depth_];
     blocks_.assign(rule_->size(), Block::Zero());
     const Ring_rule::Row& row = rule_->limit;
-    row_blocks_.assign(row.data(), row.data() + row.size(), ring, limit_.normal);
+    row_blocks_.assign(row.data(), row.data() + row.size(), ring, limit_);
     const Vector& n = row_blocks_.normal();
     for (std::size_t j = 0; j < row.size(); ++j) {
       auto b = blocks_[row[j].vertex].template topRows<dimension>();
@@ -273,7 +274,7 @@ private:
     for (std::size_t p = 0; p < rule_->size(); ++p) {
       const Ring_rule::Row& row = rule_->rows_of_points[p];
       row_blocks_.assign(row.data(), row.data() + row.size(), levels_[depth],
-                         levels_[depth + 1][p].normal);
+                         levels_[depth + 1][p]);
       const Eigen::Matrix<double, rows, 1> x = next_[p] * row_blocks_.normal();
       for (std::size_t j = 0; j < row.size(); ++j)
         blocks_[row[j].vertex] +=

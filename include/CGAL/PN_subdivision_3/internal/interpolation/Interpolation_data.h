@@ -45,6 +45,7 @@ struct Interpolation_data
   Vectors<dimension> normals;      // likewise; unit vectors or zero
   Vectors<dimension> binormals;    // likewise, of curves in space only
   std::vector<Index> vertices;     // those to be interpolated
+  std::vector<double> roundness;   // likewise; none: 1
   std::vector<char> is_at_border;  // of all vertices
   std::vector<double> edge_length; // likewise, the mean
   bool takes_normals = true;       // if not, the scheme is linear
@@ -70,15 +71,18 @@ struct Interpolation_result
   Limit_interpolation_report report;
 };
 
+// Control values with the roundness of the data; a linear scheme is one of zero normals.
 template <int dimension>
-std::vector<Point_normal<double, dimension>>
-to_values(const Vectors<dimension>& points, const Vectors<dimension>& normals, bool takes_normals)
+std::vector<Point_normal_roundness<double, dimension>>
+to_values(const Vectors<dimension>& points, const Vectors<dimension>& normals,
+          const Interpolation_data<dimension>& data)
 {
-  std::vector<Point_normal<double, dimension>> values(points.size());
+  std::vector<Point_normal_roundness<double, dimension>> values(points.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
     values[v].point = to_coordinates<dimension>(points[v]);
     values[v].normal.fill(0);
-    if (takes_normals) values[v].normal = to_coordinates<dimension>(normals[v]);
+    if (data.takes_normals) values[v].normal = to_coordinates<dimension>(normals[v]);
+    if (!data.roundness.empty()) values[v].roundness = data.roundness[v];
   }
   return values;
 }
@@ -237,9 +241,11 @@ inline void estimate_missing_normals(const Level_connectivity& level,
 {
   const auto is_missing = [](const Eigen_vector<3>& n) { return n.isZero(0); };
   if (std::none_of(data.normals.begin(), data.normals.end(), is_missing)) return;
-  auto values = to_values<3>(data.points, data.normals, true);
-  estimate_normals<double>(level, estimate, Point_of_value<Point_normal<double, 3>>{values.data()},
-                           Set_normal_of_value<Point_normal<double, 3>>{values.data()});
+  using Value = Point_normal<double, 3>;
+  std::vector<Value> values;
+  for (const Eigen_vector<3>& p : data.points) values.push_back({to_coordinates<3>(p), {}});
+  estimate_normals<double>(level, estimate, Point_of_value<Value>{values.data()},
+                           Set_normal_of_value<Value>{values.data()});
   for (std::size_t v = 0; v < values.size(); ++v)
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }

@@ -111,7 +111,7 @@ class Limit_source
 public:
   using Index = std::uint32_t;
   using Functionals = Limit_functionals<dimension, tangents>;
-  using Values = std::vector<Point_normal<double, dimension>>;
+  using Values = std::vector<Point_normal_roundness<double, dimension>>;
 
   Limit_source() = default;
   Limit_source(const Limit_source&) = delete;

@@ -45,7 +45,7 @@ class Mesh_limit_functionals final : public Surface_limits
 {
 public:
   using Index = Level_connectivity::Index;
-  using Value = Point_normal<double, 3>;
+  using Value = Point_normal_roundness<double, 3>;
   using typename Surface_limits::Functionals;
   using typename Surface_limits::Values;
 
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  using Average = PN_average<double, 3>;
+  using Average = PN_average<double, 3, Value>;
   using One_round = Round<Scheme, Average>;
   using Kind = typename Limit_classes<Scheme, double>::Kind;
   using Tower = Functional_tower<3, 2>;
@@ -233,7 +233,7 @@ private:
       stage.round->host().stencil(stage.round->mask(), x.vertex, rows.row());
       rows.close_row();
       row_blocks.assign(rows.begin(0), rows.end(0), Cut_values{stage.parent->values, origin},
-                        stage.values[x.vertex].normal);
+                        stage.values[x.vertex]);
       const auto xn = (x.block * row_blocks.normal()).eval();
       for (auto e = rows.begin(0); e != rows.end(0); ++e) {
         const Index w = origin[e->vertex];
@@ -261,12 +261,13 @@ private:
     if (level.is_border_vertex(v) || !ring_class.has_tangents() ||
         Average::is_zero(tower.limit().normal))
       return std::nullopt;
+    const std::vector<Point_normal<double, 3>> ring(tower.top().begin(), tower.top().end());
     if (limit_neighborhood(scheme_).is_spline &&
         level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
       return Regular_jet<double>(is_quads ? 4 : 3)
-        .surface_jet(is_quads ? quads : triangles, tower.top().data());
+        .surface_jet(is_quads ? quads : triangles, ring.data());
     const double lambda2 = ring_class.lambda() * ring_class.lambda();
-    const Ring_geometry geometry(tower.top(), tower.limit(), ring_class.tangents());
+    const Ring_geometry geometry(ring, tower.limit(), ring_class.tangents());
     if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
       return std::nullopt;
     return geometry.extraordinary_jet();

@@ -59,7 +59,7 @@ private:
     Limit_precision precision = data_.precision();
     precision.second_forms = 2e-5;
     const auto functionals =
-      source_(to_values<3>(points, data_.normals, data_.takes_normals), data_.vertices, precision);
+      source_(to_values<3>(points, data_.normals, data_), data_.vertices, precision);
     Vectors<3> next = data_.normals;
     for (std::size_t i = 0; i < functionals.size(); ++i) {
       const auto v = data_.vertices[i];

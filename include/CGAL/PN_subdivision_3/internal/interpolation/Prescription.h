@@ -114,8 +114,7 @@ private:
 
   double evaluate(const Vectors<3>& points, const Vectors<3>& normals)
   {
-    functionals_ =
-      source_(to_values<3>(points, normals, data_.takes_normals), vertices_, precision());
+    functionals_ = source_(to_values<3>(points, normals, data_), vertices_, precision());
     // the two are of different kinds: by how much they miss what is asked
     return point_residual(points) / (std::max)(data_.tolerance, 1e-300) +
            normal_residual(points) / normal_tolerance;
@@ -212,7 +211,7 @@ vertex_without_tangents(const std::vector<Prescribed_vertex>& prescribed,
   precision.max_depth = 0;
   precision.with_blocks = false;
   const auto functionals =
-    source(to_values<3>(data.points, data.normals, data.takes_normals), vertices, precision);
+    source(to_values<3>(data.points, data.normals, data), vertices, precision);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if (!functionals[i].has_tangents) return vertices[i];
   return std::nullopt;

@@ -75,7 +75,7 @@ private:
 
   void evaluate_at(Iterate& iterate)
   {
-    functionals_ = source_(to_values<dimension>(iterate.points, data_.normals, data_.takes_normals),
+    functionals_ = source_(to_values<dimension>(iterate.points, data_.normals, data_),
                            data_.vertices, data_.precision());
     iterate.residual = residual(iterate.points);
   }

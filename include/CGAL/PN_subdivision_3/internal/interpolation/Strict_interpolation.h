@@ -81,8 +81,8 @@ private:
   void evaluate_at(Iterate& iterate)
   {
     const bool is_first = functionals_.empty();
-    functionals_ = source_(to_values<dimension>(iterate.points, *normals_, data_.takes_normals),
-                           data_.vertices, data_.precision());
+    functionals_ = source_(to_values<dimension>(iterate.points, *normals_, data_), data_.vertices,
+                           data_.precision());
     iterate.residual = residual(iterate.points);
     if (is_first) first_residual_ = iterate.residual;
   }

@@ -20,6 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -102,8 +103,8 @@ constexpr void check_interpolation_arguments()
   static_assert(
     are_used_v<Interpolation_parameters, NamedParameters>,
     "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
-    "vertex_point_map, vertex_normal_map, geom_traits, edge_is_constrained_map, "
-    "vertex_is_constrained_map");
+    "vertex_point_map, vertex_normal_map, vertex_roundness_map, roundness, geom_traits, "
+    "edge_is_constrained_map, vertex_is_constrained_map");
   static_assert(
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "
@@ -132,7 +133,17 @@ void check_interpolation_options(const Options& options)
       "limit_points");
 }
 
-// Points and normals of a mesh, and what is around the vertices; refuses what is sharp.
+// The roundness that is given, of vertices of a mesh; nothing where it is 1 everywhere.
+template <class Parameters, class Access, class NamedParameters>
+std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t n,
+                                               const NamedParameters& np)
+{
+  Given_roundness<double> given = read_roundness<double, Parameters>(access, np);
+  if (given.of_all) given.of_vertices.assign(n, *given.of_all);
+  return std::move(given.of_vertices);
+}
+
+// Points, normals and roundness of a mesh, and what is around the vertices; refuses what is sharp.
 template <class FT, class Access, class Scheme, class Mesh, class NamedParameters>
 Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme& scheme,
                                               const Level_connectivity& level, const Mesh& mesh,
@@ -149,6 +160,7 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   Interpolation_data<3> data = read_points_and_normals<FT>(
     access, scheme, level, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
   data.takes_normals = is_pn_v<Scheme>;
+  data.roundness = read_roundness_of_vertices<Parameters>(access, level.number_of_vertices(), np);
   set_surroundings(level, data);
   return data;
 }

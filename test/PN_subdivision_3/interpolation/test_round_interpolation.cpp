@@ -1,0 +1,223 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Interpolation where roundness is given: limits are evaluated by functions for limits, which solve nothing.
+
+#include "Named_shapes.h"
+#include "Scheme_runs.h"
+
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace PN = CGAL::PN_subdivision_3;
+
+namespace {
+
+using test_meshes::Cells;
+using test_meshes::Control_mesh;
+using Vertex = Surface_mesh::Vertex_index;
+using Roundness_map = Surface_mesh::Property_map<Vertex, double>;
+using Mode = PN::Limit_interpolation_mode;
+
+Roundness_map roundness_map(Surface_mesh& mesh)
+{
+  return mesh.add_property_map<Vertex, double>("v:roundness", 1).first;
+}
+
+auto with_maps(Surface_mesh& mesh)
+{
+  return PN::parameters::vertex_roundness_map(
+    roundness_map(mesh), CGAL::parameters::vertex_normal_map(normal_map(mesh)));
+}
+
+// by its first face, of points around the origin
+bool is_inside_out(const Control_mesh& mesh)
+{
+  const auto p = [&](std::size_t i) {
+    const auto& x = mesh.points[std::size_t(mesh.faces[0][i])];
+    return Kernel::Vector_3(x[0], x[1], x[2]);
+  };
+  return CGAL::determinant(p(0), p(1), p(2)) < 0;
+}
+
+// points that are moved, with normals away from a center, and any roundness
+Surface_mesh uneven(Control_mesh control)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<> some(-0.04, 0.04);
+  test_meshes::Triple mean{};
+  for (const auto& p : control.points)
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += p[c] / double(control.points.size());
+  control.normals.clear();
+  if (!test_meshes::is_closed(control)) mean[2] -= 2; // a part of a sphere
+  for (auto& p : control.points) {
+    for (std::size_t c = 0; c < 3; ++c) p[c] -= mean[c];
+    control.normals.push_back(test_meshes::unit(p));
+    for (double& x : p) x += some(random);
+  }
+  if (is_inside_out(control))
+    for (auto& f : control.faces) std::reverse(f.begin(), f.end());
+  Surface_mesh mesh = to_surface_mesh(control);
+  const Roundness_map w = roundness_map(mesh);
+  for (auto v : mesh.vertices()) w[v] = double(random() % 65) / 64;
+  return mesh;
+}
+
+std::vector<Surface_mesh> meshes_of(bool triangles)
+{
+  if (triangles)
+    return {uneven(named_shapes::capped_antiprism(5)),
+            uneven(test_meshes::star(7, 2, Cells::triangles))};
+  return {uneven(test_meshes::in_quads(named_shapes::capped_antiprism(5))),
+          uneven(test_meshes::star(5, 2, Cells::quads))};
+}
+
+// farthest vertex of `mesh` after it is moved to its limit from those of `data`
+template <class Scheme>
+double distance_of_limits(Surface_mesh mesh, const Scheme& scheme, const Surface_mesh& data)
+{
+  PN::Limit_options options;
+  options.tolerance = 1e-13;
+  PN::move_to_limit(mesh, scheme, options, with_maps(mesh));
+  double farthest = 0;
+  for (auto v : mesh.vertices())
+    farthest =
+      (std::max)(farthest, std::sqrt(CGAL::squared_distance(mesh.point(v), data.point(v))));
+  return farthest;
+}
+
+template <class Scheme>
+PN::Limit_interpolation_report interpolate(Surface_mesh& mesh, const Scheme& scheme, Mode mode)
+{
+  PN::Limit_interpolation_options<> options;
+  options.mode = mode;
+  return PN::interpolate_limit_points(mesh, scheme, options, with_maps(mesh));
+}
+
+template <class Scheme>
+void expect_limits_at_data(const Scheme& scheme, bool triangles)
+{
+  for (const Surface_mesh& data : meshes_of(triangles)) {
+    Surface_mesh mesh = data;
+    interpolate(mesh, scheme, Mode::limit_points);
+    EXPECT_LT(distance_of_limits(mesh, scheme, data), 1e-11);
+    EXPECT_GT(distance_of_limits(data, scheme, data), 1e-3); // what has to be solved
+    Surface_mesh before = data;
+    for (auto v : mesh.vertices()) // it is only read
+      EXPECT_EQ(roundness_map(mesh)[v], roundness_map(before)[v]);
+  }
+}
+
+TEST(Round_interpolation, HasLimitsAtItsData)
+{
+  expect_limits_at_data(PN::CatmullClark_scheme(), false);
+  expect_limits_at_data(PN::Loop_scheme(), true);
+  expect_limits_at_data(PN::modified_Loop_scheme(), true);
+}
+
+// with roundness 1 everywhere they are those without, with 0 those of the linear scheme
+TEST(Round_interpolation, HasTheUsualEnds)
+{
+  for (const Mode mode : {Mode::limit_points, Mode::slide})
+    for (const Surface_mesh& data : meshes_of(true)) {
+      Surface_mesh without = data, ones = data, zeros = data, linear = data;
+      PN::Limit_interpolation_options<> options;
+      options.mode = mode;
+      const auto normals = [](Surface_mesh& m) {
+        return CGAL::parameters::vertex_normal_map(normal_map(m));
+      };
+      PN::interpolate_limit_points(without, PN::Loop_scheme(), options, normals(without));
+      PN::interpolate_limit_points(
+        ones, PN::Loop_scheme(), options,
+        PN::parameters::roundness(1., CGAL::parameters::vertex_normal_map(normal_map(ones))));
+      PN::interpolate_limit_points(linear, PN::linear(PN::Loop_scheme()), options, normals(linear));
+      for (auto v : zeros.vertices()) roundness_map(zeros)[v] = 0;
+      interpolate(zeros, PN::Loop_scheme(), mode);
+      for (auto v : data.vertices()) {
+        EXPECT_EQ(without.point(v), ones.point(v));
+        if (mode ==
+            Mode::limit_points) { // sliding takes control normals on the border, if there are any
+          EXPECT_LT(CGAL::squared_distance(zeros.point(v), linear.point(v)), 1e-22);
+        }
+      }
+    }
+}
+
+// the data point and the limit are the ends of an arc, along which the normal turns from one to the other
+TEST(Round_interpolation, SlidesAlongArcs)
+{
+  for (const Surface_mesh& data : meshes_of(false)) {
+    Surface_mesh mesh = data;
+    const auto report = interpolate(mesh, PN::CatmullClark_scheme(), Mode::slide);
+    ASSERT_LE(report.residual, 1e-11);
+    Surface_mesh limit = mesh, before = data;
+    PN::Limit_options options;
+    options.tolerance = 1e-13;
+    options.surface_normals = !report.fallback;
+    PN::move_to_limit(limit, PN::CatmullClark_scheme(), options, with_maps(limit));
+    double farthest = 0;
+    for (auto v : mesh.vertices()) {
+      farthest = (std::max)(farthest, CGAL::squared_distance(data.point(v), limit.point(v)));
+      const auto m = normal_map(before)[v];
+      const auto n = normal_map(limit)[v];
+      if (mesh.is_border(v)) continue; // there the control normal stands for that of the surface
+      EXPECT_LT(std::abs((m + n) * (data.point(v) - limit.point(v))), 1e-7);
+    }
+    EXPECT_GT(farthest, 1e-4); // it slides
+  }
+}
+
+TEST(Round_interpolation, PrescribesPointsAndNormals)
+{
+  for (const Surface_mesh& data : meshes_of(true)) {
+    Surface_mesh mesh = data;
+    const auto points = mesh.add_property_map<Vertex, std::optional<Kernel::Point_3>>("v:p").first;
+    const auto normals =
+      mesh.add_property_map<Vertex, std::optional<Kernel::Vector_3>>("v:n").first;
+    const Vertex v(0);
+    points[v] = mesh.point(v) + Kernel::Vector_3(0.05, -0.03, 0.02);
+    const Kernel::Vector_3 n = normal_map(mesh)[v] + Kernel::Vector_3(0.2, 0.1, -0.1);
+    normals[v] = n / std::sqrt(n.squared_length());
+    PN::prescribe_limit_data(mesh, PN::Loop_scheme(), points, normals,
+                             PN::Limit_prescription_options(), with_maps(mesh));
+    PN::Limit_options options;
+    options.tolerance = 1e-13;
+    options.surface_normals = true;
+    PN::move_to_limit(mesh, PN::Loop_scheme(), options, with_maps(mesh));
+    EXPECT_LT(CGAL::squared_distance(mesh.point(v), *points[v]), 1e-22);
+    EXPECT_LT((normal_map(mesh)[v] - *normals[v]).squared_length(), 1e-12);
+  }
+}
+
+TEST(Round_interpolation, RefusesWhatIsOutOfRange)
+{
+  Surface_mesh mesh = meshes_of(true)[0];
+  const Surface_mesh before = mesh;
+  roundness_map(mesh)[Vertex(3)] = 1.75;
+  for (const Mode mode : {Mode::limit_points, Mode::slide}) try {
+      interpolate(mesh, PN::Loop_scheme(), mode);
+      ADD_FAILURE();
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find("of vertex 3 is 1.75"), std::string::npos) << e.what();
+    }
+  for (auto v : mesh.vertices()) EXPECT_EQ(mesh.point(v), before.point(v));
+}
+
+} // namespace
