@@ -113,6 +113,23 @@ TEST(Recognize_surfaces, prisms_pyramids_and_frusta)
   }
 }
 
+// Their sides meet at angles at which what is round does.
+TEST(Recognize_surfaces, flat_pyramids_and_frusta)
+{
+  for (int n = 3; n <= 7; ++n)
+    for (double stretch : {1., 1.3})
+      for (double top : {0., 0.5}) {
+        if (top > 0 && stretch > 1) continue; // some of the sides meet at more than that
+        SCOPED_TRACE(n);
+        Part part = regular_prism(n, top);
+        for (Vec& p : part.points) p = {stretch * p[0], p[1], (top > 0 ? 0.4 : 0.15) * p[2]};
+        Mesh mesh = mesh_of<Mesh>(part);
+        const Recognition r = recognition_of(mesh, CGAL::parameters::default_values());
+        const auto planes = static_cast<std::size_t>(top > 0 ? n + 2 : n + 1);
+        EXPECT_EQ(counts(r), (Counts{planes, 0, 0, 0, 0})) << stretch << ' ' << top;
+      }
+}
+
 TEST(Recognize_surfaces, prism_of_eight_sides_is_round)
 {
   EXPECT_EQ(counts(recognition_of(regular_prism(8))), (Counts{2, 1, 0, 0, 0}));

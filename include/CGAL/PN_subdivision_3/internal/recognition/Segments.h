@@ -237,13 +237,38 @@ private:
     for (const std::vector<Index>& component : free_components(radians(30))) {
       const bool are_planar = std::all_of(component.begin(), component.end(),
                                           [&](Index p) { return c_.patches[p].is_planar; });
-      if (are_planar && component.size() <= 2)
+      if (are_planar && (component.size() <= 2 || is_pyramid(component)))
         for (const Index p : component) make_plane({p});
       else {
         const Index label = new_label(Shape());
         for (const Index p : component) set_label(p, label);
       }
     }
+  }
+
+  // Few facets about a vertex, or a ring of few: a flat pyramid or frustum, which need not be regular.
+  bool is_pyramid(const std::vector<Index>& component) const
+  {
+    if (component.size() >= c_.min_facets) return false;
+    const std::vector<Index>& first = c_.patches[component[0]].vertices;
+    const bool have_apex = std::any_of(first.begin(), first.end(), [&](Index v) {
+      return std::all_of(component.begin(), component.end(), [&](Index p) {
+        const std::vector<Index>& own = c_.patches[p].vertices;
+        return std::binary_search(own.begin(), own.end(), v);
+      });
+    });
+    return have_apex || std::all_of(component.begin(), component.end(),
+                                    [&](Index p) { return neighbors_within(component, p) == 2; });
+  }
+  std::size_t neighbors_within(const std::vector<Index>& component, Index p) const
+  {
+    std::size_t result = 0;
+    for (const Index number : c_.patches[p].joints) {
+      const Joint& j = c_.patches.joints[number];
+      result += j.angle <= radians(30) &&
+                std::find(component.begin(), component.end(), j.other(p)) != component.end();
+    }
+    return result;
   }
 
   // neighbors on one surface
