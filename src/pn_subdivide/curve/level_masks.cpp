@@ -11,8 +11,10 @@
 #include "io/file_content.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -35,10 +37,13 @@ Line parse_line(const std::string& text, const std::string& place)
 {
   Line line{place, 0, {}};
   std::istringstream words(text);
-  double coefficient;
-  if (words >> line.first_index)
-    while (words >> coefficient) line.coefficients.push_back(coefficient);
-  if (!words.eof() || line.coefficients.empty())
+  std::string index;
+  words >> index;
+  const char* const end = index.data() + index.size();
+  const auto result = std::from_chars(index.data(), end, line.first_index);
+  for (double c = 0; words >> c;) line.coefficients.push_back(c);
+  const bool has_index = result.ec == std::errc() && result.ptr == end;
+  if (!has_index || !words.eof() || line.coefficients.empty())
     throw Error(place + ": a mask is an integer, the index of its first coefficient, and the "
                         "coefficients, as in -2 0.125 0.5 0.75 0.5 0.125");
   const int last = int((std::min)(line.coefficients.size(), std::size_t(3 * greatest_index)));
@@ -70,9 +75,18 @@ bool is_primal(const Line& line)
   return 2 * line.first_index + int(line.coefficients.size()) == 1;
 }
 
+std::string content_of(const std::string& file)
+{
+  try {
+    return file_content(file);
+  } catch (const Error& e) {
+    throw Error(file + ": " + e.what());
+  }
+}
+
 std::vector<Line> read_lines(const std::string& file)
 {
-  std::istringstream in(file_content(file));
+  std::istringstream in(content_of(file));
   std::vector<Line> lines;
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
