@@ -37,7 +37,7 @@ if(Python3_FOUND)
 
   # the drawings of the manual, against those that the examples have just written
   foreach(example_and_figure
-          average_arcs curve_bottle curve_circle curve_normal_edit far_from_origin kernel_precision
+          approximation_order average_arcs curve_bottle curve_circle curve_normal_edit far_from_origin kernel_precision
           extraordinary_curvature_table=extraordinary_curvature)
     string(REGEX MATCH "^[^=]+" example ${example_and_figure})
     string(REGEX MATCH "[^=]+$" figure ${example_and_figure})

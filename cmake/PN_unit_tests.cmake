@@ -88,7 +88,7 @@ endif()
 
 # Programs that run for longer without optimization than it takes to compile.
 set(pn_computing_tests
-    test_creases_shapes test_curvature_fit test_estimate_curvature test_exact_schemes test_extraordinary_curvature
+    test_approximation_order test_creases_shapes test_curvature_fit test_estimate_curvature test_exact_schemes test_extraordinary_curvature
     test_extraordinary_measure test_failures test_interpolation test_limit_masks test_limit_points test_pieces
     test_pieces_creases
     test_reproduction test_scheme_properties)
@@ -194,6 +194,7 @@ endif()
 if(TARGET test_PN_mask_3_custom)
   include(${CMAKE_CURRENT_LIST_DIR}/PN_manual_masks.cmake)
   pn_unpack_cgal_examples(test_PN_mask_3_custom)
+  pn_change_cgal_examples(test_Subdivision_method_3_examples)
 endif()
 
 # not by find_package(): Debian's OpenSubdivConfig.cmake names a static library that is not in its package

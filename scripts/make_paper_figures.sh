@@ -185,7 +185,7 @@ figure_9() {
       curvature "data/meshes/$mesh.ply" 5 "$row$panel" --scheme $options
     done << 'END'
 a catmull-clark --linear
-b modified-catmull-clark --linear
+b modified-catmull-clark --linear --first-round 2 --tuned-valences diverging
 c catmull-clark
 d modified-catmull-clark --first-round 2 --tuned-valences diverging
 e modified-catmull-clark
@@ -256,7 +256,8 @@ figure_13() {
 
 modified() { # figure, control mesh, scheme, range, view, name, options
   curvature "$2" 4 linear --scheme "$3" --linear "${@:7}"
-  curvature "$2" 4 modified --scheme "modified-$3" --linear "${@:7}"
+  curvature "$2" 4 modified --scheme "modified-$3" --linear --first-round 2 \
+            --tuned-valences diverging "${@:7}"
   curvature "$2" 4 PN_modified --scheme "modified-$3" --normals angle --first-round 2 \
             --tuned-valences diverging "${@:7}"
   curvature "$2" 4 PN_modified_1 --scheme "modified-$3" --normals angle "${@:7}"

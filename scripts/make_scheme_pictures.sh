@@ -77,6 +77,8 @@ draw kobbelt quads 4 Kobbelt
 draw loop triangles 4 Loop
 draw butterfly triangles 4 Butterfly
 draw sqrt3 triangles 6 "sqrt(3)"
+draw midpoint triangles 4 Midpoint
+draw bilinear quads 4 Bilinear
 
 draw_curvature() { # scheme, kind of faces, name
   local meshes=() options scheme

@@ -26,6 +26,7 @@
 #include "Ratio_reporter.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Subdivision_method_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -343,6 +344,35 @@ void add_triangle_schemes()
 #endif
 }
 
+// CGAL's functions, and those of the same names here, also with CGAL's masks in the hosts of both.
+void add_functions_of_cgal()
+{
+  namespace Ours = PN::Subdivision_method_3;
+  const auto rounds = [](unsigned k) { return params::number_of_iterations(k); };
+  const Control q = quads(24, 18), t = triangles(16, 14);
+  const auto add_pair = [](const std::string& name, const Control& control, unsigned k,
+                           const auto& cgal, const auto& ours) {
+    add("as-CGAL/" + name + "/CGAL", control, k, linear_job(cgal));
+    add("as-CGAL/" + name + "/ours", control, k, linear_job(ours));
+  };
+  add_pair(
+    "CatmullClark", q, 4, [=](Mesh& m, unsigned k) { SM3::CatmullClark_subdivision(m, rounds(k)); },
+    [=](Mesh& m, unsigned k) { Ours::CatmullClark_subdivision(m, rounds(k)); });
+  add_pair(
+    "Loop", t, 4, [=](Mesh& m, unsigned k) { SM3::Loop_subdivision(m, rounds(k)); },
+    [=](Mesh& m, unsigned k) { Ours::Loop_subdivision(m, rounds(k)); });
+  add_pair(
+    "DooSabin", q, 4, [=](Mesh& m, unsigned k) { SM3::DooSabin_subdivision(m, rounds(k)); },
+    [=](Mesh& m, unsigned k) { Ours::DooSabin_subdivision(m, rounds(k)); });
+  add_pair(
+    "Sqrt3", t, 5, [=](Mesh& m, unsigned k) { SM3::Sqrt3_subdivision(m, rounds(k)); },
+    [=](Mesh& m, unsigned k) { Ours::Sqrt3_subdivision(m, rounds(k)); });
+  const auto mask = [](Mesh& m) { return CGAL::Loop_mask_3<Mesh>(&m, get(CGAL::vertex_point, m)); };
+  add_pair(
+    "PTQ", t, 4, [=](Mesh& m, unsigned k) { SM3::PTQ(m, mask(m), rounds(k)); },
+    [=](Mesh& m, unsigned k) { Ours::PTQ(m, mask(m), rounds(k)); });
+}
+
 // The estimate of control normals beside the angle-weighted one, both on the mesh's reading. A rough
 // mesh has wide fans, which need both.
 void add_normal_estimates()
@@ -548,6 +578,7 @@ int main(int argc, char** argv)
   return run_and_print_ratios(argc, argv, 9, [] {
     add_quad_schemes();
     add_triangle_schemes();
+    add_functions_of_cgal();
     add_modified_schemes();
     add_creased_jobs();
     add_normal_estimates();

@@ -44,6 +44,8 @@ struct Plot
   std::size_t tick_step = 5;
   bool numbered_labels = true; // the legend is in the order of numbers, else of appearance
   double legend_width = 90;
+  std::vector<std::string> tick_labels = {}; // instead of 0, 1, 2, ...
+  std::size_t color_step = 1;                // farther apart where lines are few
 };
 
 namespace internal {
@@ -96,7 +98,8 @@ inline void write_axes(std::ostream& out, const Plot& plot, std::size_t n, doubl
   for (std::size_t i = 0; i <= n; i += plot.tick_step) {
     const double at = x0 + width * double(i) / double(n);
     out << "<path class=\"grid\" d=\"M" << at << ' ' << top << 'v' << height << "\"/><text x=\""
-        << at << "\" y=\"" << top + height + 19 << "\">" << i << "</text>\n";
+        << at << "\" y=\"" << top + height + 19 << "\">"
+        << (plot.tick_labels.empty() ? std::to_string(i) : plot.tick_labels.at(i)) << "</text>\n";
   }
   out << "<text x=\"" << x0 + width / 2 << "\" y=\"" << top + height + 42 << "\">" << plot.x_label
       << "</text>\n";
@@ -123,7 +126,7 @@ inline std::string drawing(const Plot& plot)
   const std::size_t n = last_x(plot);
   const auto color = [&](const std::string& label) {
     const auto i = std::find(names.begin(), names.end(), label) - names.begin();
-    return colors[static_cast<std::size_t>(i) % colors.size()];
+    return colors[static_cast<std::size_t>(i) * plot.color_step % colors.size()];
   };
   const double right = left + double(plot.panels.size()) * (width + gap);
   std::ostringstream out;

@@ -33,6 +33,8 @@ const std::vector<Option_group>& option_groups()
      {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--roundness", "--linear",
       "--limit", "--threads", "--quiet", "--help"}},
     {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
+    {"Surfaces of CAD parts",
+     {"--min-facets", "--surface-tolerance", "--sharp-angle", "--chord", "--planes", "--surface-labels"}},
     {"What is read",
      {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
     {"What is written",
@@ -132,6 +134,7 @@ std::string top_level_footer()
   return "What people look for, with any mesh in the place of part.obj:\n"
          "  smooth it                pn_subdivide part.obj smooth.ply --levels 3\n"
          "  keep its edges           pn_subdivide part.obj smooth.ply --levels 3 --sharp angle:40\n"
+         "  a part of CAD as an STL  pn_subdivide part.stl smooth.stl --levels 3 --sharp surfaces\n"
          "  compare with the linear  pn_subdivide part.obj linear.ply --levels 3 --linear\n"
          "  color by curvature       pn_subdivide part.obj color.ply --levels 3 --curvature mean\n"
          "  pass through its points  pn_subdivide part.obj smooth.ply --levels 3 --interpolate "

@@ -66,6 +66,29 @@ void add_levels(CLI::App& command, unsigned& levels)
     ->capture_default_str();
 }
 
+// also auto
+void add_surface_levels(CLI::App& command, Surface_options& options)
+{
+  const auto check = [](std::string& word) {
+    return word == "auto" ? std::string() : whole_number()(word);
+  };
+  command
+    .add_option_function<std::string>(
+      "--levels",
+      [&options](const std::string& word) {
+        options.has_levels = true;
+        options.auto_levels = word == "auto";
+        if (!options.auto_levels && !CLI::detail::lexical_cast(word, options.levels))
+          throw CLI::ConversionError(word, "--levels");
+      },
+      "Rounds of subdivision; 0 copies the control data; auto: as many as --chord takes")
+    ->transform(CLI::Validator(check, ""))
+    ->default_str("1");
+  command.add_option("--chord", options.chord,
+                     "With --levels auto --sharp surfaces: how far edges of the result may be from "
+                     "their surfaces: a length, or P% of the box's diagonal");
+}
+
 void add_linear(CLI::App& command, bool& linear)
 {
   command.add_flag("--linear", linear, "The linear scheme, without normals");
@@ -144,7 +167,9 @@ void add_crease_options(CLI::App& command, Crease_options& options)
     "--sharp", options.sharp,
     "Edges that are creases: auto (default; those of file, but of normals for flat "
     "shading only if there are at most 6 different ones or one for 20 faces), "
-    "none, file (those that the file tags as sharp, or where its normals of two faces differ by "
+    "none, surfaces (those between the planes, cylinders, cones, spheres and tori of a CAD part, "
+    "which are recognized; ./surfaces is a file), file (those that the file tags as sharp, or "
+    "where its normals of two faces differ by "
     "more than 0.1 degrees), angle:DEG (where the faces meet at an angle greater by 0.1 degrees "
     "and more) or a selection file of CGAL (.selection.txt)");
   command.add_option("--sharpness", options.sharpness,
@@ -155,6 +180,29 @@ void add_crease_options(CLI::App& command, Crease_options& options)
     "Border: surface (default; part of the surface), curve (a crease, circles stay "
     "circles), corners (the same, and vertices with one face are corners) or fixed "
     "(stays where it is)");
+}
+
+void add_recognition_options(CLI::App& command, Crease_options& options)
+{
+  command.add_option("--min-facets", options.min_facets,
+                     "With --sharp surfaces: the least number of sides of prisms that are round "
+                     "although nothing else tells so; default 8");
+  command.add_option("--surface-tolerance", options.surface_tolerance,
+                     "With --sharp surfaces: how far vertices may be from their surface; default: "
+                     "4 units of the file's rounding and 1e-7 of the box's diagonal");
+  command.add_option("--sharp-angle", options.sharp_angle,
+                     "With --sharp surfaces: where no surface is recognized, edges are creases "
+                     "whose faces meet at an angle greater than this; default 30 degrees");
+  command.add_option("--surface-labels", options.surface_labels,
+                     "With --sharp surfaces: write the number of its surface for each control "
+                     "face into this file, one a line");
+}
+
+void add_planes(CLI::App& command, std::optional<std::string>& planes)
+{
+  command.add_option("--planes", planes,
+                     "With --sharp surfaces: rims makes planes of as few triangles as their "
+                     "refined rims allow; no control mesh for further rounds");
 }
 
 void add_repair_options(CLI::App& command, Surface_options& options)
@@ -221,7 +269,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "Format of standard input and output: " + writable_formats() +
                        " (vtp is written only)");
   add_scheme_options(surface, options.scheme);
-  add_levels(surface, options.levels);
+  add_surface_levels(surface, options);
   add_linear(surface, options.linear);
   surface.add_option(
     "--normals", options.normals,
@@ -235,6 +283,8 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "else as estimate), file, estimate (read off the points), or a number for all "
                      "vertices from 0 (linear points) to 1");
   add_crease_options(surface, options.creases);
+  add_recognition_options(surface, options.creases);
+  add_planes(surface, options.planes);
   surface.add_option("--write-tags", options.write_tags,
                      "Write what is sharp in the result as a selection file of CGAL, "
                      "FILE.selection.txt; with --output-normals control or both .ply and .obj hold "

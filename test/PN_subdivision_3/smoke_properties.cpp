@@ -107,8 +107,8 @@ void all_schemes_keep_spheres()
 {
   PN::for_each_shipped_scheme([](const auto& scheme) {
     const std::string name = scheme.name();
-    const bool triangles =
-      name.find("loop") != std::string::npos || name == "butterfly" || name == "sqrt3";
+    const bool triangles = name.find("loop") != std::string::npos || name == "butterfly" ||
+                           name == "sqrt3" || name == "midpoint";
     for (const bool open : {false, true}) keeps_sphere(scheme, triangles, open);
   });
 }

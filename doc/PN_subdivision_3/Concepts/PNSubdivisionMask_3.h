@@ -39,6 +39,8 @@ The level outlives the mask, which may keep a reference to it.
 \cgalHasModels{CGAL::PN_subdivision_3::Sqrt3_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Butterfly_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::Midpoint_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::Bilinear_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::modified_CatmullClark_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::modified_Loop_mask}
 \cgalHasModelsEnd

@@ -19,6 +19,8 @@ the weights of the new vertices. Parameters such as a tension are members of the
 \cgalHasModels{CGAL::PN_subdivision_3::Sqrt3_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Butterfly_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Midpoint_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::Bilinear_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::modified_CatmullClark_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::modified_Loop_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Any_scheme}

@@ -90,17 +90,14 @@ namespace internal {
 
 // A polygon in the number type of its computations, checked, with unit normals.
 template <class Limits, class Parameters, class Range, class NamedParameters>
-std::vector<typename Limits::Value> limit_polygon(const Range& polygon, const NamedParameters& np)
+std::vector<typename Limits::Value> limit_polygon(const Range& polygon, Curve_end end,
+                                                  const NamedParameters& np)
 {
   using FT = typename Parameters::FT;
   constexpr int dimension = Parameters::dimension;
-  const auto point_map = Parameters::point_map(np);
-  const auto normal_map = Parameters::normal_map(np);
   std::vector<typename Limits::Value> values;
-  for (const auto& item : polygon) {
+  const auto add = [&](const auto& point, const auto& normal) {
     const auto name = [&] { return "point " + std::to_string(values.size()); };
-    const auto point = get(point_map, item);
-    const auto normal = get(normal_map, item);
     Point_normal<FT, dimension> v;
     for (std::size_t c = 0; c < dimension; ++c) {
       v.point[c] = FT(point.cartesian(static_cast<int>(c)));
@@ -113,7 +110,8 @@ std::vector<typename Limits::Value> limit_polygon(const Range& polygon, const Na
       values.push_back(v);
     } else
       values.push_back(v.point);
-  }
+  };
+  for_each_point_and_normal<Parameters, Limits::is_pn>(polygon, end, np, add);
   return values;
 }
 
@@ -268,7 +266,7 @@ and errors are computed in `double`, from differences in the number type.
   vertices and edges have limits whose neighborhoods do not leave the polygon.
 \param options what is computed, and how well
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`, as for `subdivide_curve()`
+  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated
 
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
@@ -286,13 +284,15 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
+  static_assert(!Parameters::has_roundness,
+                "PN_subdivision_3: limits of curves are known with roundness 1 only: leave it out");
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
     using FT = typename Parameters::FT;
     constexpr int dimension = Parameters::dimension;
     using Limits = internal::Curve_limits<FT, dimension, Mask>;
     using Maker = internal::Curve_limit_maker<typename Parameters::Point,
                                               typename Parameters::Vector, FT, dimension>;
-    const auto values = internal::limit_polygon<Limits, Parameters>(polygon, np);
+    const auto values = internal::limit_polygon<Limits, Parameters>(polygon, end, np);
     const internal::Curve_limit_demand demand =
       internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
     Limits limits(mask, end, demand);

@@ -248,8 +248,8 @@ public:
 
   It is meant for schemes whose eigenvalues besides 1 and the subdominant ones are less than the
   square of the latter; the curvature of others need not settle at extraordinary vertices. That the
-  rings tend to it is measured, not proved. The error falls from level to level as the square of the
-  size of the net.
+  rings tend to it is proved for the modified schemes, see \ref PNSubdivision_proofs_curvature. The error falls
+  from level to level as the square of the size of the net.
 
   Slope, derivative and curvatures are NaN if U is singular but for rounding, as where the 1-ring has
   collapsed to a line or to a point: then there is no tangent plane to speak of.

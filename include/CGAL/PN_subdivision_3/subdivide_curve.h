@@ -13,28 +13,60 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
+#include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+
+#include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// the vectors of the normals that are given, or those of the points
+template <class Points, class Normal_map>
+struct Curve_vector
+{
+  using type = typename boost::property_traits<Normal_map>::value_type;
+};
+template <class Points>
+struct Curve_vector<Points, No_curve_normal_map>
+{
+  using type = typename Points::Vector;
+};
+
 // The named parameters of the curve functions.
 template <class Range, class NamedParameters>
 struct Curve_parameters : Curve_maps<Range, NamedParameters>
 {
+  using Points = Curve_points<Range, NamedParameters>;
   using typename Curve_maps<Range, NamedParameters>::Normal_map;
   using typename Curve_maps<Range, NamedParameters>::Point;
-  using Vector = typename boost::property_traits<Normal_map>::value_type;
+  using Vector = typename Curve_vector<Points, Normal_map>::type;
   using Geom_traits =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
                                                  typename CGAL::Kernel_traits<Point>::Kernel>::type;
   using FT = typename Geom_traits::FT;
 
+  using Roundness = std::decay_t<
+    typename internal_np::Lookup_named_param_def<roundness_t, NamedParameters, No_roundness>::type>;
+
   static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
+  static constexpr bool has_roundness = is_given_roundness_v<Roundness>;
+
+  static FT roundness([[maybe_unused]] const NamedParameters& np)
+  {
+    if constexpr (has_roundness)
+      return checked_roundness<FT>(FT(parameters::get_parameter(np, roundness_t())), false,
+                                   [] { return std::string("all points"); });
+    else
+      return FT(1);
+  }
 
   static unsigned number_of_iterations(const NamedParameters& np)
   {
@@ -42,6 +74,23 @@ struct Curve_parameters : Curve_maps<Range, NamedParameters>
       parameters::get_parameter(np, internal_np::number_of_iterations), 1u));
   }
 };
+
+// Calls f(point, normal) for the points of a range, with the normals that it has or, if it has none, estimated ones. Whoever
+// needs no normals gets what is there, or zero.
+template <class Parameters, bool needs_normals, class Range, class NamedParameters, class Function>
+void for_each_point_and_normal(const Range& polygon, [[maybe_unused]] Curve_end end,
+                               const NamedParameters& np, const Function& f)
+{
+  const auto point_map = Parameters::point_map(np);
+  if constexpr (Parameters::Points::has_normals) {
+    const auto normal_map = Parameters::normal_map(np);
+    for (const auto& item : polygon) f(get(point_map, item), get(normal_map, item));
+  } else if constexpr (needs_normals) {
+    for (const auto& [point, normal] : estimate_control_normals(polygon, end, np)) f(point, normal);
+  } else
+    for (const auto& item : polygon)
+      f(get(point_map, item), typename Parameters::Vector(NULL_VECTOR));
+}
 
 } // namespace internal
 
@@ -56,7 +105,7 @@ cylinder; points on a line with equal normals stay on it. A zero vector means "n
 here"; vectors of other lengths are normalized once.
 
 \tparam Range a model of `ConstRange` whose items hold a point and a normal; without property maps a
-  range of `std::pair<Point, Vector>`
+  range of `std::pair<Point, Vector>`, or of points, whose normals are estimated
 \tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes
   of one, or a `level_dependent_mask()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -78,12 +127,20 @@ here"; vectors of other lengths are normalized once.
   \cgalParamNBegin{point_map}
     \cgalParamDescription{a property map from the items of `polygon` to points}
     \cgalParamType{a model of `ReadablePropertyMap` with value type `Point_2` or `Point_3`}
-    \cgalParamDefault{`CGAL::First_of_pair_property_map`}
+    \cgalParamDefault{`CGAL::First_of_pair_property_map`, or the items themselves}
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
     \cgalParamDescription{a property map from the items of `polygon` to control normals}
     \cgalParamType{a model of `ReadablePropertyMap` with value type `Vector_2` or `Vector_3`}
-    \cgalParamDefault{`CGAL::Second_of_pair_property_map`}
+    \cgalParamDefault{`CGAL::Second_of_pair_property_map`; if the items are no pairs, the normals of
+                      `estimate_control_normals()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{roundness}
+    \cgalParamDescription{how round the curve is, see `PN_average`: 1 is the point-normal curve, 0 has the points of the
+                          linear one. It is the same in all rounds; the normals do not depend on it.}
+    \cgalParamType{a number from 0 to 1; `parameters::roundness()` makes the parameter}
+    \cgalParamDefault{1}
+    \cgalParamExtra{A linear mask ignores it.}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class; its `FT` is the number type of
@@ -99,7 +156,7 @@ here"; vectors of other lengths are normalized once.
   for 2k-point masks. Primal masks on a closed polygon begin with the new point of the first vertex,
   dual ones with the first new point on the first edge.
 
-\throws std::invalid_argument if a point or normal is not finite (the message gives its position),
+\throws std::invalid_argument if a point or normal is not finite (the message gives its position), if the roundness is not from 0 to 1,
   if an open polygon is too short for `Curve_end::none`, if the coefficients of a mask do not sum to 1
   for each parity, or if the masks of points and normals are not both primal or both dual with the
   same center
@@ -115,11 +172,12 @@ auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
-    internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(mask,
-                                                                                            end);
-    const auto point_map = Parameters::point_map(np);
-    const auto normal_map = Parameters::normal_map(np);
-    for (const auto& item : polygon) curve.add(get(point_map, item), get(normal_map, item));
+    internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask,
+                                Parameters::has_roundness>
+      curve(mask, end, Parameters::roundness(np));
+    internal::for_each_point_and_normal<
+      Parameters, !internal::Is_linear_mask<internal::Mask_in_round<Mask>>::value>(
+      polygon, end, np, [&](const auto& point, const auto& normal) { curve.add(point, normal); });
     return curve.template result<typename Parameters::Point, typename Parameters::Vector>(
       Parameters::number_of_iterations(np));
   }

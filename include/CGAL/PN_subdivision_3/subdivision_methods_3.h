@@ -9,11 +9,13 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H
 #define CGAL_PN_SUBDIVISION_3_SUBDIVISION_METHODS_3_H
 
+#include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
@@ -193,6 +195,40 @@ void ct_Loop_subdivision(PolygonMesh& mesh,
                          const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, ct_Loop_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+splits triangles into four, with new vertices in the middle of edges: of the arcs that the normals tell of, or, with roundness 0, of
+the straight ones. The same as `subdivide(mesh, Midpoint_scheme(), np)`, which documents all parameters,
+guarantees and exceptions. Old vertices keep their points and normals bit for bit. The order of the new vertices is
+that of `PTQ_host`.
+
+\throws std::invalid_argument also if a face is not a triangle
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void Midpoint_subdivision(PolygonMesh& mesh,
+                          const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, Midpoint_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+splits polygons into quadrilaterals, with new vertices in the middle of edges, as `Midpoint_subdivision()`, and of faces.
+The same as `subdivide(mesh, Bilinear_scheme(), np)`, which documents all parameters, guarantees and
+exceptions. Old vertices keep their points and normals bit for bit. The order of the new vertices is that of
+`PQQ_host`.
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void Bilinear_subdivision(PolygonMesh& mesh,
+                          const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, Bilinear_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

@@ -66,10 +66,23 @@ double roundness_of(const Curve_options& options)
   return roundness;
 }
 
+// Limits are those of the last mask.
+void require_last_mask(const Curve_options& options, const Curve_scheme& scheme)
+{
+  const std::size_t before = scheme.levels.empty() ? 0 : scheme.levels.size() - 1;
+  if (options.limit.is_used() && options.levels < before)
+    throw Usage_error(std::string(options.limit.points ? "--limit" : "--curve-normals") + ": " +
+                      options.scheme + " has another mask after " + std::to_string(before) +
+                      " rounds; give --levels " + std::to_string(before) + " or more");
+}
+
 Curve_rule parse_rule(const Curve_options& options)
 {
+  if (options.scheme == "levels:-" && options.input == "-")
+    throw Usage_error("--scheme levels:-: standard input is the polygon already");
   Curve_rule rule{parse_curve_scheme("--scheme", options.scheme), std::nullopt, options.linear};
   rule.end = parse_end(options, rule.scheme);
+  require_last_mask(options, rule.scheme);
   if (options.sharp && !rule.scheme.primal)
     throw Usage_error("--sharp needs a primal scheme (bspline of odd degree, N-point): " +
                       options.scheme + " keeps no end points");
@@ -84,6 +97,10 @@ Curve_rule parse_rule(const Curve_options& options)
     throw Usage_error("--normal-scheme and --linear exclude each other: in linear schemes normals "
                       "take no part");
   rule.normal_scheme = parse_curve_scheme("--normal-scheme", *options.normal_scheme);
+  if (!rule.scheme.levels.empty() || !rule.normal_scheme->levels.empty())
+    throw Usage_error(
+      "--normal-scheme does not go with levels:FILE: masks that differ from round to "
+      "round are those of points and normals");
   if (rule.normal_scheme->primal != rule.scheme.primal)
     throw Usage_error("--normal-scheme " + *options.normal_scheme + " does not go with --scheme " +
                       options.scheme +

@@ -8,10 +8,12 @@
 
 #include "curve/curve_schemes.h"
 
+#include "curve/level_masks.h"
 #include "io/Error.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
@@ -71,9 +73,10 @@ void require_possible_size(std::size_t n, const Curve_rule& rule, unsigned level
 
 std::string curve_scheme_names()
 {
-  return std::string(PN::B_spline_mask::name()) + " (DEGREE 2 to 9), chaikin (bspline:2) or " +
+  return std::string(PN::B_spline_mask::name()) + " (DEGREE 2 to 9), chaikin (bspline:2), " +
          PN::Dubuc_Deslauriers_mask::name() + " (POINTS even, 2 to " +
-         std::to_string(PN::Dubuc_Deslauriers_mask::greatest_number_of_points) + ", as in 4-point)";
+         std::to_string(PN::Dubuc_Deslauriers_mask::greatest_number_of_points) +
+         ", as in 4-point), or levels:FILE (a mask a round)";
 }
 
 Curve_scheme parse_curve_scheme(const std::string& option, const std::string& name)
@@ -84,6 +87,7 @@ Curve_scheme parse_curve_scheme(const std::string& option, const std::string& na
     if (degree && *degree >= 2 && *degree <= 9) return b_spline(*degree);
     throw Usage_error(option + " '" + name + "': B-splines have a degree from 2 to 9");
   }
+  if (boost::algorithm::starts_with(name, "levels:")) return read_level_masks(name.substr(7));
   if (boost::algorithm::ends_with(name, "-point")) {
     const std::optional<int> points = to_int(name.substr(0, name.size() - 6));
     if (points && *points >= 2 &&
@@ -104,24 +108,15 @@ Curve_data refine(const Curve_data& curve, const Curve_rule& rule, unsigned leve
   std::visit(
     [&](const auto& points) {
       refined.points = with_mask(rule, [&](const auto& mask) {
+        const auto np = CGAL::parameters::number_of_iterations(levels);
+        if (rule.linear || rule.roundness == 1)
+          return PN::subdivide_curve(points, mask, rule.end, np);
         return PN::subdivide_curve(points, mask, rule.end,
-                                   CGAL::parameters::number_of_iterations(levels));
+                                   PN::parameters::roundness(rule.roundness, np));
       });
     },
     curve.points);
   return refined;
-}
-
-// Each point of a round lies between the linear one and Yang's, whose normals are those of all.
-void move_to_linear(Curve_data& refined, const Curve_data& linear, double roundness)
-{
-  std::visit(
-    [&](auto& points) {
-      const auto& others = std::get<std::decay_t<decltype(points)>>(linear.points);
-      for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].first = others[i].first + roundness * (points[i].first - others[i].first);
-    },
-    refined.points);
 }
 
 } // namespace
@@ -129,14 +124,13 @@ void move_to_linear(Curve_data& refined, const Curve_data& linear, double roundn
 Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
 {
   require_possible_size(curve.size(), rule, levels);
-  if (rule.linear || rule.roundness == 1) return refine(curve, rule, levels);
-  Curve_rule linear = rule;
-  linear.linear = true;
+  if (rule.scheme.levels.empty()) return refine(curve, rule, levels);
+  Curve_rule of_round = rule;
   Curve_data refined = refine(curve, rule, 0);
-  for (unsigned k = 0; k < levels; ++k) {
-    const Curve_data of_linear = refine(refined, linear, 1);
-    refined = refine(refined, rule, 1);
-    move_to_linear(refined, of_linear, rule.roundness);
+  for (std::size_t k = 0; k < levels; ++k) {
+    const std::vector<Level_mask>& masks = rule.scheme.levels;
+    of_round.scheme.mask = masks[(std::min)(k, masks.size() - 1)];
+    refined = refine(refined, of_round, 1);
   }
   return refined;
 }

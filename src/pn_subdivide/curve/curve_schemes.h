@@ -16,12 +16,15 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace pn_subdivide {
 
+using Level_mask = CGAL::PN_subdivision_3::Univariate_mask<double>;
 using Curve_mask = std::variant<CGAL::PN_subdivision_3::B_spline_mask,
-                                CGAL::PN_subdivision_3::Dubuc_Deslauriers_mask>;
+                                CGAL::PN_subdivision_3::Dubuc_Deslauriers_mask, Level_mask>;
 
 // A mask with what the command has to know about it.
 struct Curve_scheme
@@ -30,6 +33,8 @@ struct Curve_scheme
   Curve_mask mask;
   bool primal;
   std::size_t lost_points; // of 2n, in a round without the stencils that leave an open polygon
+  // of the first rounds, if masks differ; the last one is `mask`
+  std::vector<Level_mask> levels = {};
 };
 
 // Throws Usage_error, which begins with the option, if there is no such scheme.
@@ -52,10 +57,17 @@ auto with_mask(const Curve_rule& rule, const Function& function)
   return std::visit(
     [&](const auto& mask) {
       if (rule.linear) return function(PN::linear(mask));
-      if (!rule.normal_scheme) return function(mask);
-      return std::visit(
-        [&](const auto& other) { return function(PN::with_normal_mask(mask, other)); },
-        rule.normal_scheme->mask);
+      if constexpr (std::is_same_v<std::decay_t<decltype(mask)>, Level_mask>)
+        return function(mask); // has no other normals
+      else {
+        const auto* const spline =
+          rule.normal_scheme ? std::get_if<PN::B_spline_mask>(&rule.normal_scheme->mask) : nullptr;
+        if (spline != nullptr) return function(PN::with_normal_mask(mask, *spline));
+        if (rule.normal_scheme)
+          return function(PN::with_normal_mask(
+            mask, std::get<PN::Dubuc_Deslauriers_mask>(rule.normal_scheme->mask)));
+        return function(mask);
+      }
     },
     rule.scheme.mask);
 }

@@ -95,9 +95,16 @@ void Report::write_file(const Result& result) const
   json["dropped"] = dropped_;
   json["repaired"] = object(repaired_);
   json["limit"] = object(limit_);
-  json["check"] = Json::object();
-  for (const auto& [key, value] : check_)
-    std::visit([&json, &name = key](const auto& x) { json["check"][name] = x; }, value);
+  const auto row = [](const Row& values) {
+    Json of_row = Json::object();
+    for (const auto& [key, value] : values)
+      std::visit([&of_row, &name = key](const auto& x) { of_row[name] = x; }, value);
+    return of_row;
+  };
+  json["check"] = row(check_);
+  json["surfaces"] = Json::array();
+  for (const Row& values : surfaces_) json["surfaces"].push_back(row(values));
+  json["chord"] = object(chord_);
   try {
     Output_file file(*options_.file);
     // what is no UTF-8 in a file's name is replaced

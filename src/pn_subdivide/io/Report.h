@@ -41,7 +41,10 @@ public:
     unsigned rounds;
   };
   using Number = std::pair<std::string, double>;
-  using Value = std::pair<std::string, std::variant<bool, std::size_t, double, std::string>>;
+  using Value =
+    std::pair<std::string,
+              std::variant<bool, std::size_t, double, std::string, std::vector<double>>>;
+  using Row = std::vector<Value>;
 
   // One that is silent says nothing and writes no file: another process does.
   explicit Report(Report_options options, bool silent = false);
@@ -65,6 +68,9 @@ public:
   void add_repair(const std::string& what, std::size_t number);
   void set_limit(std::vector<Number> numbers) { limit_ = std::move(numbers); }
   void set_check(std::vector<Value> values) { check_ = std::move(values); }
+  // the same of recognized surfaces, one a row, and of the chord that was asked for
+  void set_surfaces(std::vector<Row> rows) { surfaces_ = std::move(rows); }
+  void set_chord(std::vector<Number> numbers) { chord_ = std::move(numbers); }
 
   // To be called once each in this order, when the output is complete.
   void print_warnings() const;
@@ -79,8 +85,9 @@ private:
   std::chrono::steady_clock::time_point start_;
   std::vector<std::string> warnings_, notes_, remarks_, dropped_;
   std::vector<std::pair<std::string, std::size_t>> repaired_;
-  std::vector<Number> limit_;
+  std::vector<Number> limit_, chord_;
   std::vector<Value> check_;
+  std::vector<Row> surfaces_;
 };
 
 // Throws Usage_error or Error if the file of --report cannot be one: it is none of `others`, in which

@@ -114,6 +114,10 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.output_normals == "surface", "--output-normals surface");
   refuse(options.ascii, "--ascii");
   refuse(options.write_tags.has_value(), "--write-tags");
+  if (wants_surfaces(options.creases))
+    throw Usage_error("--sharp surfaces is not known for refinement in pieces (--memory, --pieces, "
+                      ".pvtp, mpirun): recognize first, with --levels 0 --output-normals both, and "
+                      "refine that .ply file with --drop-attributes");
 }
 
 void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,

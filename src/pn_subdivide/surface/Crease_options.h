@@ -14,10 +14,12 @@
 
 namespace pn_subdivide {
 
-// --sharp, --sharpness and --border as they are on the command line.
+// --sharp, --sharpness, --border and what goes with them, as they are on the command line.
 struct Crease_options
 {
   std::optional<std::string> sharp, sharpness, border;
+  // with --sharp surfaces
+  std::optional<std::string> min_facets, surface_tolerance, sharp_angle, surface_labels;
 };
 
 } // namespace pn_subdivide

@@ -52,7 +52,7 @@ void require_selection(const std::string& file)
   if (file.find_first_not_of("0123456789.") == std::string::npos)
     throw Usage_error("--sharp " + file + ": there is no such file; did you mean angle:" + file +
                       "?");
-  const std::string meant = did_you_mean(file, {"auto", "none", "file", "angle:DEG"});
+  const std::string meant = did_you_mean(file, {"auto", "none", "file", "surfaces", "angle:DEG"});
   if (!meant.empty()) throw Usage_error("--sharp " + file + ": there is no such file" + meant);
 }
 
@@ -64,13 +64,16 @@ void parse_sharp(const std::string& text, Crease_plan& plan)
     plan.source = Source::none;
   else if (text == "file")
     plan.source = Source::normals;
+  else if (text == "surfaces")
+    plan.source = Source::surfaces;
   else if (split_at_colon(text).first == "angle") {
     plan.source = Source::angle;
     plan.degrees = parse_angle(split_at_colon(text).second);
   } else {
     if (text.empty() || text == "-")
-      throw Usage_error("--sharp '" + text +
-                        "': expected auto, none, file, angle:DEG or the name of a selection file");
+      throw Usage_error(
+        "--sharp '" + text +
+        "': expected auto, none, file, surfaces, angle:DEG or the name of a selection file");
     plan.source = Source::selection;
     plan.file = text;
     require_selection(text);
@@ -91,6 +94,7 @@ Crease_plan Crease_plan::make(const Crease_options& options)
   if (options.sharpness) plan.sharpness = parse_sharpness(*options.sharpness);
   plan.has_sharpness = options.sharpness.has_value();
   if (options.sharp) parse_sharp(*options.sharp, plan);
+  plan.recognition = Recognition_plan::make(options);
   if (plan.has_sharpness && plan.source == Source::none)
     throw Usage_error("--sharpness and --sharp none exclude each other: no edge is sharp");
   return plan;

@@ -11,6 +11,7 @@
 
 #include "io/selection.h"
 #include "surface/Crease_options.h"
+#include "surface/Recognition_plan.h"
 #include "surface/surface_schemes.h"
 
 #include <CGAL/PN_subdivision_3/schemes/with_border.h>
@@ -25,7 +26,7 @@ using Border = CGAL::PN_subdivision_3::Border;
 // What is to be sharp, as --sharp, --sharpness and --border say it.
 struct Crease_plan
 {
-  enum class Source { automatic, none, normals, angle, selection };
+  enum class Source { automatic, none, normals, angle, selection, surfaces };
 
   Source source = Source::automatic;
   double degrees = 0;  // of an angle
@@ -34,6 +35,7 @@ struct Crease_plan
   double sharpness = std::numeric_limits<double>::infinity();
   bool has_sharpness = false;
   Border border = Border::surface;
+  Recognition_plan recognition; // of surfaces
 
   // Throws Usage_error, and Error if the file of a selection cannot be read.
   static Crease_plan make(const Crease_options& options);

@@ -160,11 +160,8 @@ void report_merge(const Point_merge& merge, double distance, const std::string& 
 double distance_to_join(const Mesh_data& mesh, const Mesh_file& file,
                         const Surface_options& options)
 {
-  if (options.merge_distance) {
-    const Merge_distance distance = parse_merge_distance(*options.merge_distance);
-    if (!distance.is_of_diagonal) return distance.value;
-    return distance.value * diagonal_of(Bounding_box(mesh.points));
-  }
+  if (options.merge_distance)
+    return parse_box_length(*options.merge_distance, "--merge-distance").of(mesh);
   return file.format == "stl" ? rounding_of_floats(mesh.points) : 0;
 }
 
@@ -188,14 +185,18 @@ bool is_triangle(const Mesh_data::Face& face)
 
 } // namespace
 
-Merge_distance parse_merge_distance(const std::string& text)
+double Box_length::of(const Mesh_data& mesh) const
 {
-  Merge_distance distance;
+  return is_of_diagonal ? value * diagonal_of(Bounding_box(mesh.points)) : value;
+}
+
+Box_length parse_box_length(const std::string& text, const std::string& option)
+{
+  Box_length distance;
   distance.is_of_diagonal = !text.empty() && text.back() == '%';
   const std::string number = distance.is_of_diagonal ? text.substr(0, text.size() - 1) : text;
-  distance.value = parse_numbers(number, 1, "--merge-distance")[0];
-  if (distance.value < 0)
-    throw Usage_error("--merge-distance " + text + ": it must not be negative");
+  distance.value = parse_numbers(number, 1, option)[0];
+  if (distance.value < 0) throw Usage_error(option + " " + text + ": it must not be negative");
   if (distance.is_of_diagonal) distance.value /= 100;
   return distance;
 }

@@ -20,15 +20,17 @@ namespace pn_subdivide {
 // although border edges lie on each other. Throws Error.
 Mesh_data read_control_mesh(const Mesh_file& file, const Surface_options& options, Report& report);
 
-// --merge-distance EPS, or P% of the diagonal of the mesh's box.
-struct Merge_distance
+// EPS, or P% of the diagonal of the mesh's box.
+struct Box_length
 {
   double value = 0; // a part of the diagonal, not percent
   bool is_of_diagonal = false;
+
+  double of(const Mesh_data& mesh) const;
 };
 
-// Throws Usage_error.
-Merge_distance parse_merge_distance(const std::string& text);
+// Throws Usage_error if it is no number or negative; option: for messages.
+Box_length parse_box_length(const std::string& text, const std::string& option);
 
 // The scheme of the options or, where they name none, the one that suits the faces.
 Scheme_choice chosen_scheme(const Mesh_data& mesh, const Scheme_choice& choice);

@@ -10,6 +10,7 @@
 
 #include "io/Error.h"
 #include "io/corner_normals.h"
+#include "surface/Recognized_part.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -263,7 +264,7 @@ std::string Creases::description() const
 }
 
 Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::string& scheme,
-                     const std::string& name, Report& report)
+                     const Recognized_part* part, const std::string& name, Report& report)
 {
   Creases creases;
   creases.border = plan.border;
@@ -288,7 +289,10 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   creases.vertices.assign(mesh.points.size(), 0.);
   if (plan.source == Source::angle)
     set_edges(creases, edges_of_angle(surface, plan.degrees, creases), plan.sharpness);
-  else if (plan.source == Source::selection) {
+  else if (part != nullptr) {
+    set_edges(creases, part->creases, plan.sharpness);
+    for (const std::size_t v : part->corners) creases.vertices[v] = plan.sharpness;
+  } else if (plan.source == Source::selection) {
     set_selection(creases, surface, mesh, plan);
     if (!plan.selection.faces.empty())
       report.warn(plan.file + ": the faces of the selection take no part");
@@ -301,7 +305,8 @@ Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::
   }
   count(creases);
   creases.are_by_normals = by_normals && creases.any();
-  const bool wants_some = plan.source != Source::automatic && plan.source != Source::none;
+  const bool wants_some = plan.source != Source::automatic && plan.source != Source::none &&
+                          plan.source != Source::surfaces; // a sphere has no edges
   if (!creases.any() && (wants_some || plan.has_sharpness))
     report.warn(name + ": no edge is sharp");
   if (plan.border != Border::surface && !has_border(surface)) {

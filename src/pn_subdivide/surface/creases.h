@@ -38,10 +38,13 @@ struct Creases
   std::string description() const; // empty, or for the closing line: ", 14 sharp edges"
 };
 
+struct Recognized_part;
+
 // Warns if nothing is sharp although it was asked for, and if there are normals for creases that are
-// none; `scheme` is the scheme without rules for creases, or empty. Throws Error.
+// none; `scheme` is the scheme without rules for creases, or empty, `part` what was recognized if
+// surfaces were asked for. Throws Error.
 Creases find_creases(const Mesh_data& mesh, const Crease_plan& plan, const std::string& scheme,
-                     const std::string& name, Report& report);
+                     const Recognized_part* part, const std::string& name, Report& report);
 
 using Edge_sharpness = Surface::Property_map<Surface::Edge_index, double>;
 using Vertex_sharpness = Surface::Property_map<Surface::Vertex_index, double>;

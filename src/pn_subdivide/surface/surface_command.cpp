@@ -18,7 +18,11 @@
 #include "pieces/pieces_command.h"
 #include "surface/Linear_check.h"
 #include "surface/Output_normals.h"
+#include "surface/Planes_from_rims.h"
+#include "surface/Recognized_part.h"
+#include "surface/Surface_table.h"
 #include "surface/attributes.h"
+#include "surface/chord_rounds.h"
 #include "surface/control_mesh.h"
 #include "surface/control_normals.h"
 #include "surface/expected_time.h"
@@ -28,6 +32,7 @@
 #include "surface/output_tags.h"
 #include "surface/refine_surface.h"
 #include "surface/roundness.h"
+#include "surface/surface_labels.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
 
@@ -51,6 +56,7 @@ struct Plan
   Output_normals output_normals;
   Limit_choice limit; // with the normals of the surface, if they are written
   Crease_plan creases;
+  std::optional<Box_length> chord;
   std::optional<Interpolation_mode> interpolation;
   std::optional<Curvature_kind> curvature;
   std::optional<Verification> verification;
@@ -128,6 +134,7 @@ Plan make_plan(const Surface_options& options)
             {},
             {},
             {},
+            parse_chord(options),
             parse_interpolation(options.interpolate),
             std::nullopt,
             std::nullopt,
@@ -137,8 +144,10 @@ Plan make_plan(const Surface_options& options)
   plan.output_normals = Output_normals::make(options, plan.output);
   plan.limit = limit_choice(options, plan.output_normals);
   if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
-  if (options.merge_distance) parse_merge_distance(*options.merge_distance);
+  if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
+  require_options_for_surfaces(options);
+  require_options_for_planes(options);
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
@@ -152,8 +161,10 @@ Plan make_plan(const Surface_options& options)
   }
   require_writable_place(options.output);
   require_report_place(options.report, {options.input, options.output, plan.creases.file});
-  require_tags_place(
-    options, {options.input, options.output, plan.creases.file, options.report.file.value_or("")});
+  const std::string report = options.report.file.value_or("");
+  require_tags_place(options, {options.input, options.output, plan.creases.file, report});
+  require_labels_place(options,
+                       {options.input, options.output, report, options.write_tags.value_or("")});
   return plan;
 }
 
@@ -189,6 +200,35 @@ void warn_of_other_normals(Normal_kind kind, const std::string& input, Report& r
   report.warn(input + ": the " + comment_of(kind) +
               " in the file are taken for control normals, which they are not; --output-normals "
               "both writes a file with both, from which a further round takes the right ones");
+}
+
+// Those of surfaces that have been recognized, unless others are asked for.
+bool takes_surface_normals(const Plan& plan, const std::optional<Recognized_part>& part)
+{
+  using Source = Normals_option::Source;
+  const Source source = plan.normals.source;
+  return part && (source == Source::automatic || source == Source::file);
+}
+
+std::string set_surface_normals(Mesh_data& mesh, const Plan& plan, const Recognized_part& part,
+                                const Creases& creases, Report& report)
+{
+  const std::string input = plan.input.title("standard input");
+  const bool from_file = plan.normals.source == Normals_option::Source::file;
+  Normals_option given = plan.normals;
+  given.source = Normals_option::Source::file;
+  if (from_file && !mesh.has_normals()) set_control_normals(mesh, given); // throws
+  std::vector<double> roundness_of_file = std::exchange(mesh.roundness, {});
+  put_surface_normals(mesh, part, from_file);
+  set_control_normals(mesh, given, creases, input, report);
+  if (!from_file) mesh.roundness = part.roundness;
+  set_roundness(mesh, plan.roundness, std::move(roundness_of_file), from_file, creases);
+  if (from_file) warn_of_opposing_normals(find_opposing_normals(mesh), input, report);
+  if (from_file && !plan.output_normals.copies)
+    warn_of_other_normals(mesh.normal_kind, input, report);
+  mesh.normal_kind = Normal_kind::control;
+  return std::string(from_file ? "normals of the file" : "normals of the surfaces") +
+         roundness_description(mesh.roundness);
 }
 
 // How it came to its normals, for the closing line.
@@ -297,9 +337,13 @@ void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme
   if (!text.empty()) report.warn(plan.input.title("standard input") + ": " + text);
 }
 
-void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
+void split_for_output(Surface& surface, const Mesh_file& output, Attributes& attributes,
+                      Report& report)
 {
-  const std::size_t split = triangulate(surface).split_faces;
+  const Old_elements old(surface);
+  const Triangulation triangulation = triangulate(surface);
+  const std::size_t split = triangulation.split_faces;
+  if (split > 0) old.follow(surface, triangulation, attributes);
   if (split > 0)
     report.note(output.title("standard output") + ": " + std::to_string(split) +
                 (split == 1 ? " face" : " faces") + " split into triangles, as " + output.format +
@@ -361,6 +405,7 @@ std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
+             const std::optional<Recognized_part>& part, std::optional<Surface_table>& table,
              std::optional<Linear_check>& check, Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
@@ -370,7 +415,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   if (plan.output_normals.with_control())
     origin = origin_after(mesh, scheme.scheme, options.levels);
   if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
-      !must_split && !has_tags) {
+      !must_split && !has_tags && !options.planes) {
     mesh.tags = Crease_tags();
     mesh.origin = std::move(origin);
     put_control_normals(mesh, plan.output_normals);
@@ -402,6 +447,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
       control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
+  if (table) table->measure(surface, *segments_of(attributes));
   if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
@@ -412,13 +458,19 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   }
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
-  if (must_split) split_for_output(surface, plan.output, report);
+  if (must_split) split_for_output(surface, plan.output, attributes, report);
+  std::optional<Planes_from_rims> planes;
+  if (options.planes) planes.emplace(surface, *segments_of(attributes), *part);
   mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
   suit_roundness(mesh);
   mesh.attributes = std::move(attributes);
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
+  if (planes) {
+    planes->put_into(mesh);
+    planes->report(plan.output.title("standard output"), report);
+  }
 }
 
 // Limits are those of what is smooth or sharp for ever.
@@ -492,6 +544,58 @@ std::string closing_line(const Mesh_data& mesh, const Plan& plan, const Surface_
   return s + turning + time_of(report);
 }
 
+std::optional<Recognized_part> recognized_part(Mesh_data& mesh, const Plan& plan, Report& report)
+{
+  if (plan.creases.source != Crease_plan::Source::surfaces) return std::nullopt;
+  Recognized_part part = recognize_part(mesh, plan.creases.recognition);
+  const std::string input = plan.input.title("standard input");
+  add_segments(mesh, part, input, report);
+  if (mesh.has_normals() && plan.normals.source == Normals_option::Source::automatic) {
+    report.remark(input + ": the normals in the file give way to those of the recognized surfaces "
+                          "(--normals file takes them)");
+    mesh.normals.clear();
+    mesh.corner_normals.clear();
+    mesh.vertices_with_several_normals = 0;
+  }
+  return part;
+}
+
+// --levels auto
+std::optional<Chord_rounds> choose_rounds(const Mesh_data& mesh, Plan& plan,
+                                          const std::optional<Recognized_part>& part,
+                                          const Creases& creases, const Scheme_choice& scheme,
+                                          Surface_options& options)
+{
+  if (!plan.chord) return std::nullopt;
+  const Chord_rounds rounds =
+    rounds_for_chord(mesh, *part, creases, scheme, plan.chord->of(mesh), plan.threads);
+  options.levels = rounds.rounds;
+  plan.output_normals = Output_normals::make(options, plan.output);
+  return rounds;
+}
+
+void report_surfaces(const Surface_table& table, const std::optional<Chord_rounds>& rounds,
+                     double chord, const std::string& input, Report& report)
+{
+  report.note(table.text());
+  report.set_surfaces(table.rows());
+  table.warn(input, report);
+  if (!rounds) return;
+  const double measured = table.largest_deviation();
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "chord: %u rounds for %.6g, measured %.3g on surfaces, estimated %.3g elsewhere",
+                rounds->rounds, chord, measured, rounds->estimate);
+  report.note(text);
+  report.set_chord({{"asked", chord}, {"measured", measured}, {"estimated", rounds->estimate}});
+  if (measured > chord) {
+    std::snprintf(text, sizeof text,
+                  ": the result is up to %.3g from its surfaces, farther than --chord %.3g",
+                  measured, chord);
+    report.warn(input + text);
+  }
+}
+
 void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
                      const Scheme_choice& scheme, const std::string& normals,
                      const Creases& creases, const std::string& turning, Report& report)
@@ -519,8 +623,9 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
 
 } // namespace
 
-void run_surface_command(const Surface_options& options)
+void run_surface_command(const Surface_options& given_options)
 {
+  Surface_options options = given_options;
   Report report(options.report, ranks().rank() != 0);
   Plan plan = make_plan(options);
   const std::string input = plan.input.title("standard input");
@@ -528,6 +633,8 @@ void run_surface_command(const Surface_options& options)
   Scheme_choice scheme;
   std::string normals, turning;
   std::optional<Linear_check> check;
+  std::optional<Recognized_part> part;
+  std::optional<Surface_table> table;
   bool has_normals = false; // to refine with
   Creases creases;
   Pieces_job pieces;
@@ -539,7 +646,9 @@ void run_surface_command(const Surface_options& options)
       require_faces_for_scheme(mesh, scheme);
     require_limit_of_vertices(scheme.scheme, plan.limit);
     if (plan.interpolation) require_interpolation(scheme);
-    creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme), input, report);
+    part = recognized_part(mesh, plan, report);
+    creases = find_creases(mesh, plan.creases, scheme_without_creases(scheme),
+                           part ? &*part : nullptr, input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
     const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
     if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
@@ -548,7 +657,9 @@ void run_surface_command(const Surface_options& options)
     require_interpolation_without_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals);
     const bool has_file_normals = mesh.has_normals();
-    normals = set_normals(mesh, plan, creases, report);
+    normals = takes_surface_normals(plan, part)
+                ? set_surface_normals(mesh, plan, *part, creases, report)
+                : set_normals(mesh, plan, creases, report);
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
     turning = turning_edges(mesh, plan, options, scheme, creases);
@@ -556,7 +667,12 @@ void run_surface_command(const Surface_options& options)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
                                plan.output_normals);
     else {
-      process(mesh, plan, options, scheme, creases, has_file_normals, check, report);
+      const double chord = plan.chord ? plan.chord->of(mesh) : 0;
+      if (part) table.emplace(*part, mesh);
+      const std::optional<Chord_rounds> rounds =
+        choose_rounds(mesh, plan, part, creases, scheme, options);
+      process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
+      if (table) report_surfaces(*table, rounds, chord, input, report);
       if (check) report.set_check(check->values());
       if (plan.verification) plan.verification->measure(mesh.points);
     }
@@ -576,14 +692,17 @@ void run_surface_command(const Surface_options& options)
   if (check) check->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
+  if (part) suit_segments(mesh, plan.output);
   warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
   warn_of_lost_attributes(mesh, plan, report);
   take_types_of_format(plan.output, mesh.attributes);
   move_file_references(mesh.attributes, plan.input, plan.output);
   Tags_file tags(options, mesh.tags, report);
+  Labels_file labels(options, part ? &*part : nullptr);
   suit_tags(mesh, plan.output, options, plan.output_normals, report);
   write_mesh(plan.output, mesh, options.ascii ? Encoding::text : Encoding::binary);
   tags.commit();
+  labels.commit();
   report.note(
     closing_line(mesh, plan, options, scheme, normals, has_normals, creases, turning, report));
   report.print_warnings();

@@ -20,7 +20,7 @@
 inline bool takes_triangles(const std::string& scheme)
 {
   return scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" ||
-         scheme == "modified-loop";
+         scheme == "modified-loop" || scheme == "midpoint";
 }
 
 class Pieces : public Command_test

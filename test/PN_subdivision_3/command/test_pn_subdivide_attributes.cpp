@@ -820,10 +820,11 @@ TEST_F(Pn_subdivide_carries, NoRoundKeepsEveryBit)
 
 TEST_F(Pn_subdivide_carries, EverySchemeCarriesThem)
 {
-  for (const std::string scheme : {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly",
-                                   "kobbelt", "modified-catmull-clark", "modified-loop"}) {
-    const bool triangles =
-      scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" || scheme == "modified-loop";
+  for (const std::string scheme :
+       {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly", "kobbelt",
+        "modified-catmull-clark", "modified-loop", "midpoint", "bilinear"}) {
+    const bool triangles = scheme == "loop" || scheme == "sqrt3" || scheme == "butterfly" ||
+                           scheme == "modified-loop" || scheme == "midpoint";
     const bool keeps_edges = scheme != "doo-sabin" && scheme != "sqrt3";
     const Mesh_data control = marked_patch(triangles, keeps_edges);
     write_mesh(folder.file("patch.ply"), control, Encoding::binary);

@@ -612,6 +612,8 @@ TEST_F(Pn_subdivide_creases, SchemesWithoutCreases)
   expect_refusal(washer, "--scheme doo-sabin --sharp angle:40", 2, "doo-sabin has no rules");
   expect_refusal(washer, "--scheme sqrt3 --border curve", 2, "--border curve: sqrt3 has no rules");
   expect_refusal(washer, "--scheme butterfly --sharpness 2", 2, "--sharpness 2: butterfly");
+  expect_refusal(washer, "--scheme midpoint --sharp angle:40", 2, "--sharp angle:40: midpoint");
+  expect_refusal(washer, "--scheme bilinear --border curve", 2, "--border curve: bilinear");
   expect_refusal(washer, "--scheme catmull-clark --normal-scheme kobbelt --border fixed", 2,
                  "kobbelt has no rules");
   EXPECT_EQ(surface(washer, folder.file("a.obj"), "--scheme kobbelt --sharp none").code, 0);

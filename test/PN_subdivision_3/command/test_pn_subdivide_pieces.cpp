@@ -33,8 +33,8 @@
 namespace {
 
 const std::vector<std::string> schemes = {
-  "catmull-clark",          "loop",         "doo-sabin", "sqrt3", "butterfly", "kobbelt",
-  "modified-catmull-clark", "modified-loop"};
+  "catmull-clark",          "loop",          "doo-sabin", "sqrt3",   "butterfly", "kobbelt",
+  "modified-catmull-clark", "modified-loop", "midpoint",  "bilinear"};
 
 } // namespace
 

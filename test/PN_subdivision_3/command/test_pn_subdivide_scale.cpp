@@ -66,15 +66,16 @@ struct Mode
 
 bool takes_triangles(const std::string& scheme)
 {
-  return scheme.find("loop") != std::string::npos || scheme == "butterfly" || scheme == "sqrt3";
+  return scheme.find("loop") != std::string::npos || scheme == "butterfly" || scheme == "sqrt3" ||
+         scheme == "midpoint";
 }
 
 std::vector<Mode> modes()
 {
   std::vector<Mode> result;
-  for (const std::string scheme :
-       {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly", "kobbelt",
-        "modified-catmull-clark", "modified-loop", "ct-catmull-clark", "ct-loop"}) {
+  for (const std::string scheme : {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly",
+                                   "kobbelt", "modified-catmull-clark", "modified-loop",
+                                   "ct-catmull-clark", "ct-loop", "midpoint", "bilinear"}) {
     const bool is_spline =
       scheme.find("loop") != std::string::npos || scheme.find("catmull") != std::string::npos;
     for (const char* const options : {"", "--linear", "--normals angle"})

@@ -410,12 +410,16 @@ TEST(Creases_of_meshes, Are_refused_by_schemes_without_rules_for_them)
   expect_refusal(quads, PN::DooSabin_scheme(), edge + "doo-sabin");
   expect_refusal(quads, PN::Kobbelt_scheme(), edge + "kobbelt");
   expect_refusal(triangles, PN::Butterfly_scheme(), edge + "butterfly");
+  expect_refusal(triangles, PN::Midpoint_scheme(), edge + "midpoint");
+  expect_refusal(quads, PN::Bilinear_scheme(), edge + "bilinear");
   expect_refusal(triangles, PN::linear(PN::Sqrt3_scheme()), edge + "sqrt3");
   Control corner = quads;
   corner.sharp_edges.clear();
   corner.sharp_vertices[2] = 1;
   expect_refusal(corner, PN::linear(PN::DooSabin_scheme()), "vertex 2 is sharp");
   expect_refusal(ball_cap().control(), PN::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
+                 "is sharp");
+  expect_refusal(ball_cap().control(), PN::with_border(PN::Bilinear_scheme(), PN::Border::curve),
                  "is sharp");
   // nothing is sharp
   corner.sharp_vertices.clear();

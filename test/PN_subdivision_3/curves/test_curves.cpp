@@ -10,7 +10,10 @@
 // PN rule in its matrix form, another mask for the normals, masks of the user's own.
 
 #include "Curve_cases.h"
+
 #include "reference/PN_rule.h"
+#include <CGAL/PN_subdivision_3/curve_limit_points.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <random>
 
@@ -100,6 +103,90 @@ TEST(Curves, PointNormalRoundsAreTheMatrixForm)
                   1e-12L)
           << n << name_of(s, end);
       }
+}
+
+// p = q + w H n, w the same in all rounds; the normals are those of w = 1
+TEST(Curves, RoundnessIsAFractionOfTheWay)
+{
+  for (const Real w : {Real(0), Real(1) / 4, Real(5) / 8, Real(1)})
+    for (const auto& s : schemes())
+      for (Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+        const auto polygon = random_polygon(14, 3);
+        reference::Values expected = values(polygon);
+        for (int k = 0; k < 2; ++k) {
+          const auto matrix = reference::curve_matrix(s, static_cast<long>(expected.points.size()),
+                                                      reference_end(end));
+          const reference::Values linear = reference::linear_round(matrix, expected);
+          expected = reference::pn_round(matrix, expected);
+          for (std::size_t i = 0; i < linear.points.size(); ++i)
+            expected.points[i] = linear.points[i] + w * (expected.points[i] - linear.points[i]);
+        }
+        const auto np = PN::parameters::roundness(static_cast<double>(w)).number_of_iterations(2);
+        const auto curve = with_mask(
+          s, [&](const auto& mask) { return PN::subdivide_curve(polygon, mask, end, np); });
+        EXPECT_LE(distance(curve, expected), 1e-12L) << name_of(s, end) << ", roundness " << w;
+        if (w == 1) {
+          EXPECT_EQ(curve, refined(polygon, s, end, 2)) << name_of(s, end);
+        }
+        if (w != 0) continue;
+        const auto linear = linearly_refined(polygon, s, end, 2);
+        for (std::size_t i = 0; i < curve.size(); ++i)
+          EXPECT_EQ(curve[i].first, linear[i].first) << name_of(s, end);
+      }
+}
+
+TEST(Curves, RoundnessIsFromZeroToOne)
+{
+  const auto polygon = random_polygon(5, 3);
+  for (const double w : {-0.1, 1.1, std::nan("")})
+    EXPECT_THROW(PN::subdivide_curve(polygon, PN::B_spline_mask(3), Curve_end::closed,
+                                     PN::parameters::roundness(w)),
+                 std::invalid_argument)
+      << w;
+}
+
+// Points of a circle, in the plane and in space, unevenly sampled and without normals, stay on it; so do the limits.
+TEST(Curves, NormalsThatAreNotGivenAreEstimated)
+{
+  for (const bool closed : {true, false}) {
+    const Curve_end end = closed ? Curve_end::closed : Curve_end::reflect;
+    const auto angles = uneven_angles(9, 2, closed ? 2 * 3.141592653589793L : 2.5L, closed, 4);
+    std::vector<Double::Point_2> plane;
+    std::vector<Double::Point_3> space;
+    for (const auto& [p, n] : circle_2(angles, 3)) {
+      plane.push_back(p);
+      space.emplace_back(0.6 * p.x() + 1, 0.8 * p.x() - 2, p.y() + 3);
+    }
+    const auto off = [](const auto& p, const auto& center) {
+      return std::abs(std::sqrt(CGAL::squared_distance(p, center)) - 3);
+    };
+    const Double::Point_2 center_2(0, 0);
+    const Double::Point_3 center_3(1, -2, 3);
+    for (const auto& s : schemes())
+      with_mask(s, [&](const auto& mask) {
+        if (!closed && !s.primal()) return; // ends that are no mirror images
+        const auto np = params::number_of_iterations(3);
+        double largest = 0;
+        std::size_t number = 0;
+        const auto measure = [&](const auto& points, const auto& center) {
+          for (const auto& item : PN::subdivide_curve(points, mask, end, np)) {
+            largest = (std::max)(largest, off(item.first, center));
+            ++number;
+          }
+          for (const auto& limit : PN::curve_limit_points(points, mask, end).first)
+            largest = (std::max)(largest, off(limit.point, center));
+        };
+        measure(plane, center_2);
+        measure(space, center_3);
+        EXPECT_GE(number, 2u * 57u);
+        if (closed) {
+          EXPECT_LE(largest, 1e-12) << name_of(s, end);
+        } else
+          EXPECT_LE(largest, 0.5) << name_of(s, end);
+        // linear masks need none
+        EXPECT_EQ(PN::subdivide_curve(plane, PN::linear(mask), end, np).size(), number / 2);
+      });
+  }
 }
 
 TEST(Curves, NormalsByAnotherMask)

@@ -42,7 +42,7 @@ Curvature_runs<Scheme>::form(Surface_mesh& mesh, const Scheme& scheme, unsigned 
     precision.max_depth = 24;
     precision.second_forms = 1e-7;
     const auto f =
-      source(PN::internal::to_values<3>(data.points, data.normals, true), {vertex}, precision);
+      source(PN::internal::to_values<3>(data.points, data.normals, data), {vertex}, precision);
     result = {f[0].second_form, f[0].surface_normal(data.points, f[0].control_normal)};
   });
   return result;

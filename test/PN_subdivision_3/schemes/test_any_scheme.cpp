@@ -307,7 +307,7 @@ TEST(Any_scheme, ByName)
     EXPECT_EQ(all.back().has_host_of(PN::Any_scheme<>(PN::Kobbelt_scheme())),
               (std::is_same_v<typename Scheme::Host, PN::PQQ_host>));
     const bool interpolates =
-      std::string("butterfly kobbelt").find(scheme.name()) != std::string::npos;
+      std::string("butterfly kobbelt midpoint bilinear").find(scheme.name()) != std::string::npos;
     EXPECT_EQ(all.back().interpolates(), interpolates);
   });
   const auto refined = [](const auto& scheme) {

@@ -42,7 +42,7 @@ template <class Description>
 bool is_refused(const Control_mesh& mesh)
 {
   return !takes<Description>(mesh) ||
-         ((Description::is_interpolatory || is_dual<Description>)&&has_interior_valence_2(mesh));
+         (!Description::takes_valence_2 && has_interior_valence_2(mesh));
 }
 
 // f(shape, its mesh with normals n, n) for all shapes that the scheme takes
@@ -223,7 +223,7 @@ TYPED_TEST_P(Named_shapes, OnASphereStayOnIt)
 {
   std::size_t measured = 0;
   for_each_case<TypeParam>([&](const Shape&, const Control_mesh& control, Normals n) {
-    if (n != Normals::exact || TypeParam::is_interpolatory) return;
+    if (n != Normals::exact || !TypeParam::has_positive_weights) return;
     Surface_mesh mesh = to_surface_mesh(control);
     subdivide<TypeParam>(mesh, normal_map(mesh), n, 1);
     for (auto v : mesh.vertices()) {
@@ -233,7 +233,7 @@ TYPED_TEST_P(Named_shapes, OnASphereStayOnIt)
       ASSERT_LE(std::sqrt((p - radius * normal).squared_length()), 1e-11) << v;
     }
   });
-  if (!TypeParam::is_interpolatory) {
+  if (TypeParam::has_positive_weights) {
     EXPECT_GE(measured, 1000u);
   }
 }

@@ -22,6 +22,7 @@
 #include "reference/Kobbelt.h"
 #include "reference/Loop.h"
 #include "reference/Sqrt3.h"
+#include "reference/Upsampling.h"
 #include "reference/modified_CatmullClark.h"
 #include "reference/modified_Loop.h"
 
@@ -43,6 +44,10 @@ struct Scheme_description
   static constexpr bool is_primal = true;
   // old points and normals are kept
   static constexpr bool is_interpolatory = false;
+  // an average cannot fade away
+  static constexpr bool has_positive_weights = true;
+  // has a rule for interior vertices of valence 2
+  static constexpr bool takes_valence_2 = true;
   // k calls with one round are one call with k rounds
   static constexpr bool composes_single_rounds = true;
   // after how many rounds spheres and cylinders are measured
@@ -82,6 +87,7 @@ struct Loop_description : Scheme_description
 
 struct DooSabin_description : Scheme_description
 {
+  static constexpr bool takes_valence_2 = false;
   static constexpr bool is_primal = false;
   static constexpr unsigned rounds_of_reproduction = 4;
   using Cgal = ::DooSabin;
@@ -110,6 +116,8 @@ struct Butterfly_description : Scheme_description
 {
   static constexpr std::size_t degree = 3;
   static constexpr bool is_interpolatory = true;
+  static constexpr bool takes_valence_2 = false;
+  static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
   static auto scheme() { return CGAL::PN_subdivision_3::Butterfly_scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
@@ -122,6 +130,8 @@ struct Kobbelt_description : Scheme_description
 {
   static constexpr std::size_t degree = 4;
   static constexpr bool is_interpolatory = true;
+  static constexpr bool takes_valence_2 = false;
+  static constexpr bool has_positive_weights = false;
   static constexpr unsigned rounds_of_reproduction = 4;
   static auto scheme() { return CGAL::PN_subdivision_3::Kobbelt_scheme(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
@@ -180,10 +190,32 @@ struct Ct_Loop_description : Scheme_description
   }
 };
 
+struct Midpoint_description : Scheme_description
+{
+  static constexpr std::size_t degree = 3;
+  static constexpr bool is_interpolatory = true;
+  static auto scheme() { return CGAL::PN_subdivision_3::Midpoint_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::midpoint(mesh);
+  }
+};
+
+struct Bilinear_description : Scheme_description
+{
+  static constexpr bool is_interpolatory = true;
+  static auto scheme() { return CGAL::PN_subdivision_3::Bilinear_scheme(); }
+  static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
+  {
+    return reference::bilinear(mesh);
+  }
+};
+
 using Schemes = testing::Types<CatmullClark_description, Loop_description, DooSabin_description,
                                Sqrt3_description, Butterfly_description, Kobbelt_description,
                                Modified_CatmullClark_description, Modified_Loop_description,
-                               Ct_CatmullClark_description, Ct_Loop_description>;
+                               Ct_CatmullClark_description, Ct_Loop_description,
+                               Midpoint_description, Bilinear_description>;
 
 // Those that are tested with other number types than double and other meshes than Surface_mesh: one of quads
 // and the one of triangles that has all that a scheme can have.

@@ -255,8 +255,8 @@ struct Level_dependent_mask
 
 /*!
 \ingroup PkgPNSubdivision3Curves
-returns the mask that is `function(k)` in the k-th round, counted from 1 in each call of
-`subdivide_curve()`. Such masks make, for instance, trigonometric splines.
+returns the mask that is `function(k)` in the k-th round, counted from 1 in each call of `subdivide_curve()`, so
+that two calls begin twice with the first mask. Such masks make, for instance, trigonometric splines.
 \tparam Function a function object that returns a model of `PNSubdivisionCurveMask`, or what `linear()` or
   `with_normal_mask()` makes of one, always of the same type
 */

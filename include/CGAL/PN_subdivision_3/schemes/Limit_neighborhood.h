@@ -30,6 +30,9 @@ struct Limit_neighborhood
   bool is_spline = false;
   /// whether vertices keep their points and normals.
   bool keeps_points = false;
+  /// whether the surface has tangent planes. Where it has none, control normals stand in for its normals; vertices
+  /// then have to keep their points.
+  bool has_tangent_planes = true;
 };
 
 } // namespace PN_subdivision_3

@@ -9,11 +9,13 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_SHIPPED_SCHEMES_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_SHIPPED_SCHEMES_H
 
+#include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
@@ -57,7 +59,7 @@ command `pn_subdivide` and to the tests.
 using Shipped_schemes =
   Scheme_list<CatmullClark_scheme, Kobbelt_scheme, Loop_scheme, Butterfly_scheme, DooSabin_scheme,
               Sqrt3_scheme, modified_CatmullClark_scheme, modified_Loop_scheme,
-              ct_CatmullClark_scheme, ct_Loop_scheme>;
+              ct_CatmullClark_scheme, ct_Loop_scheme, Midpoint_scheme, Bilinear_scheme>;
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// calls `f(scheme)` with an object of each of the `Shipped_schemes`. It has the default parameters.

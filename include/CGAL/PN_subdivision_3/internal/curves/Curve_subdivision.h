@@ -57,12 +57,14 @@ struct Normal_rows<FT, Mask_with_normals<Mask, Normal_mask>>
   Univariate_rows<FT> rows;
 };
 
-template <class FT, int dimension, class Mask>
+// has_roundness: whether the points have a roundness, one for all
+template <class FT, int dimension, class Mask, bool has_roundness = false>
 class Curve_subdivision
 {
   using Round_mask = Mask_in_round<Mask>;
   static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
-  using Average = Average_of<is_pn, FT, dimension>;
+  using Average = std::conditional_t<is_pn && has_roundness, Average_with_roundness<FT, dimension>,
+                                     Average_of<is_pn, FT, dimension>>;
   using Value = typename Average::Value;
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
@@ -71,8 +73,9 @@ class Curve_subdivision
   using Vector_coordinates = Coordinates<FT, dimension>;
 
 public:
-  Curve_subdivision(const Mask& mask, Curve_end end)
-    : mask_(mask)
+  Curve_subdivision(const Mask& mask, Curve_end end, const FT& roundness = FT(1))
+    : roundness_(roundness)
+    , mask_(mask)
     , rows_(mask_in_round(mask, 1))
     , normal_rows_(mask_in_round(mask, 1))
     , end_(end)
@@ -90,7 +93,10 @@ public:
     if (is_near_overflow<FT, dimension>(value.point)) is_near_overflow_ = true;
     if constexpr (is_pn) {
       normalize_control_normal<FT, dimension>(value.normal, name);
-      values_.push_back(value);
+      if constexpr (has_roundness)
+        values_.push_back(Value{value.point, value.normal, roundness_});
+      else
+        values_.push_back(value);
     } else
       values_.push_back(value.point);
   }
@@ -278,6 +284,7 @@ private:
       std::to_string(start) + " vanishes or is opposite to a neighbor's: use a higher precision");
   }
 
+  FT roundness_;
   const Mask& mask_;
   Univariate_rows<FT> rows_;
   Normal_rows<FT, Round_mask> normal_rows_;

@@ -101,7 +101,7 @@ template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
   static_assert(
-    are_used_v<Creased_limit_parameters, NamedParameters>,
+    are_used_v<Interpolation_parameters, NamedParameters>,
     "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
     "vertex_point_map, vertex_normal_map, vertex_roundness_map, roundness, geom_traits, "
     "edge_is_constrained_map, vertex_is_constrained_map");
@@ -151,6 +151,10 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   check_scheme(scheme, level, access);
+  if (!limit_neighborhood(scheme).has_tangent_planes)
+    throw std::invalid_argument("PN_subdivision_3: surfaces of " + name_in_message(scheme) +
+                                " pass through the control points as they are, and have no "
+                                "tangent planes there: nothing is left to interpolate");
   refuse_interpolated_creases(scheme, access, level, Parameters::edge_constraint_map(np),
                               Parameters::vertex_constraint_map(np));
   Interpolation_data<3> data = read_points_and_normals<FT>(

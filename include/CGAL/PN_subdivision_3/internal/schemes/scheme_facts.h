@@ -105,6 +105,7 @@ Limit_neighborhood limit_neighborhood([[maybe_unused]] const Scheme& scheme)
         both.regular_rings = (std::max)(points.regular_rings, normals.regular_rings);
         both.takes_border = points.takes_border && normals.takes_border;
         both.keeps_points = points.keeps_points && normals.keeps_points;
+        both.has_tangent_planes = points.has_tangent_planes && normals.has_tangent_planes;
         return both;
       });
   else

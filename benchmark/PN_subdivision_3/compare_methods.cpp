@@ -1,0 +1,320 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// What other methods make of the same points and normals: patches over triangles, and curves through or near points.
+// Distance, normals, joins, curvature, what noise and a reversed normal do, and the cost. Prints the tables of
+// the manual's page "When the Linear Scheme Is Better" (scripts/fill_tables.py puts them there).
+//
+//   compare_methods
+
+#include "Measured_limits.h"
+#include "peers/by_method/Curves.h"
+#include "peers/by_method/Patches.h"
+
+#include <CGAL/PN_subdivision_3/curve_limit_points.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_curve.h>
+#include <CGAL/Timer.h>
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using namespace measured;
+using by_method::Barycentric;
+using by_method::Triangle;
+
+// --- patches ---
+
+// point, normal and mean curvature of a patch, by differences
+template <class Patch>
+Sample sampled(const Patch& patch, const Barycentric& b, const Vector& side)
+{
+  constexpr double h = 1e-3;
+  const auto at = [&](double i, double j) {
+    return patch({b[0] - (i + j) * h, b[1] + i * h, b[2] + j * h});
+  };
+  const Vector p = at(0, 0), x = (at(1, 0) - at(-1, 0)) / (2 * h),
+               y = (at(0, 1) - at(0, -1)) / (2 * h);
+  const Vector xx = (at(1, 0) + at(-1, 0) - 2 * p) / (h * h),
+               yy = (at(0, 1) + at(0, -1) - 2 * p) / (h * h),
+               xy = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4 * h * h);
+  Vector n = order_samples::unit(CGAL::cross_product(x, y));
+  if (n * side < 0) n = -n;
+  const double e = x * x, f = x * y, g = y * y;
+  Sample s{CGAL::ORIGIN + p, n};
+  s.mean = -(g * (xx * n) - 2 * f * (xy * n) + e * (yy * n)) / (2 * (e * g - f * f));
+  s.has_curvature = true;
+  return s;
+}
+
+struct Surface
+{
+  Samples samples;
+  double join = 0;        // the largest angle between two patches along their edge, in degrees
+  double nanoseconds = 0; // for the point alone
+};
+
+template <class Make>
+Surface patches(const Mesh& control, const Make& make)
+{
+  Mesh mesh = control;
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const auto patch_of = [&](Mesh::Halfedge_index h) { // its first corner is the source of h
+    Triangle t;
+    for (auto& corner : t) {
+      const auto v = mesh.source(h);
+      corner = {mesh.point(v) - CGAL::ORIGIN, normals[v]};
+      h = mesh.next(h);
+    }
+    return make(t);
+  };
+  Surface surface;
+  constexpr int steps = 8;
+  for (const auto f : mesh.faces()) {
+    const auto patch = patch_of(mesh.halfedge(f));
+    const Vector side = normals[mesh.source(mesh.halfedge(f))];
+    for (int i = 0; i < steps; ++i) // edges count, corners do not
+      for (int j = i == 0; i + j <= steps && j < steps; ++j)
+        surface.samples.push_back(
+          sampled(patch, {1 - double(i + j) / steps, double(i) / steps, double(j) / steps}, side));
+  }
+  for (const auto e : mesh.edges()) {
+    const auto h = mesh.halfedge(e), o = mesh.opposite(h);
+    const Vector side = normals[mesh.source(h)];
+    const auto here = patch_of(h), there = patch_of(o);
+    for (const double t : {.25, .5, .75}) {
+      const Sample a = sampled(here, {1 - t, t, 0}, side), b = sampled(there, {t, 1 - t, 0}, side);
+      surface.join = (std::max)(surface.join, degrees(angle(a.normal, b.normal)));
+    }
+  }
+  CGAL::Timer timer;
+  double sum = 0;
+  std::size_t n = 0;
+  timer.start();
+  for (int repeat = 0; repeat < 5; ++repeat)
+    for (const auto f : mesh.faces()) {
+      const auto patch = patch_of(mesh.halfedge(f));
+      for (int i = 0; i <= 8; ++i)
+        for (int j = 0; i + j <= 8; ++j, ++n) sum += patch({1 - (i + j) / 8., i / 8., j / 8.}).x();
+    }
+  timer.stop();
+  surface.nanoseconds = sum == .5 ? 0 : timer.time() / double(n) * 1e9;
+  return surface;
+}
+
+// --- subdivision ---
+
+enum class Way { linear, linear_solved, plain, slide };
+
+Surface subdivided(Mesh mesh, Way way)
+{
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const bool is_linear = way == Way::linear || way == Way::linear_solved;
+  if (is_linear)
+    for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
+  PN::Limit_interpolation_options<> options;
+  options.tolerance = 1e-9;
+  const auto np = params::vertex_normal_map(normals);
+  CGAL::Timer timer;
+  timer.start();
+  if (way == Way::linear_solved) {
+    options.mode = PN::Limit_interpolation_mode::limit_points;
+    PN::interpolate_limit_points(mesh, PN::linear(PN::modified_Loop_scheme()), options, np);
+  } else if (way == Way::slide)
+    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), options, np);
+  Mesh refined = mesh;
+  const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  PN::subdivide(refined, PN::modified_Loop_scheme(),
+                params::number_of_iterations(3).vertex_normal_map(map));
+  timer.stop();
+  Surface surface;
+  surface.nanoseconds = timer.time() / double(refined.number_of_vertices()) * 1e9;
+  surface.samples = limits(mesh, PN::modified_Loop_scheme(), is_linear);
+  return surface;
+}
+
+Mesh with_reversed_normal(Mesh mesh)
+{
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const Mesh::Vertex_index v(Mesh::size_type(mesh.number_of_vertices() / 2));
+  normals[v] = -normals[v];
+  return mesh;
+}
+
+void print_surface(const char* name, const std::function<Surface(const Mesh&)>& make)
+{
+  const Mesh exact = closed_samples::scattered(896);
+  const Surface surface = make(exact);
+  Mesh noisy = exact;
+  disturb(noisy, 5);
+  const Errors e = errors(surface.samples), n = errors(make(noisy).samples),
+               r = errors(make(with_reversed_normal(exact)).samples),
+               coarse = errors(make(closed_samples::scattered(224)).samples);
+  std::printf("<tr><td>%s</td><td>%.1e</td><td>%.1f</td><td>%.2f</td><td>%.2f</td><td>%.0f %%</td>"
+              "<td>%.1f</td><td>%.1e</td><td>%.1f</td><td>%.1e</td><td>%.0f</td></tr>\n",
+              name, e.largest_distance, std::log2(coarse.largest_distance / e.largest_distance),
+              e.angle, surface.join, 100 * e.curvature, e.largest_angle, n.distance, n.angle,
+              r.largest_distance, surface.nanoseconds);
+  std::fflush(stdout);
+}
+
+void print_surfaces()
+{
+  std::puts("#table methods");
+  print_surface("the triangles", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::Flat(t); });
+  });
+  print_surface("Phong tessellation, 3/4", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::Phong_tessellation(t, .75); });
+  });
+  print_surface("Phong tessellation, 1/2", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::Phong_tessellation(t, .5); });
+  });
+  print_surface("PN triangles", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::PN_triangle(t); });
+  });
+  print_surface("Nagata", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::Nagata_patch(t); });
+  });
+  print_surface("Walton and Meek", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::Walton_Meek_patch(t); });
+  });
+  print_surface("linear modified Loop", [](const Mesh& m) { return subdivided(m, Way::linear); });
+  print_surface("the same, solved",
+                [](const Mesh& m) { return subdivided(m, Way::linear_solved); });
+  print_surface("PN-modified Loop", [](const Mesh& m) { return subdivided(m, Way::plain); });
+  print_surface("the same, `slide`", [](const Mesh& m) { return subdivided(m, Way::slide); });
+}
+
+// --- curves ---
+
+using by_method::Curve_point;
+using Plane_polygon = std::vector<std::pair<Kernel::Point_2, Kernel::Vector_2>>;
+
+struct Shape
+{
+  const char* name;
+  std::function<Curve_point(double)> at; // t from 0 to 1
+  bool is_closed;
+};
+
+Plane_polygon polygon_of(const std::vector<Curve_point>& points, bool is_linear)
+{
+  Plane_polygon polygon;
+  for (const Curve_point& p : points)
+    polygon.emplace_back(Kernel::Point_2(p.point.x(), p.point.y()),
+                         is_linear ? Kernel::Vector_2(0, 0)
+                                   : Kernel::Vector_2(p.normal.x(), p.normal.y()));
+  return polygon;
+}
+
+template <class Mask>
+std::vector<Kernel::Point_2> limit_curve(const std::vector<Curve_point>& points, const Mask& mask,
+                                         bool is_linear, bool is_closed)
+{
+  const PN::Curve_end end = is_closed ? PN::Curve_end::closed : PN::Curve_end::reflect;
+  const auto fine =
+    PN::subdivide_curve(polygon_of(points, is_linear), mask, end, params::number_of_iterations(4));
+  std::vector<Kernel::Point_2> curve;
+  for (const auto& l : PN::curve_limit_points(fine, mask, end).first) curve.push_back(l.point);
+  return curve;
+}
+
+double curve_distance(const Shape& shape, const Kernel::Point_2& p)
+{
+  double best = 1e9, at = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const double d = (shape.at(i / 2000.).point - p).squared_length();
+    if (d < best) {
+      best = d;
+      at = i / 2000.;
+    }
+  }
+  for (int i = 0; i < 4; ++i) { // to the foot, along the tangent
+    const Curve_point c = shape.at(at), d = shape.at(at + 1e-6);
+    const Kernel::Vector_2 t = (d.point - c.point) / 1e-6;
+    at += (p - c.point) * t / t.squared_length();
+  }
+  const Curve_point c = shape.at(at);
+  return std::abs((p - c.point) * c.normal);
+}
+
+void print_curve(
+  const std::string& name,
+  const std::function<std::vector<Kernel::Point_2>(const std::vector<Curve_point>&, bool)>& make,
+  const std::vector<Shape>& shapes)
+{
+  std::printf("<tr><td>%s</td>", name.c_str());
+  for (const Shape& shape : shapes)
+    for (const int n : {16, 32}) {
+      std::vector<Curve_point> points;
+      for (int i = 0; i < n + !shape.is_closed; ++i) points.push_back(shape.at(double(i) / n));
+      double largest = 0;
+      const auto curve = make(points, shape.is_closed);
+      const std::size_t skipped =
+        shape.is_closed ? 0 : curve.size() / 4; // the ends are other rules
+      for (std::size_t i = skipped; i < curve.size() - skipped; ++i)
+        largest = (std::max)(largest, curve_distance(shape, curve[i]));
+      std::printf("<td>%.1e</td>", largest);
+    }
+  std::puts("</tr>");
+  std::fflush(stdout);
+}
+
+void print_curves()
+{
+  const double pi = std::acos(-1.);
+  const auto ellipse = [pi](double t) {
+    const double x = std::cos(2 * pi * t), y = std::sin(2 * pi * t);
+    const Kernel::Vector_2 n(x, 2 * y);
+    return Curve_point{Kernel::Point_2(x, y / 2), n / std::sqrt(n.squared_length())};
+  };
+  const auto spiral = [pi](double t) { // of exponential growth
+    const double a = 2 * pi * t, r = std::exp(.3 * a);
+    const Kernel::Vector_2 n(std::cos(a) + .3 * std::sin(a), std::sin(a) - .3 * std::cos(a));
+    return Curve_point{Kernel::Point_2(r * std::cos(a), r * std::sin(a)),
+                       n / std::sqrt(n.squared_length())};
+  };
+  const std::vector<Shape> shapes = {{"ellipse", ellipse, true}, {"spiral", spiral, false}};
+  using Points = std::vector<Curve_point>;
+  std::puts("#table curve_methods");
+  print_curve(
+    "linear cubic",
+    [](const Points& p, bool c) { return limit_curve(p, PN::B_spline_mask(3), true, c); }, shapes);
+  print_curve(
+    "linear 4-point",
+    [](const Points& p, bool c) { return limit_curve(p, PN::Dubuc_Deslauriers_mask(4), true, c); },
+    shapes);
+  print_curve(
+    "PN-cubic",
+    [](const Points& p, bool c) { return limit_curve(p, PN::B_spline_mask(3), false, c); }, shapes);
+  print_curve(
+    "PN-4-point",
+    [](const Points& p, bool c) { return limit_curve(p, PN::Dubuc_Deslauriers_mask(4), false, c); },
+    shapes);
+  print_curve("circle average, cubic", by_method::circle_average_cubic, shapes);
+  print_curve("circle average, 4-point", by_method::circle_average_four_point, shapes);
+  print_curve("cubic Hermite", by_method::hermite, shapes);
+}
+
+} // namespace
+
+int main()
+{
+  print_surfaces();
+  print_curves();
+}

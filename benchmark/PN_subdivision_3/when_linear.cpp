@@ -1,0 +1,255 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Where the linear scheme is better than its point-normal twin, and what roundness does about it: noise of given normals,
+// interpolating masks, interpolation of points, convexity, folds. Prints the tables of the manual's page
+// "When the Linear Scheme Is Better" (scripts/fill_tables.py puts them there).
+//
+//   when_linear [FOLDER_OF_MESHES]
+
+#include "Measured_limits.h"
+
+#include <CGAL/PN_subdivision_3/compare_with_linear.h>
+#include <CGAL/PN_subdivision_3/curve_limit_points.h>
+#include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_curve.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using namespace measured;
+
+// --- noise of the given normals ---
+
+template <class Scheme>
+void print_noise(const char* layout, const Mesh& exact, const Scheme& scheme)
+{
+  const auto print = [layout](const char* way, double noise, const Errors& e) {
+    std::printf(
+      "<tr><td>%s</td><td>%s</td><td>%.1f</td><td>%.1e</td><td>%.2f</td><td>%.1f %%</td></tr>\n",
+      layout, way, noise, e.distance, e.angle, 100 * e.curvature);
+  };
+  print("linear", 0, errors(limits(exact, scheme, true)));
+  for (const double noise : {0., .5, 1., 2., 5.}) {
+    Mesh mesh = exact;
+    disturb(mesh, noise);
+    print("PN", noise, errors(limits(mesh, scheme, false, 1)));
+    if (noise > .5) print("PN, roundness 1/2", noise, errors(limits(mesh, scheme, false, .5)));
+  }
+}
+
+// --- masks on an ellipse ---
+
+template <class Mask>
+double ellipse_error(const Mask& mask, int n, bool is_linear, double a, double b)
+{
+  std::vector<std::pair<Kernel::Point_2, Kernel::Vector_2>> polygon;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * std::acos(-1.) * (i + .3) / n, x = std::cos(t), y = std::sin(t);
+    polygon.emplace_back(Kernel::Point_2(a * x, b * y),
+                         is_linear ? Kernel::Vector_2(0, 0) : Kernel::Vector_2(x / a, y / b));
+  }
+  polygon =
+    PN::subdivide_curve(polygon, mask, PN::Curve_end::closed, params::number_of_iterations(4));
+  double largest = 0;
+  for (const auto& l : PN::curve_limit_points(polygon, mask, PN::Curve_end::closed).first) {
+    const double x = l.point.x() / a, y = l.point.y() / b;
+    largest = (std::max)(largest, std::abs(x * x + y * y - 1) / (2 * std::hypot(x / a, y / b)));
+  }
+  return largest;
+}
+
+template <class Mask>
+void print_ellipse(const std::string& name, const Mask& mask)
+{
+  for (const bool is_linear : {true, false}) {
+    std::printf("<tr><td>%s%s</td>", is_linear ? "linear " : "PN-", name.c_str());
+    for (const double b : {.5, .8})
+      for (const int n : {16, 32, 64})
+        std::printf("<td>%.1e</td>", ellipse_error(mask, n, is_linear, 1, b));
+    std::puts("</tr>");
+  }
+}
+
+// --- interpolation of points, with exact normals ---
+
+double interpolation_error(Mesh mesh, const std::string& way)
+{
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const bool is_linear = way == "linear";
+  if (is_linear)
+    for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
+  PN::Limit_interpolation_options<> options;
+  options.tolerance = 1e-9;
+  options.mode = way == "slide" ? PN::Limit_interpolation_mode::slide
+                                : PN::Limit_interpolation_mode::limit_points;
+  const auto np = params::vertex_normal_map(normals);
+  if (way == "linear")
+    PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), options, np);
+  else if (way != "nothing solved")
+    PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+  return errors(limits(mesh, PN::Loop_scheme(), is_linear)).largest_distance;
+}
+
+void print_interpolation()
+{
+  std::puts("#table interpolation");
+  for (const char* way : {"linear", "points", "slide", "nothing solved"}) {
+    std::printf("<tr><td>%s</td>", way);
+    double before = 0, error = 0;
+    for (const std::size_t n : {224, 896, 3584}) {
+      before = error;
+      error = interpolation_error(closed_samples::scattered(n), way);
+      std::printf("<td>%.1e</td>", error);
+    }
+    std::printf("<td>%.1f</td></tr>\n", std::log2(before / error));
+  }
+}
+
+// --- convexity ---
+
+// the share of the points at which the surface of a thin ellipsoid is a saddle
+void print_convexity()
+{
+  std::puts("#table convexity");
+  const PN::modified_CatmullClark_scheme scheme;
+  for (const double thickness : {1., .5, .2, .1}) {
+    Mesh mesh = closed_samples::cube(4);
+    const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+    for (const auto v : mesh.vertices()) {
+      const Vector d = order_samples::unit(mesh.point(v) - CGAL::ORIGIN);
+      mesh.point(v) = Point(d.x(), .8 * d.y(), thickness * d.z());
+      normals[v] = order_samples::unit(Vector(d.x(), d.y() / .8, d.z() / thickness));
+    }
+    std::printf("<tr><td>%.1f</td>", thickness);
+    for (const double roundness : {0., .5, 1.}) {
+      double saddles = 0, all = 0;
+      for (const Sample& s : limits(mesh, scheme, roundness == 0, roundness)) {
+        all += s.has_curvature;
+        saddles += s.has_curvature && s.gaussian < -1e-6;
+      }
+      std::printf("<td>%.1f %%</td>", 100 * saddles / all);
+    }
+    std::puts("</tr>");
+  }
+}
+
+// how far the sphere about a cube leaves the hull, relative to its diagonal
+void print_hull()
+{
+  std::puts("#table hull");
+  const PN::CatmullClark_scheme scheme;
+  Mesh mesh = closed_samples::cube(1);
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  for (const auto v : mesh.vertices()) {
+    const Vector d = order_samples::unit(mesh.point(v) - CGAL::ORIGIN);
+    const auto sign = [](double x) { return x < 0 ? -1. : 1.; };
+    mesh.point(v) = Point(sign(d.x()), sign(d.y()), sign(d.z()));
+    normals[v] = d;
+  }
+  for (const double roundness : {0., .25, .5, 1.}) {
+    double out = 0;
+    for (const Sample& s : limits(mesh, scheme, roundness == 0, roundness))
+      out = (std::max)(
+        {out, std::abs(s.point.x()) - 1, std::abs(s.point.y()) - 1, std::abs(s.point.z()) - 1});
+    std::printf("<tr><td>%.2g</td><td>%.0f %%</td></tr>\n", roundness, 100 * out / std::sqrt(12.));
+  }
+}
+
+// --- folds: normals that are far off ---
+
+void print_folds()
+{
+  std::puts("#table folds");
+  for (const double noise : {0., 10., 20., 40., 60., -1.}) {
+    Mesh mesh = closed_samples::scattered(224);
+    const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+    if (noise < 0) { // one reversed normal
+      const Mesh::Vertex_index v(100);
+      normals[v] = -normals[v];
+      std::printf("<tr><td>one reversed</td>");
+    } else {
+      disturb(mesh, noise);
+      std::printf("<tr><td>%.0f</td>", noise);
+    }
+    for (const double roundness : {1., .5, 0.}) {
+      const auto c = PN::compare_with_linear(
+        mesh, PN::Loop_scheme(),
+        PN::parameters::roundness(roundness,
+                                  params::number_of_iterations(3).vertex_normal_map(normals)));
+      std::printf("<td>%u</td><td>%.1f</td>", unsigned(c.folded_edges), c.largest_distance / 8);
+    }
+    std::puts("</tr>");
+  }
+}
+
+// --- swelling of models without normals ---
+
+template <class Estimate>
+void print_model(const std::string& name, const Mesh& mesh, const std::string& way,
+                 Estimate estimate, double roundness)
+{
+  const auto scheme = PN::with_normal_estimate(PN::CatmullClark_scheme(), estimate);
+  const auto rounds = params::number_of_iterations(3);
+  const auto c =
+    roundness < 0
+      ? PN::compare_with_linear(mesh, scheme, rounds)
+      : PN::compare_with_linear(mesh, scheme, PN::parameters::roundness(roundness, rounds));
+  std::printf("<tr><td>%s</td><td>%s</td>", name.c_str(), way.c_str());
+  std::printf("<td>%.2f</td><td>%.2f</td>", c.linear_volume_ratio, c.volume_ratio);
+  std::printf("<td>%.2f</td></tr>\n", c.largest_distance);
+}
+
+void print_models(const std::string& folder)
+{
+  std::puts("#table models");
+  for (const char* file : {"creature.obj", "spoon.obj", "wheel.off"}) {
+    Mesh mesh;
+    if (!CGAL::IO::read_polygon_mesh(folder + "/" + file, mesh)) {
+      std::fprintf(stderr, "Cannot read %s/%s\n", folder.c_str(), file);
+      std::exit(EXIT_FAILURE);
+    }
+    using Estimate = PN::Control_normal_estimate;
+    print_model(file, mesh, "angle, roundness 1", Estimate::angle, 1);
+    print_model(file, mesh, "coherent, roundness 1", Estimate::coherent, 1);
+    print_model(file, mesh, "coherent, roundness of the points", Estimate::coherent, -1);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  std::puts("#table noise");
+  print_noise("even quads", closed_samples::cube(12), PN::modified_CatmullClark_scheme());
+  print_noise("scattered triangles", closed_samples::scattered(896), PN::modified_Loop_scheme());
+  std::puts("#table ellipse");
+  print_ellipse("cubic", PN::B_spline_mask(3));
+  print_ellipse("4-point", PN::Dubuc_Deslauriers_mask(4));
+  print_ellipse("6-point", PN::Dubuc_Deslauriers_mask(6));
+  print_interpolation();
+  print_convexity();
+  print_hull();
+  print_folds();
+  print_models(argc > 1 ? argv[1] : "data/meshes");
+}

@@ -1,0 +1,242 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_EVIDENCE_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_EVIDENCE_H
+
+#include <CGAL/PN_subdivision_3/internal/recognition/Grower.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Turn.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+namespace recognition {
+
+// Whether a region has more vertices on its shape than any facets would have, so that it is no accident.
+class Evidence
+{
+public:
+  Evidence(const Context& context, Grower& grower, Measure_region& measure)
+    : c_(context)
+    , grower_(grower)
+    , measure_(measure)
+  {}
+
+  // fills in the measures of the region, and takes flats out of it
+  bool operator()(Region& r)
+  {
+    measure_(r);
+    if (!take_flats_out(r)) return false;
+    return is_sound(r);
+  }
+  // of one that has lost facets
+  bool still_holds(Region& r)
+  {
+    measure_(r);
+    return is_sound(r);
+  }
+
+private:
+  bool is_sound(const Region& r) const
+  {
+    if (!(r.residual <= 1.01 * c_.tolerance()) || !has_sensible_size(r) || !bends(r)) return false;
+    if (r.turn.widest > c_.greatest_smooth_angle || r.meridian.widest > c_.greatest_smooth_angle)
+      return false;
+    switch (r.shape.kind) {
+    case Kind::cylinder:
+      return is_cylinder(r);
+    case Kind::cone:
+      return is_cone(r);
+    case Kind::sphere:
+      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r) && !is_frustum(r);
+    case Kind::torus:
+      return is_torus(r);
+    default:
+      return false;
+    }
+  }
+
+  bool has_sensible_size(const Region& r) const
+  {
+    const Shape& s = r.shape;
+    if (s.kind == Kind::cone) return s.angle > radians(0.5) && s.angle < radians(89.5);
+    if (s.kind == Kind::torus && s.radius < 0.02 * s.tube) return false; // a sphere
+    return s.radius <= (s.kind == Kind::torus ? 20 : 50) * c_.part.size;
+  }
+
+  bool is_bend_visible(const Region& r, double sagitta, std::size_t positions) const
+  {
+    const double tolerance = c_.tolerance();
+    return !(r.residual > sagitta / 10 && sagitta < 10 * tolerance) &&
+           sagitta * double(positions) >= 4 * tolerance;
+  }
+  bool bends(const Region& r) const
+  {
+    const Shape& s = r.shape;
+    const auto sagitta = [](double radius, double step) {
+      return radius * (1 - std::cos(step / 2));
+    };
+    if (s.kind == Kind::sphere)
+      return is_bend_visible(r, sagitta(s.radius, r.widest_angle), r.vertices.size());
+    const double factor = s.kind == Kind::cone ? std::cos(s.angle) : 1;
+    if (!is_bend_visible(r, factor * sagitta(r.greatest_rho, r.turn.widest),
+                         r.turn.positions.size()))
+      return false;
+    return s.kind != Kind::torus ||
+           is_bend_visible(r, sagitta(s.tube, r.meridian.widest), r.meridian.positions.size());
+  }
+
+  static bool are_spans_within(const Turn& turn, double factor)
+  {
+    return turn.widest <= factor * turn.least;
+  }
+
+  // a facet alone may have its vertices at many angles
+  static std::size_t number_of_positions(const Region& r)
+  {
+    return (std::min)(r.turn.positions.size(), r.patches.size() + 1);
+  }
+
+  bool is_cylinder(const Region& r) const
+  {
+    const std::size_t n = number_of_positions(r);
+    const int ends = r.number_of_tangent_ends();
+    if (n <= 5 && ends == 0 && !are_spans_within(r.turn, 1.75)) return false;
+    if (n >= 5) return true;
+    if (n == 4) return ends > 0 || (are_spans_within(r.turn, 1.02) && r.turn.widest <= radians(31));
+    return n == 3 && ends == 2;
+  }
+  // a circle and a point are on a sphere anyway
+  bool is_fan(const Region& r) const
+  {
+    for (const Index v : c_.patches[r.patches[0]].vertices) {
+      bool is_hub = true;
+      for (const Index p : r.patches)
+        is_hub = is_hub && std::binary_search(c_.patches[p].vertices.begin(),
+                                              c_.patches[p].vertices.end(), v);
+      if (is_hub && are_others_in_a_plane(r, v)) return true;
+    }
+    return false;
+  }
+  // two circles about one axis are on a sphere anyway: a cap and a row of facets
+  bool is_frustum(const Region& r) const
+  {
+    if (r.patches.size() > 30) return false;
+    for (const Index p : r.patches)
+      if (levels_along(c_.patches[p].normal, r) <= 2) return true;
+    return false;
+  }
+  std::size_t levels_along(const Vec3& direction, const Region& r) const
+  {
+    std::vector<double> levels;
+    for (const Index v : r.vertices) levels.push_back(dot(direction, c_.point(v)));
+    std::sort(levels.begin(), levels.end());
+    std::size_t result = 1;
+    for (std::size_t i = 1; i < levels.size(); ++i)
+      result += levels[i] - levels[i - 1] > 8 * c_.tolerance();
+    return result;
+  }
+  bool are_others_in_a_plane(const Region& r, Index hub) const
+  {
+    Vec3 mean;
+    for (const Index v : r.vertices)
+      if (v != hub) mean += (1 / double(r.vertices.size() - 1)) * c_.point(v);
+    Covariance covariance;
+    for (const Index v : r.vertices)
+      if (v != hub) covariance.add(c_.point(v) - mean);
+    const Vec3 normal = covariance.least_direction();
+    for (const Index v : r.vertices)
+      if (v != hub && std::abs(dot(normal, c_.point(v) - mean)) > 4 * c_.tolerance()) return false;
+    return true;
+  }
+
+  static bool is_cone(const Region& r)
+  {
+    return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
+  }
+  static bool has_even_gaps(const Turn& turn)
+  {
+    double least = 0, most = 0;
+    for (std::size_t i = 0; i + 1 < turn.positions.size(); ++i) {
+      const double gap = turn.positions[i + 1] - turn.positions[i];
+      least = i == 0 ? gap : (std::min)(least, gap);
+      most = (std::max)(most, gap);
+    }
+    return most <= 1.75 * least;
+  }
+  static bool is_torus(const Region& r)
+  {
+    const std::size_t n = r.turn.positions.size(), m = r.meridian.positions.size();
+    return r.inner_vertices >= 2 && n >= 4 && m >= (r.has_tangent_end ? 3u : 4u) &&
+           (n > 4 || has_even_gaps(r.turn)) && (m > 4 || has_even_gaps(r.meridian)) &&
+           (r.has_tangent_end || r.patches.size() >= 10);
+  }
+
+  // Few facets that are much wider than all others are no part of the round: tessellators halve steps, they do not
+  // double them.
+  bool take_flats_out(Region& r)
+  {
+    if (r.shape.kind == Kind::sphere) return true;
+    for (int k = 0; k < 4; ++k) {
+      std::vector<Index> flats, rest;
+      double next = 0;
+      for (std::size_t i = 0; i < r.patches.size(); ++i)
+        if (r.turn.spans[i] >= 0.9 * r.turn.widest)
+          flats.push_back(r.patches[i]);
+        else {
+          next = (std::max)(next, r.turn.spans[i]);
+          rest.push_back(r.patches[i]);
+        }
+      const bool are_few = flats.size() <= 2 || 10 * flats.size() <= r.patches.size();
+      if (rest.empty() || !are_few || !(r.turn.widest > 1.75 * next)) break;
+      for (const Index p : flats) grower_.ban(p);
+      const bool has_rest = grow_rest(r, rest);
+      if (!has_rest) {
+        grower_.lift_bans();
+        return false;
+      }
+    }
+    grower_.lift_bans();
+    return true;
+  }
+
+  // again from the rest, the largest connected part of it
+  bool grow_rest(Region& r, const std::vector<Index>& rest)
+  {
+    Region best;
+    std::vector<Index> seen;
+    for (const Index p : rest) {
+      if (std::binary_search(seen.begin(), seen.end(), p)) continue;
+      Region next = r;
+      if (!grower_.settle(next, {p}, c_.tolerance())) continue;
+      seen.insert(seen.end(), next.patches.begin(), next.patches.end());
+      std::sort(seen.begin(), seen.end());
+      if (next.patches.size() > best.patches.size()) best = next;
+    }
+    if (best.patches.empty()) return false;
+    r = best;
+    measure_(r);
+    return true;
+  }
+
+  const Context& c_;
+  Grower& grower_;
+  Measure_region& measure_;
+};
+
+} // namespace recognition
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_EVIDENCE_H

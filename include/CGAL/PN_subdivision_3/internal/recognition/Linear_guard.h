@@ -1,0 +1,296 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_LINEAR_GUARD_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_LINEAR_GUARD_H
+
+#include <CGAL/PN_subdivision_3/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Refined_heights.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
+#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+namespace recognition {
+
+// Sees to it that what has not been recognized is no worse than with the linear scheme: segments beside it that do harm are
+// given up, and wedges whose estimated normals do harm get none.
+class Linear_guard
+{
+public:
+  using Value = Refined_heights::Value;
+
+  Linear_guard(const Level_connectivity& level, const Part& part,
+               std::vector<Recognized_surface>& surfaces, const std::vector<std::size_t>& patches,
+               double sharp_angle)
+    : level_(level)
+    , part_(part)
+    , surfaces_(surfaces)
+    , patch_(patches)
+    , sharp_angle_(sharp_angle)
+    , heights_(level, part)
+  {}
+
+  void operator()()
+  {
+    set_tags();
+    is_zero_.assign(level_.number_of_halfedges(), false);
+    if (!has_unknown()) return set_values();
+    check_tags();
+    check_normals();
+  }
+
+  const std::vector<bool>& creases() const { return is_crease_; }
+  const std::vector<bool>& corners() const { return is_corner_; }
+  // of half-edges
+  const std::vector<Vec3>& normals() const { return corner_normal_; }
+  double roundness(Index v) const { return values_[v].roundness; }
+  std::size_t segments_given_up() const { return given_up_; }
+  std::size_t wedges_set_back() const { return set_back_; }
+  const std::vector<Index>& high_faces() const { return high_; }
+  // of the whole
+  double unknown_share_of_area() const
+  {
+    double unknown = 0, all = 0;
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      const double area = norm(part_.area[part_.rank_of_face[f]]);
+      all += area;
+      if (!is_known(f)) unknown += area;
+    }
+    return all > 0 ? unknown / all : 0;
+  }
+
+private:
+  bool is_known(Index f) const { return surfaces_[patch_[f]].kind != Kind::unknown; }
+  bool has_unknown() const
+  {
+    for (Index f = 0; f < level_.number_of_faces(); ++f)
+      if (!is_known(f)) return true;
+    return false;
+  }
+
+  void set_tags()
+  {
+    tags_ = std::make_unique<Surface_tags>(level_, part_, surfaces_, patch_, sharp_angle_);
+    is_crease_.resize(level_.number_of_edges());
+    for (Index e = 0; e < is_crease_.size(); ++e) is_crease_[e] = tags_->is_crease(e);
+    is_corner_.resize(level_.number_of_vertices());
+    for (Index v = 0; v < is_corner_.size(); ++v) is_corner_[v] = tags_->is_corner(v);
+  }
+
+  // of faces and those that have a vertex in common with them
+  std::vector<double> largest_around(const std::vector<double>& height) const
+  {
+    std::vector<double> of_vertex(level_.number_of_vertices(), 0), result(height.size(), 0);
+    for (Index h = 0; h < level_.number_of_halfedges(); ++h)
+      if (!level_.is_border(h)) {
+        double& x = of_vertex[level_.target(h)];
+        x = (std::max)(x, height[level_.face(h)]);
+      }
+    for (Index h = 0; h < level_.number_of_halfedges(); ++h)
+      if (!level_.is_border(h)) {
+        double& x = result[level_.face(h)];
+        x = (std::max)(x, of_vertex[level_.target(h)]);
+      }
+    return result;
+  }
+
+  template <class Function>
+  void for_each_corner_of(Index f, const Function& function) const
+  {
+    const Index first = level_.halfedge_of_face(f);
+    Index h = first;
+    do {
+      function(h);
+      h = level_.next(h);
+    } while (h != first);
+  }
+  // corners of all faces at the vertices of a face
+  template <class Function>
+  void for_each_corner_around(Index f, const Function& function) const
+  {
+    for_each_corner_of(f, [&](Index first) {
+      Index h = first;
+      do {
+        if (!level_.is_border(h)) function(h);
+        h = level_.next_around_target(h);
+      } while (h != first);
+    });
+  }
+
+  // The linear scheme with these tags against that with sharp edges by their angle.
+  void check_tags()
+  {
+    std::vector<bool> by_angle(level_.number_of_edges(), false);
+    for (Index e = 0; e < by_angle.size(); ++e)
+      by_angle[e] = !level_.is_border_edge(e) &&
+                    tags_->angle(level_.face(2 * e), level_.face(2 * e + 1)) > radians(30.1);
+    const std::vector<double> limit = largest_around(
+      heights_.linear(by_angle, std::vector<bool>(level_.number_of_vertices(), false)).height);
+    constexpr int most = 3;
+    for (int k = 0;; ++k) {
+      linear_ = heights_.linear(is_crease_, is_corner_);
+      if (k + 1 == most) return;
+      std::vector<std::size_t> harmful;
+      for (Index f = 0; f < level_.number_of_faces(); ++f)
+        if (linear_.height[f] > 1.5 * limit[f] + 10 * part_.tolerance)
+          for_each_corner_around(f, [&](Index h) {
+            if (meets_unknown(h)) harmful.push_back(patch_[level_.face(h)]);
+          });
+      if (!give_up(harmful)) return;
+      set_tags();
+    }
+  }
+  // whether the face of a half-edge is of a small segment and meets something unknown smoothly there
+  bool meets_unknown(Index h) const
+  {
+    const Index o = Level_connectivity::opposite(h), f = level_.face(h);
+    if (level_.is_border(o) || !is_known(f) || is_known(level_.face(o))) return false;
+    const std::size_t few = level_.uniform_degree() == 3 ? 24 : 12;
+    return surfaces_[patch_[f]].number_of_faces < few &&
+           tags_->angle(f, level_.face(o)) <= radians(30);
+  }
+  bool give_up(const std::vector<std::size_t>& segments)
+  {
+    bool has_changed = false;
+    for (const std::size_t s : segments) {
+      if (surfaces_[s].kind == Kind::unknown) continue;
+      Recognized_surface unknown;
+      unknown.number_of_faces = surfaces_[s].number_of_faces;
+      surfaces_[s] = unknown;
+      ++given_up_;
+      has_changed = true;
+    }
+    return has_changed;
+  }
+
+  // Point-normal against linear, with the same tags.
+  void check_normals()
+  {
+    const std::vector<double> around = largest_around(linear_.height);
+    constexpr int most = 6;
+    for (int k = 0; k < most; ++k) {
+      set_values();
+      const Face_changes changes = heights_.point_normal(creases_, values_);
+      high_.clear();
+      for (Index f = 0; f < level_.number_of_faces(); ++f)
+        if (is_worse(f, changes, around[f])) high_.push_back(f);
+      if (high_.empty() || k + 1 == most) return;
+      bool has_changed = false;
+      for (const Index f : high_) has_changed = set_back(f) || has_changed;
+      if (k >= 2)
+        for (const Index f : high_) has_changed = make_corners(f) || has_changed;
+      if (!has_changed) return;
+    }
+  }
+  bool is_worse(Index f, const Face_changes& changes, double linear_around) const
+  {
+    if (changes.is_folded[f] && !linear_.is_folded[f]) return true;
+    const double margin = 10 * part_.tolerance;
+    if (!is_known(f)) return changes.height[f] > 1.25 * linear_around + margin;
+    return surfaces_[patch_[f]].kind == Kind::plane &&
+           changes.height[f] > linear_.height[f] + margin;
+  }
+  // the wedges of an unknown face, the unknown ones round another one
+  bool set_back(Index f)
+  {
+    bool has_changed = false;
+    const auto zero = [&](Index h) {
+      if (is_known(level_.face(h)) || is_zero_[h]) return;
+      is_zero_[h] = true;
+      has_changed = true;
+    };
+    if (is_known(f))
+      for_each_corner_around(f, zero);
+    else
+      for_each_corner_of(f, zero);
+    return has_changed;
+  }
+  bool make_corners(Index f)
+  {
+    bool has_changed = false;
+    for_each_corner_of(f, [&](Index first) {
+      const Index v = level_.target(first);
+      Index h = first;
+      do {
+        if (is_crease_[Level_connectivity::edge(h)] && !is_corner_[v])
+          is_corner_[v] = has_changed = true;
+        h = level_.next_around_target(h);
+      } while (h != first);
+    });
+    return has_changed;
+  }
+
+  // Normals and roundness of the slots: given by surfaces, or none, or estimated.
+  void set_values()
+  {
+    const Index n = level_.number_of_vertices();
+    creases_ = heights_.creases(is_crease_, is_corner_);
+    values_.assign(creases_.number_of_slots, Value());
+    const std::vector<Index> extra = vertices_of_extra_slots(creases_, n);
+    for (Index slot = 0; slot < values_.size(); ++slot) {
+      values_[slot].point = heights_.points()[slot < n ? slot : extra[slot - n]];
+      values_[slot].normal = {0, 0, 0};
+      values_[slot].roundness = 1;
+    }
+    std::vector<bool> is_given(values_.size(), false), is_zero(values_.size(), false);
+    std::vector<Vec3> sum(values_.size());
+    const Cut_level<double> cut(level_, creases_);
+    for_each_corner(level_, cut.connectivity(), [&](Index h, Index slot) {
+      const Vec3 normal = tags_->normal(h);
+      if (is_zero_[h]) is_zero[slot] = true;
+      if (is_known(level_.face(h)) || dot(normal, normal) > 0) is_given[slot] = true;
+      sum[slot] += normal;
+    });
+    set_back_ = 0;
+    for (Index slot = 0; slot < values_.size(); ++slot) {
+      if (is_zero[slot]) {
+        is_given[slot] = true;
+        ++set_back_;
+      } else if (is_given[slot])
+        values_[slot].normal = as_array(unit(sum[slot]));
+    }
+    Control_creases<double, Value>(level_, creases_, values_, is_given,
+                                   Control_normal_estimate::coherent)();
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      share_roundness(values_[extra[i]], values_[n + i]);
+    corner_normal_.assign(level_.number_of_halfedges(), Vec3());
+    for_each_corner(level_, cut.connectivity(), [&](Index h, Index slot) {
+      corner_normal_[h] = as_vec3(values_[slot].normal);
+    });
+  }
+
+  const Level_connectivity& level_;
+  const Part& part_;
+  std::vector<Recognized_surface>& surfaces_;
+  const std::vector<std::size_t>& patch_;
+  double sharp_angle_;
+  Refined_heights heights_;
+  std::unique_ptr<Surface_tags> tags_;
+  std::vector<bool> is_crease_, is_corner_, is_zero_; // zero: half-edges
+  Creases<double> creases_;
+  std::vector<Value> values_;
+  std::vector<Vec3> corner_normal_;
+  Face_changes linear_;
+  std::vector<Index> high_;
+  std::size_t given_up_ = 0, set_back_ = 0;
+};
+
+} // namespace recognition
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_LINEAR_GUARD_H

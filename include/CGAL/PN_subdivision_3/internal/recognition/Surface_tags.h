@@ -1,0 +1,213 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_SURFACE_TAGS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_SURFACE_TAGS_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+namespace recognition {
+
+// What follows from the surface of each face: creases, corners, and normals of corners of faces.
+class Surface_tags
+{
+public:
+  Surface_tags(const Level_connectivity& level, const Part& part,
+               const std::vector<Recognized_surface>& surfaces, std::vector<std::size_t> patches,
+               double sharp_angle)
+    : level_(level)
+    , part_(part)
+    , patch_(std::move(patches))
+    , sharp_angle_(sharp_angle)
+  {
+    for (const Recognized_surface& s : surfaces)
+      shapes_.push_back(as_shape(s, part.scale, part.shift));
+    set_face_normals();
+    set_sides();
+  }
+
+  bool is_known(Index f) const { return shapes_[patch_[f]].kind != Kind::unknown; }
+
+  bool is_crease(Index e) const
+  {
+    if (level_.is_border_edge(e)) return false;
+    const Index f = level_.face(2 * e), g = level_.face(2 * e + 1);
+    if (is_known(f) || is_known(g)) return patch_[f] != patch_[g];
+    return angle(f, g) > sharp_angle_;
+  }
+
+  // the apex of a cone
+  bool is_corner(Index v) const
+  {
+    bool result = false;
+    if (!level_.is_isolated(v)) for_each_corner(v, [&](Index h) { result = result || is_apex(h); });
+    return result;
+  }
+
+  // of the corner of face(h) at target(h); zero: none
+  Vec3 normal(Index h) const
+  {
+    if (level_.is_border(h)) return {};
+    return is_known(level_.face(h)) ? normal_of_surface(h) : normal_beside_surfaces(h);
+  }
+
+  // between the normals of faces
+  double angle(Index f, Index g) const { return angle_between(normal_[f], normal_[g]); }
+
+private:
+  const Vec3& point(Index v) const { return part_.points[part_.rank_of_vertex[v]]; }
+
+  template <class Function>
+  void for_each_corner(Index v, const Function& function) const
+  {
+    const Index first = level_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      if (!level_.is_border(h)) function(h);
+      h = level_.next_around_target(h);
+    } while (h != first);
+  }
+
+  // slivers have that of the face that they join
+  void set_face_normals()
+  {
+    normal_.resize(level_.number_of_faces());
+    std::vector<Index> slivers;
+    for (Index f = 0; f < normal_.size(); ++f) {
+      normal_[f] = part_.normal[part_.rank_of_face[f]];
+      if (part_.is_sliver(part_.rank_of_face[f])) slivers.push_back(f);
+    }
+    while (!slivers.empty()) {
+      std::vector<std::pair<Index, Vec3>> found;
+      std::vector<Index> rest;
+      for (const Index f : slivers) {
+        const Vec3 n = normal_of_neighbor(f);
+        if (dot(n, n) > 0)
+          found.emplace_back(f, n);
+        else
+          rest.push_back(f);
+      }
+      if (found.empty()) break;
+      for (const auto& n : found) normal_[n.first] = n.second;
+      slivers = rest;
+    }
+  }
+  Vec3 normal_of_neighbor(Index f) const
+  {
+    Vec3 result;
+    double longest = -1;
+    const Index first = level_.halfedge_of_face(f);
+    Index h = first;
+    do {
+      const Index o = Level_connectivity::opposite(h);
+      const double length = norm(point(level_.target(h)) - point(level_.target(o)));
+      if (!level_.is_border(o) && patch_[level_.face(o)] == patch_[f] && length > longest &&
+          dot(normal_[level_.face(o)], normal_[level_.face(o)]) > 0) {
+        longest = length;
+        result = normal_[level_.face(o)];
+      }
+      h = level_.next(h);
+    } while (h != first);
+    return result;
+  }
+
+  // the faces' side of each surface
+  void set_sides()
+  {
+    std::vector<double> sums(shapes_.size(), 0);
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      if (!is_known(f)) continue;
+      const Index first = level_.halfedge_of_face(f);
+      Vec3 mean;
+      double n = 0;
+      Index h = first;
+      do {
+        mean += point(level_.target(h));
+        ++n;
+        h = level_.next(h);
+      } while (h != first);
+      sums[patch_[f]] +=
+        dot(part_.area[part_.rank_of_face[f]], shapes_[patch_[f]].normal((1 / n) * mean));
+    }
+    for (const double s : sums) side_.push_back(s < 0 ? -1 : 1);
+  }
+
+  bool is_apex(Index h) const
+  {
+    const Shape& s = shapes_[patch_[level_.face(h)]];
+    return s.kind == Kind::cone &&
+           norm(point(level_.target(h)) - s.center) <= 10 * part_.tolerance / std::sin(s.angle);
+  }
+
+  Vec3 normal_of_surface(Index h) const
+  {
+    const std::size_t patch = patch_[level_.face(h)];
+    return is_apex(h) ? Vec3()
+                      : double(side_[patch]) * shapes_[patch].normal(point(level_.target(h)));
+  }
+
+  // of something unknown: that of recognized surfaces which it meets smoothly beside its wedge
+  Vec3 normal_beside_surfaces(Index h) const
+  {
+    Vec3 sum;
+    Index last = h;
+    // next_around_target goes over the edge of next(h), the other way over that of h
+    do {
+      const Index edge_half = level_.next(last);
+      if (stops_at(Level_connectivity::edge(edge_half))) {
+        sum += normal_across(level_.face(last), Level_connectivity::opposite(edge_half));
+        break;
+      }
+      last = level_.next_around_target(last);
+    } while (last != h);
+    Index first = h;
+    do {
+      if (stops_at(Level_connectivity::edge(first))) {
+        sum +=
+          normal_across(level_.face(first), level_.is_border(Level_connectivity::opposite(first))
+                                              ? null
+                                              : level_.prev(Level_connectivity::opposite(first)));
+        break;
+      }
+      first = level_.prev(Level_connectivity::opposite(first));
+    } while (first != h);
+    return unit(sum);
+  }
+  bool stops_at(Index e) const { return level_.is_border_edge(e) || is_crease(e); }
+  // of the surface at a corner beside a face
+  Vec3 normal_across(Index f, Index corner) const
+  {
+    if (corner == null || level_.is_border(corner)) return {};
+    const Index g = level_.face(corner);
+    return is_known(g) && angle(f, g) <= radians(30) ? normal_of_surface(corner) : Vec3();
+  }
+
+  const Level_connectivity& level_;
+  const Part& part_;
+  std::vector<std::size_t> patch_;
+  double sharp_angle_;
+  std::vector<Shape> shapes_;
+  std::vector<Vec3> normal_;
+  std::vector<int> side_;
+};
+
+} // namespace recognition
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_SURFACE_TAGS_H

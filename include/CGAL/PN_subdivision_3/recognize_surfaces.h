@@ -1,0 +1,201 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_RECOGNIZE_SURFACES_H
+#define CGAL_PN_SUBDIVISION_3_RECOGNIZE_SURFACES_H
+
+#include <CGAL/PN_subdivision_3/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/read_part.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/recognize_part.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+finds the planes, cylinders, cones, spheres and tori of which a polygon mesh is a tessellation.
+
+The vertices of a tessellated part of a CAD system are on its surfaces, up to the rounding of the file. So surfaces are guessed
+from two or three facets, and grow over all facets whose vertices are on them up to a tolerance; a surface is
+believed in if it is over-determined by its vertices. Faces in one plane are one facet, however they are triangulated. Prisms
+and pyramids of few sides are planes, unless something else about the part says that they are meant to be round: facets that
+are tangent to their neighbors, or a round on the same axis. What is not recognized is `unknown`.
+
+The tolerance is four times the rounding of the coordinates, which are taken for floats or decimals of few digits if all
+of them are, and \f$ 10^{-7} \f$ times the diagonal of the bounding box. Vertices at the same point are different ones: join them
+first, for instance those of an STL file.
+
+Everything is computed in `double`. The result does not depend on the numbers of the elements.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam FacePatchMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
+  an integer as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param patch_map the map to write: of each face the number of its surface in the result. A surface of the result is
+  one connected piece of it, but what has no vertices in common may be one surface only together with another.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` as in
+  `subdivide()`, `parameters::min_facets()` (default 8) and `parameters::surface_tolerance()`
+
+\return the surfaces
+\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not finite or a parameter out of
+  its range; nothing has been written then
+<br><b>Cost:</b> about linear in the size of the mesh
+*/
+template <class FaceGraph, class FacePatchMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::vector<Recognized_surface>
+recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
+                   const NamedParameters& np = parameters::default_values())
+{
+  using Number = typename boost::property_traits<FacePatchMap>::value_type;
+  std::vector<Recognized_surface> result;
+  const internal::Recognition_parameters<NamedParameters> options(np);
+  internal::with_mesh_access(mesh, [&](const auto& access) {
+    const auto read = internal::read_part(mesh, access, np, options.tolerance);
+    const auto segments = internal::recognition::recognize_part(read.part, options.min_facets);
+    result = internal::recognition::surfaces_of(read.part, segments);
+    for (Level_connectivity::Index f = 0; f < segments.segment_of_face.size(); ++f)
+      put(patch_map, access.face_at(read.part.face_of_mesh[f]),
+          static_cast<Number>(segments.segment_of_face[f]));
+  });
+  return result;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+marks the edges between different surfaces, and between faces of unknown surface those at which these meet at an angle.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam FacePatchMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
+  an integer as value type
+\tparam EdgeIsCreaseMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%edge_descriptor` as key type
+  and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh an oriented 2-manifold with border
+\param patch_map the surface of each face, as `recognize_surfaces()` writes it
+\param surfaces the result of `recognize_surfaces()`
+\param edge_map the map to write, the `edge_is_constrained_map` of `subdivide()`; edges on the border are no creases
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()`, and
+  `parameters::sharp_angle()` (default 30 degrees)
+
+\return the number of creases
+\throws std::invalid_argument as `recognize_surfaces()`, and if a face has a number that no surface has
+<br><b>Cost:</b> linear in the size of the mesh
+*/
+template <class FaceGraph, class FacePatchMap, class EdgeIsCreaseMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
+                            const std::vector<Recognized_surface>& surfaces,
+                            EdgeIsCreaseMap edge_map,
+                            const NamedParameters& np = parameters::default_values())
+{
+  std::size_t number = 0;
+  internal::with_surface_tags(
+    mesh, patch_map, surfaces, np,
+    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
+      for (Level_connectivity::Index e = 0; e < level.number_of_edges(); ++e) {
+        const bool is_crease = tags.is_crease(e);
+        put(edge_map, access.edge_at(e), is_crease);
+        number += is_crease;
+      }
+    });
+  return number;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+marks the vertices that are corners by themselves, whatever their creases are: apexes of cones.
+
+\tparam VertexIsCornerMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key
+  type and `bool` as value type
+
+\param mesh, patch_map, surfaces, np as in `surface_creases()`
+\param vertex_map the map to write, the `vertex_is_constrained_map` of `subdivide()`
+
+\return the number of such vertices
+\throws std::invalid_argument as `surface_creases()`
+<br><b>Cost:</b> linear in the size of the mesh
+*/
+template <class FaceGraph, class FacePatchMap, class VertexIsCornerMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t surface_corners(const FaceGraph& mesh, FacePatchMap patch_map,
+                            const std::vector<Recognized_surface>& surfaces,
+                            VertexIsCornerMap vertex_map,
+                            const NamedParameters& np = parameters::default_values())
+{
+  std::size_t number = 0;
+  internal::with_surface_tags(
+    mesh, patch_map, surfaces, np,
+    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
+      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
+        const bool is_corner = tags.is_corner(v);
+        put(vertex_map, access.vertex(v), is_corner);
+        number += is_corner;
+      }
+    });
+  return number;
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+computes the normals of the surfaces at all corners of faces.
+
+A corner of a face of an unknown surface gets the normals of the recognized surfaces beside its wedge that it meets at
+no more than 30 degrees; all others, and the apexes of cones, get zero vectors, which stand for no normal.
+
+\tparam HalfedgeNormalMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<FaceGraph>::%halfedge_descriptor` as key type and a `Vector_3` as value type
+
+\param mesh, patch_map, surfaces, np as in `surface_creases()`
+\param normals the map to write, the `vertex_normal_map` of `subdivide()`: the normal of the corner of the face of the half-edge at its
+  target, on the side of the face's own normal; zero for half-edges without a face
+
+\throws std::invalid_argument as `surface_creases()`
+<br><b>Cost:</b> linear in the size of the mesh
+*/
+template <class FaceGraph, class FacePatchMap, class HalfedgeNormalMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void surface_corner_normals(const FaceGraph& mesh, FacePatchMap patch_map,
+                            const std::vector<Recognized_surface>& surfaces,
+                            HalfedgeNormalMap normals,
+                            const NamedParameters& np = parameters::default_values())
+{
+  using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
+  internal::with_surface_tags(
+    mesh, patch_map, surfaces, np,
+    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
+      for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h) {
+        const auto n = tags.normal(h);
+        put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
+      }
+    });
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_RECOGNIZE_SURFACES_H

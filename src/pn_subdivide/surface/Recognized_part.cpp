@@ -1,0 +1,149 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/Recognized_part.h"
+
+#include "io/corner_normals.h"
+#include "surface/Wedges.h"
+
+#include <CGAL/PN_subdivision_3/internal/recognition/Fallback.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/recognize_surfaces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+
+using Edge = Surface::Edge_index;
+using Face = Surface::Face_index;
+using Halfedge = Surface::Halfedge_index;
+using Vertex = Surface::Vertex_index;
+using Kind = Recognized_surface::Kind;
+using Patch_map = Surface::Property_map<Face, std::size_t>;
+using Crease_map = Surface::Property_map<Edge, bool>;
+
+Surface without_normals(const Mesh_data& mesh)
+{
+  Surface surface = make_surface(mesh);
+  remove_normals(surface);
+  if (std::optional<Roundness_map> roundness = roundness_of(surface))
+    surface.remove_property_map(*roundness);
+  return surface;
+}
+
+template <class Function>
+auto with_parameters(const Recognition_plan& plan, const Function& f)
+{
+  const auto np =
+    PN::parameters::sharp_angle(plan.sharp_angle, PN::parameters::min_facets(plan.min_facets));
+  return plan.tolerance ? f(PN::parameters::surface_tolerance(*plan.tolerance, np)) : f(np);
+}
+
+// Between known surfaces whose normals are within two degrees at both ends.
+bool is_tangent(const Recognized_part& part, const Surface& surface, Patch_map segments,
+                Corner_normal_map normals, Edge e)
+{
+  const double least = std::cos(2 * CGAL_PI / 180);
+  const Halfedge h = surface.halfedge(e), g = surface.opposite(h);
+  if (surface.is_border(e)) return false;
+  return part.is_known(segments[surface.face(h)]) && part.is_known(segments[surface.face(g)]) &&
+         normals[h] * normals[surface.prev(g)] >= least &&
+         normals[g] * normals[surface.prev(h)] >= least;
+}
+
+double area_of(const Surface& surface, Face f)
+{
+  const Halfedge first = surface.halfedge(f);
+  const Point_3& p = surface.point(surface.target(first));
+  Vector_3 twice(0, 0, 0);
+  for (Halfedge h = surface.next(first); surface.next(h) != first; h = surface.next(h))
+    twice += CGAL::cross_product(surface.point(surface.target(h)) - p,
+                                 surface.point(surface.target(surface.next(h))) - p);
+  return std::sqrt(twice.squared_length()) / 2;
+}
+
+void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Crease_map creases,
+          Corner_normal_map normals)
+{
+  for (const Face f : surface.faces()) {
+    part.segments.push_back(segments[f]);
+    const double area = area_of(surface, f);
+    part.area += area;
+    if (!part.is_known(segments[f])) part.unknown_area += area;
+  }
+  for (const Edge e : surface.edges()) {
+    part.creases.push_back(creases[e]);
+    if (creases[e] && is_tangent(part, surface, segments, normals, e)) ++part.tangent_creases;
+  }
+  for (const Halfedge h : surface.halfedges()) part.normals.push_back(normals[h]);
+}
+
+} // namespace
+
+bool Recognized_part::knows_any() const
+{
+  return std::any_of(segments.begin(), segments.end(),
+                     [&](std::size_t segment) { return is_known(segment); });
+}
+
+Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan)
+{
+  Recognized_part part;
+  Surface surface = without_normals(mesh);
+  const Patch_map segments = surface.add_property_map<Face, std::size_t>("f:segment", 0).first;
+  const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
+  const Corner_normal_map normals =
+    surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
+  const Roundness_map roundness = add_roundness(surface);
+  with_parameters(plan, [&](const auto& np) {
+    part.surfaces = PN::recognize_surfaces(surface, segments, np);
+    // creases, and normals for all corners
+    PN::internal::Surface_fallback fallback =
+      PN::internal::never_worse_than_linear(surface, segments, part.surfaces, creases, normals,
+                                            PN::parameters::vertex_roundness_map(roundness, np));
+    part.given_up = fallback.segments_given_up;
+    part.set_back = fallback.wedges_set_back;
+    part.high_faces = std::move(fallback.high_faces);
+    part.corners = std::move(fallback.corners);
+  });
+  for (const Vertex v : surface.vertices()) part.roundness.push_back(roundness[v]);
+  fill(part, surface, segments, creases, normals);
+  return part;
+}
+
+void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none)
+{
+  Surface surface = make_surface(mesh);
+  std::vector<Vector_3> of_file(surface.number_of_halfedges(), CGAL::NULL_VECTOR);
+  if (where_file_has_none) {
+    const Wedges wedges(surface, [&](Edge e) { return bool(part.creases[e]); });
+    const std::optional<Corner_normal_map> of_corners = corner_normals_of(surface);
+    const Normal_map of_vertices = *normals_of(surface);
+    for (const Halfedge h : surface.halfedges())
+      if (of_corners)
+        of_file[h] = (*of_corners)[h];
+      else if (wedges.number[surface.target(h)] == 1)
+        of_file[h] = of_vertices[surface.target(h)];
+  }
+  remove_normals(surface);
+  const Normal_map zero = add_normals(surface); // of vertices without faces
+  (void)zero;
+  const Corner_normal_map normals = add_corner_normals(surface);
+  for (const Halfedge h : surface.halfedges())
+    normals[h] = of_file[h] == CGAL::NULL_VECTOR ? part.normals[h] : of_file[h];
+  Mesh_data with_normals = to_mesh_data(surface);
+  mesh.normals = std::move(with_normals.normals);
+  mesh.corner_normals = std::move(with_normals.corner_normals);
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,54 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef PN_SUBDIVIDE_RECOGNIZED_PART_H
+#define PN_SUBDIVIDE_RECOGNIZED_PART_H
+
+#include "surface/Recognition_plan.h"
+#include "surface/Surface.h"
+
+#include <CGAL/PN_subdivision_3/Recognized_surface.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pn_subdivide {
+
+using Recognized_surface = CGAL::PN_subdivision_3::Recognized_surface;
+
+// What --sharp surfaces finds in a control mesh, by the numbers of make_surface().
+struct Recognized_part
+{
+  std::vector<Recognized_surface> surfaces; // one a segment
+  std::vector<std::size_t> segments;        // of the faces
+  std::vector<bool> creases;                // is the edge one?
+  std::size_t tangent_creases = 0;          // between surfaces that touch
+  std::vector<std::size_t> corners;         // vertices: apexes of cones
+  std::vector<Vector_3> normals;            // of corners; zero: none
+  std::vector<double> roundness;            // of vertices
+  double unknown_area = 0, area = 0;
+  // what was set back so that nothing is worse than linear, and where that was in vain
+  std::size_t given_up = 0, set_back = 0;
+  std::vector<std::size_t> high_faces;
+
+  bool is_known(std::size_t segment) const
+  {
+    return surfaces[segment].kind != Recognized_surface::Kind::unknown;
+  }
+  bool knows_any() const;
+};
+
+// The mesh must be an oriented 2-manifold. Its normals take no part. Passes on the library's exceptions.
+Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& plan);
+
+// Gives the mesh the normals of the part or, with `where_file_has_none`, only those that the file does not give.
+void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool where_file_has_none);
+
+} // namespace pn_subdivide
+
+#endif // PN_SUBDIVIDE_RECOGNIZED_PART_H

@@ -1,0 +1,903 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// --sharp surfaces: parts that are written here, of known planes, cylinders and spheres.
+
+#include "Refined_files.h"
+
+#include "io/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace pn_subdivide;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+using Json = nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// Faces that are oriented outwards, of any degree.
+struct Part
+{
+  std::vector<Triple> points;
+  std::vector<std::vector<std::size_t>> faces;
+
+  // points that are there already are the same ones
+  std::size_t vertex(const Triple& p)
+  {
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (std::hypot(points[v][0] - p[0], points[v][1] - p[1], points[v][2] - p[2]) < 1e-9)
+        return v;
+    points.push_back(p);
+    return points.size() - 1;
+  }
+  void add(const std::vector<Triple>& corners)
+  {
+    std::vector<std::size_t> face;
+    for (const Triple& p : corners) face.push_back(vertex(p));
+    faces.push_back(face);
+  }
+  void triangulate()
+  {
+    std::vector<std::vector<std::size_t>> triangles;
+    for (const auto& f : faces)
+      for (std::size_t i = 2; i < f.size(); ++i) triangles.push_back({f[0], f[i - 1], f[i]});
+    faces = triangles;
+  }
+  std::string ply(const std::vector<Triple>& normals = {}) const
+  {
+    std::ostringstream s;
+    s.precision(17);
+    s << "ply\nformat ascii 1.0\nelement vertex " << points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\n";
+    if (!normals.empty()) s << "property double nx\nproperty double ny\nproperty double nz\n";
+    s << "element face " << faces.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      for (const double x : points[v]) s << x << ' ';
+      if (!normals.empty())
+        for (const double x : normals[v]) s << x << ' ';
+      s << "\n";
+    }
+    for (const auto& f : faces) {
+      s << f.size();
+      for (const std::size_t v : f) s << ' ' << v;
+      s << "\n";
+    }
+    return s.str();
+  }
+  // every triangle has corners of its own, which are off by a unit in the last place here and there
+  std::string stl() const
+  {
+    std::string s = "solid part\n";
+    unsigned state = 1;
+    for (const auto& f : faces) {
+      s += "facet normal 0 0 0\nouter loop\n";
+      for (const std::size_t v : f) {
+        char line[100];
+        std::array<float, 3> p{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          state = state * 1664525u + 1013904223u;
+          const auto x = static_cast<float>(points[v][k]);
+          p[k] = (state >> 24) % 5 == 0 ? std::nextafter(x, 10.f) : x;
+        }
+        std::snprintf(line, sizeof line, "vertex %.9g %.9g %.9g\n", double(p[0]), double(p[1]),
+                      double(p[2]));
+        s += line;
+      }
+      s += "endloop\nendfacet\n";
+    }
+    return s + "endsolid part\n";
+  }
+};
+
+Triple on_circle(double radius, double degrees, double z)
+{
+  return {radius * std::cos(degrees * pi / 180), radius * std::sin(degrees * pi / 180), z};
+}
+
+// A square plate of width 4 and height 1 with a hole of radius 1, whose 24 sides are rows of quads.
+Part drilled_plate(int rows = 1)
+{
+  const auto outer = [](double degrees, double z) {
+    const Triple p = on_circle(1, degrees, z);
+    const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
+    return Triple{2 * p[0] / largest, 2 * p[1] / largest, z};
+  };
+  const auto inner = [](double degrees, double z) { return on_circle(1, degrees, z); };
+  Part part;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 15. * i, b = a + 15;
+    part.add({inner(a, 0), inner(b, 0), outer(b, 0), outer(a, 0)});
+    part.add({outer(a, 1), outer(b, 1), inner(b, 1), inner(a, 1)});
+    for (int j = 0; j < rows; ++j) {
+      const double low = double(j) / rows, high = double(j + 1) / rows;
+      part.add({outer(a, low), outer(b, low), outer(b, high), outer(a, high)});
+      part.add({inner(a, high), inner(b, high), inner(b, low), inner(a, low)});
+    }
+  }
+  return part;
+}
+
+// Cylinders of 24 sides about the z axis, of radius 2 up to z = 1 and of radius 1 above, with flat ends.
+Part shaft()
+{
+  Part part;
+  std::vector<Triple> bottom, top;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 15. * i, b = a + 15;
+    bottom.push_back(on_circle(2, 345 - a, 0));
+    top.push_back(on_circle(1, a, 3));
+    part.add({on_circle(2, a, 0), on_circle(2, b, 0), on_circle(2, b, 1), on_circle(2, a, 1)});
+    part.add({on_circle(2, a, 1), on_circle(2, b, 1), on_circle(1, b, 1), on_circle(1, a, 1)});
+    part.add({on_circle(1, a, 1), on_circle(1, b, 1), on_circle(1, b, 3), on_circle(1, a, 3)});
+  }
+  part.add(bottom);
+  part.add(top);
+  return part;
+}
+
+// A bar along z whose section is a square of width 3 with quarters of circles of radius 1, in 6 steps, at its corners:
+// they touch the planes beside them.
+Part rounded_bar()
+{
+  std::vector<Triple> section;
+  const double centers[4][2] = {{.5, .5}, {-.5, .5}, {-.5, -.5}, {.5, -.5}};
+  for (int q = 0; q < 4; ++q)
+    for (int i = 0; i <= 6; ++i) {
+      const Triple p = on_circle(1, 90. * q + 15. * i, 0);
+      section.push_back({centers[q][0] + p[0], centers[q][1] + p[1], 0});
+    }
+  const auto at = [&](std::size_t i, double z) {
+    const Triple& p = section[i % section.size()];
+    return Triple{p[0], p[1], z};
+  };
+  Part part;
+  std::vector<Triple> bottom, top;
+  for (std::size_t i = 0; i < section.size(); ++i) {
+    part.add({at(i, 0), at(i + 1, 0), at(i + 1, 4), at(i, 4)});
+    bottom.push_back(at(section.size() - 1 - i, 0));
+    top.push_back(at(i, 4));
+  }
+  part.add(bottom);
+  part.add(top);
+  return part;
+}
+
+// A plate like that but only a little wider than its hole, whose sides are parallel to those of the plate there: rounded, the hole reaches
+// through them.
+Part thin_walled_plate()
+{
+  const auto inner = [](double degrees, double z) { return on_circle(1, degrees, z); };
+  const auto outer = [](double degrees, double z) {
+    const Triple p = on_circle(1, degrees, z);
+    const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
+    return Triple{.995 * p[0] / largest, .995 * p[1] / largest, z};
+  };
+  Part part;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 15. * i + 7.5, b = a + 15;
+    part.add({inner(a, 0), inner(b, 0), outer(b, 0), outer(a, 0)});
+    part.add({outer(a, 1), outer(b, 1), inner(b, 1), inner(a, 1)});
+    part.add({outer(a, 0), outer(b, 0), outer(b, 1), outer(a, 1)});
+    part.add({inner(a, 1), inner(b, 1), inner(b, 0), inner(a, 0)});
+  }
+  return part;
+}
+
+// A sphere of radius 2, of 12 meridians and 6 parallels, all of whose points are moved about.
+Part stone()
+{
+  Part part;
+  const auto point = [](int i, int j) {
+    const double a = 30. * (i % 12), b = 30. * j - 90;
+    const Triple p = on_circle(std::cos(b * pi / 180), a, std::sin(b * pi / 180));
+    const double r = 2 + .3 * std::sin(3 * p[0] + 5 * p[1]) + .2 * std::cos(4 * p[2] + 2 * p[0]);
+    return Triple{r * p[0], r * p[1], r * p[2]};
+  };
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (j == 0)
+        part.add({point(0, 0), point(i + 1, 1), point(i, 1)});
+      else if (j == 5)
+        part.add({point(i, 5), point(i + 1, 5), point(0, 6)});
+      else
+        part.add({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+  return part;
+}
+
+class Pn_subdivide_surfaces : public Refined_files
+{
+protected:
+  void SetUp() override
+  {
+    const std::pair<const char*, Part> parts[] = {{"plate", drilled_plate()},
+                                                  {"thin", thin_walled_plate()},
+                                                  {"shaft", shaft()},
+                                                  {"bar", rounded_bar()},
+                                                  {"stone", stone()}};
+    for (auto [name, part] : parts) {
+      folder.write(std::string(name) + ".ply", part.ply());
+      part.triangulate();
+      folder.write(std::string(name) + "_3.ply", part.ply());
+      folder.write(std::string(name) + ".stl", part.stl());
+    }
+  }
+
+  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
+  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
+  std::string tags(const std::string& name) const
+  {
+    return " --write-tags '" + folder.file(name + ".selection.txt") + "' ";
+  }
+  std::vector<std::size_t> labels() const
+  {
+    std::istringstream in(Temporary_folder::content(folder.file("labels.txt")));
+    std::vector<std::size_t> result;
+    for (std::size_t label = 0; in >> label;) result.push_back(label);
+    return result;
+  }
+};
+
+const std::vector<double>& surface_of(const Mesh_data& mesh)
+{
+  static const std::vector<double> none;
+  const Column* const column = find_column(mesh.attributes.of_faces, "surface");
+  EXPECT_NE(column, nullptr);
+  if (column == nullptr) return none;
+  EXPECT_EQ(column->type, Scalar_type::int32);
+  EXPECT_EQ(column->values.size(), mesh.number_of_faces());
+  return column->values;
+}
+
+// The vertices of the faces on each surface of the kind.
+std::map<std::size_t, std::set<std::size_t>> vertices_on(const Mesh_data& mesh, const Json& report,
+                                                         const std::string& kind)
+{
+  std::map<std::size_t, std::set<std::size_t>> result;
+  const std::vector<double>& surface = surface_of(mesh);
+  for (std::size_t f = 0; f < surface.size(); ++f) {
+    const auto s = std::size_t(surface[f]);
+    if (report["surfaces"].at(s)["kind"] != kind) continue;
+    for (const auto v : mesh.face(f)) result[s].insert(v);
+  }
+  return result;
+}
+
+double off_axis(const Triple& p)
+{
+  return std::hypot(p[0], p[1]);
+}
+
+} // namespace
+
+// --- what becomes of parts ---
+
+TEST_F(Pn_subdivide_surfaces, AHoleIsRound)
+{
+  for (const char* const input : {"plate.ply", "plate_3.ply"}) {
+    SCOPED_TRACE(input);
+    const Mesh_data mesh = refined(input, "o.ply", "--sharp surfaces --levels 2" + reported());
+    const Json json = report();
+    const auto cylinders = vertices_on(mesh, json, "cylinder");
+    ASSERT_EQ(cylinders.size(), 1u);
+    EXPECT_NEAR(json["surfaces"][cylinders.begin()->first]["radius"].get<double>(), 1, 1e-9);
+    const std::set<std::size_t>& vertices = cylinders.begin()->second;
+    EXPECT_EQ(vertices.size(), 5u * 96u);
+    for (const std::size_t v : vertices) EXPECT_NEAR(off_axis(mesh.points[v]), 1, 1e-6);
+    EXPECT_EQ(vertices_on(mesh, json, "plane").size(), 6u);
+  }
+}
+
+// Within the rounding of a file of floats, whose corners are not quite the same.
+TEST_F(Pn_subdivide_surfaces, AnStlIsRoundAgain)
+{
+  const Mesh_data mesh = refined("shaft.stl", "o.ply", "--sharp surfaces --levels 2" + reported());
+  const Json json = report();
+  const auto cylinders = vertices_on(mesh, json, "cylinder");
+  ASSERT_EQ(cylinders.size(), 2u);
+  for (const auto& [s, vertices] : cylinders) {
+    const double radius = off_axis(mesh.points[*vertices.begin()]) > 1.5 ? 2 : 1;
+    EXPECT_NEAR(json["surfaces"][s]["radius"].get<double>(), radius, 1e-6);
+    EXPECT_EQ(vertices.size(), 5u * 96u);
+    for (const std::size_t v : vertices) EXPECT_NEAR(off_axis(mesh.points[v]), radius, 1e-6);
+  }
+  const auto planes = vertices_on(mesh, json, "plane");
+  EXPECT_EQ(planes.size(), 3u);
+  for (const auto& [s, vertices] : planes)
+    for (const std::size_t v : vertices)
+      EXPECT_NEAR(mesh.points[v][2], mesh.points[*vertices.begin()][2], 1e-6);
+}
+
+// Where planes touch cylinders, edges of 15 degrees part them.
+TEST_F(Pn_subdivide_surfaces, TangentPlanesStayFlat)
+{
+  for (const char* const input : {"bar.ply", "bar_3.ply"}) {
+    SCOPED_TRACE(input);
+    const Mesh_data mesh = refined(input, "o.ply", "--sharp surfaces --levels 2" + reported());
+    const Json json = report();
+    EXPECT_EQ(vertices_on(mesh, json, "plane").size(), 6u);
+    const auto cylinders = vertices_on(mesh, json, "cylinder");
+    EXPECT_EQ(cylinders.size(), 4u);
+    for (const auto& [s, vertices] : cylinders)
+      for (const std::size_t v : vertices) {
+        const Triple& p = mesh.points[v];
+        EXPECT_NEAR(std::hypot(std::abs(p[0]) - .5, std::abs(p[1]) - .5), 1, 1e-6);
+      }
+    for (const auto& [s, vertices] : vertices_on(mesh, json, "plane")) {
+      std::array<double, 3> low = mesh.points[*vertices.begin()], high = low;
+      for (const std::size_t v : vertices)
+        for (std::size_t k = 0; k < 3; ++k) {
+          low[k] = (std::min)(low[k], mesh.points[v][k]);
+          high[k] = (std::max)(high[k], mesh.points[v][k]);
+        }
+      double least = 1;
+      for (std::size_t k = 0; k < 3; ++k) least = (std::min)(least, high[k] - low[k]);
+      EXPECT_LT(least, 1e-9);
+    }
+  }
+}
+
+TEST_F(Pn_subdivide_surfaces, ChildrenHaveTheSurfaceOfTheirParents)
+{
+  for (const char* const encoding : {"", " --ascii"}) {
+    const Mesh_data mesh =
+      refined("shaft.ply", "o.ply", std::string("--sharp surfaces --levels 2") + encoding);
+    std::map<double, std::set<std::string>> places; // of the faces of a surface
+    const std::vector<double>& surface = surface_of(mesh);
+    for (std::size_t f = 0; f < surface.size(); ++f) {
+      double low = 10, high = -10, inmost = 10;
+      for (const auto v : mesh.face(f)) {
+        low = (std::min)(low, mesh.points[v][2]);
+        high = (std::max)(high, mesh.points[v][2]);
+        inmost = (std::min)(inmost, off_axis(mesh.points[v]));
+      }
+      char place[60];
+      if (high - low < 1e-9)
+        std::snprintf(place, sizeof place, "z = %.3f", high);
+      else
+        std::snprintf(place, sizeof place, "radius %.3f", inmost);
+      places[surface[f]].insert(place);
+    }
+    std::set<std::string> all;
+    for (const auto& [s, of_surface] : places) {
+      EXPECT_EQ(of_surface.size(), 1u);
+      all.insert(*of_surface.begin());
+    }
+    EXPECT_EQ(all, (std::set<std::string>{"z = 0.000", "z = 1.000", "z = 3.000", "radius 1.000",
+                                          "radius 2.000"}));
+  }
+}
+
+TEST_F(Pn_subdivide_surfaces, FilesWithoutPropertiesOfFacesAreAsBefore)
+{
+  EXPECT_TRUE(contains(written("shaft.ply", "o.vtp", "--sharp surfaces --levels 1 --ascii"),
+                       "type=\"Int32\" Name=\"surface\""));
+  for (const char* const output : {"o.obj", "o.off", "o.stl"}) {
+    const Outcome outcome = surface("shaft.ply", output, "--sharp surfaces --levels 1");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_FALSE(contains(outcome.err, "not written")) << outcome.err;
+  }
+  // one of the user's with this name gives way
+  std::string ply = drilled_plate().ply();
+  const std::string list = "property list uchar int vertex_indices\n";
+  ply.replace(ply.find(list), list.size(), list + "property int surface\n");
+  std::size_t line = ply.find("\n4 ");
+  for (; line != std::string::npos; line = ply.find("\n4 ", line + 1))
+    ply.insert(ply.find('\n', line + 1), " 77");
+  folder.write("own.ply", ply);
+  const Outcome outcome = surface("own.ply", "o.ply", "--sharp surfaces --levels 1");
+  EXPECT_TRUE(contains(outcome.err, "gives way")) << outcome.err;
+  for (const double s : surface_of(read_mesh(folder.file("o.ply")))) EXPECT_LT(s, 7);
+}
+
+// --- what is said of them ---
+
+TEST_F(Pn_subdivide_surfaces, TheLabelsAreThoseOfTheReport)
+{
+  for (const std::string levels : {"0", "2"}) {
+    written("shaft.ply", "o.obj",
+            "--sharp surfaces --levels " + levels + " --surface-labels '" +
+              folder.file("labels.txt") + "'" + reported());
+    const Json json = report();
+    const std::vector<std::size_t> all = labels();
+    const Part part = shaft();
+    ASSERT_EQ(all.size(), part.faces.size());
+    std::map<std::size_t, std::size_t> faces;
+    for (std::size_t f = 0; f < all.size(); ++f) {
+      ++faces[all[f]];
+      const bool is_plane = f % 3 == 1 || f >= 72;
+      EXPECT_EQ(json["surfaces"].at(all[f])["kind"], is_plane ? "plane" : "cylinder");
+      if (f >= 72) continue;
+      EXPECT_EQ(all[f], all[f % 3]);
+    }
+    EXPECT_EQ(json["surfaces"].size(), 5u);
+    for (const auto& [s, number] : faces) EXPECT_EQ(json["surfaces"][s]["faces"], number);
+  }
+}
+
+// The middle of a chord of a circle of radius R is R (1 - cos) off, with half of its angle; two rounds divide this by 4.
+TEST_F(Pn_subdivide_surfaces, TheReportHasParametersAndDeviations)
+{
+  const Outcome outcome = run("'" + folder.file("shaft.ply") + "' '" + folder.file("o.ply") +
+                              "' --sharp surfaces --levels 2" + reported());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "3 planes of 26 faces, 2 cylinders of 48 faces"))
+    << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "; 96 crease edges")) << outcome.err;
+  const Json json = report();
+  std::set<double> radii;
+  for (const Json& s : json["surfaces"]) {
+    if (s["kind"] != "cylinder") {
+      EXPECT_EQ(s["kind"], "plane");
+      EXPECT_NEAR(std::abs(s["direction"][2].get<double>()), 1, 1e-9);
+      EXPECT_LT(s["deviation_after"].get<double>(), 1e-9);
+      continue;
+    }
+    const double r = s["radius"].get<double>();
+    radii.insert(std::round(r * 1e6) / 1e6);
+    EXPECT_NEAR(std::abs(s["direction"][2].get<double>()), 1, 1e-9);
+    EXPECT_NEAR(s["point"][0].get<double>(), 0, 1e-9);
+    EXPECT_NEAR(s["widest_step"].get<double>(), pi / 12, 1e-9);
+    EXPECT_LT(s["residual"].get<double>(), 1e-9);
+    EXPECT_NEAR(s["deviation_before"].get<double>(), r * (1 - std::cos(pi / 24)), 1e-9);
+    EXPECT_NEAR(s["deviation_after"].get<double>(), r * (1 - std::cos(pi / 96)), 1e-9);
+    EXPECT_LT(s["deviation_of_vertices"].get<double>(), 1e-9);
+  }
+  EXPECT_EQ(radii, (std::set<double>{1, 2}));
+}
+
+TEST_F(Pn_subdivide_surfaces, WhatIsNoPartIsSaid)
+{
+  const Outcome outcome = surface("stone.ply", "o.ply", "--sharp surfaces --levels 1");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.err, "no surface is recognized")) << outcome.err;
+  EXPECT_EQ(surface("stone.ply", "o.ply", "--sharp surfaces --strict").code, 4);
+  // a stone above a small plate
+  Part part = stone();
+  const Part plate = drilled_plate();
+  for (const auto& face : plate.faces) {
+    std::vector<Triple> corners;
+    for (const std::size_t v : face) corners.push_back(plate.points[v]);
+    for (Triple& p : corners) p = {.2 * p[0], .2 * p[1], .2 * p[2] - 5};
+    part.add(corners);
+  }
+  folder.write("both.ply", part.ply());
+  const Outcome both = surface("both.ply", "o.ply", "--sharp surfaces --levels 1");
+  EXPECT_EQ(both.code, 0);
+  EXPECT_TRUE(contains(both.err, "% of the area is on no recognized surface")) << both.err;
+  EXPECT_EQ(surface("plate.ply", "o.obj", "--sharp surfaces").err, "");
+}
+
+// --- tags and normals for others ---
+
+TEST_F(Pn_subdivide_surfaces, TagsAreTheSameEveryTime)
+{
+  const std::string control = "--sharp surfaces --levels 0 --output-normals control";
+  written("bar.ply", "a.ply", control + tags("a"));
+  written("bar.ply", "b.obj", control + tags("b"));
+  written("a.ply", "c.ply", control + tags("c"));
+  const std::string selection = Temporary_folder::content(folder.file("a.selection.txt"));
+  EXPECT_EQ(Temporary_folder::content(folder.file("b.selection.txt")), selection);
+  EXPECT_EQ(Temporary_folder::content(folder.file("c.selection.txt")), selection);
+  std::istringstream edges(selection.substr(selection.rfind('\n', selection.size() - 2)));
+  std::size_t numbers = 0;
+  for (int v = 0; edges >> v;) ++numbers;
+  // around both ends, and where a plane touches a quarter of a circle
+  EXPECT_EQ(numbers, 2u * (2 * 28 + 8));
+}
+
+// With these tags and normals another call does what this one does.
+TEST_F(Pn_subdivide_surfaces, TagsAndNormalsSayAll)
+{
+  for (const std::string input : {"bar.ply", "shaft_3.ply"})
+    for (const auto& [format, normals] :
+         {std::pair("c.ply", "both"), std::pair("c.obj", "control")}) {
+      SCOPED_TRACE(input + format);
+      const Mesh_data expected = refined(input, "o.ply", "--sharp surfaces --levels 2");
+      written(input, format,
+              std::string("--sharp surfaces --levels 0 --output-normals ") + normals);
+      const Mesh_data mesh = refined(format, "p.ply", "--levels 2");
+      ASSERT_EQ(mesh.points.size(), expected.points.size());
+      for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR(mesh.points[v][k], expected.points[v][k], 1e-12);
+    }
+}
+
+// With `auto` the surfaces know better than the file, with `file` they know less.
+TEST_F(Pn_subdivide_surfaces, NormalsOfTheFileAreTakenWhereAskedFor)
+{
+  const Part part = drilled_plate(2);
+  std::vector<Triple> normals;
+  for (const Triple& p : part.points) {
+    const double length = std::hypot(p[0], p[1], p[2] + .3);
+    normals.push_back({p[0] / length, p[1] / length, (p[2] + .3) / length});
+  }
+  folder.write("plain.ply", part.ply());
+  folder.write("normals.ply", part.ply(normals));
+  const Mesh_data plain = refined("plain.ply", "o.ply", "--sharp surfaces --levels 2");
+  const Mesh_data automatic = refined("normals.ply", "o.ply", "--sharp surfaces --levels 2");
+  EXPECT_EQ(plain.points, automatic.points);
+  // vertices between creases have several normals, for which the one of the file will not do
+  const Mesh_data control = refined(
+    "normals.ply", "o.obj", "--sharp surfaces --levels 0 --output-normals control --normals file");
+  ASSERT_EQ(control.corner_normals.size(), control.number_of_corners());
+  for (std::size_t f = 0; f < control.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto v = control.face(f).begin()[i];
+      const Triple &n = control.corner_normals[control.first_corner(f) + i], &m = normals[v],
+                   &p = control.points[v];
+      const bool is_inside = p[2] == .5 && std::abs(std::abs(p[0]) - std::abs(p[1])) > 1e-9;
+      if (is_inside || off_axis(p) < 1.1)
+        EXPECT_EQ(std::hypot(n[0] - m[0], n[1] - m[1], n[2] - m[2]) < 1e-12, p[2] == .5);
+      else
+        EXPECT_LT(std::abs(n[2]) * (1 - std::abs(n[2])), 1e-9); // a plane's
+    }
+  expect_one_line(surface("plate.ply", "o.ply", "--sharp surfaces --normals file"), 1,
+                  "--normals file");
+}
+
+TEST_F(Pn_subdivide_surfaces, TheLinearTwinHasTheTags)
+{
+  const Mesh_data mesh = refined("shaft.ply", "o.ply", "--sharp surfaces --linear" + tags("a"));
+  EXPECT_FALSE(mesh.has_normals());
+  for (const Triple& p : mesh.points)
+    EXPECT_TRUE(std::abs(p[2]) < 1e-12 || std::abs(p[2] - 1) < 1e-12 ||
+                std::abs(p[2] - 3) < 1e-12 || off_axis(p) < 2);
+  EXPECT_FALSE(Temporary_folder::content(folder.file("a.selection.txt")).empty());
+}
+
+// --- as many rounds as it takes ---
+
+// Of all edges of faces that are no plane, from the cylinders of the shaft.
+double chord_error(const Mesh_data& mesh, const Json& report)
+{
+  double largest = 0;
+  const std::vector<double>& surface = surface_of(mesh);
+  for (std::size_t f = 0; f < surface.size(); ++f) {
+    if (report["surfaces"].at(std::size_t(surface[f]))["kind"] != "cylinder") continue;
+    const auto face = mesh.face(f);
+    for (auto v = face.begin(); v != face.end(); ++v) {
+      const Triple& p = mesh.points[*v];
+      const Triple& q = mesh.points[v + 1 == face.end() ? *face.begin() : *(v + 1)];
+      const double middle = std::hypot((p[0] + q[0]) / 2, (p[1] + q[1]) / 2);
+      largest = (std::max)(largest, (std::min)(std::abs(middle - 1), std::abs(middle - 2)));
+    }
+  }
+  return largest;
+}
+
+TEST_F(Pn_subdivide_surfaces, AutoTakesAsManyRoundsAsTheChord)
+{
+  for (const char* const input : {"shaft.ply", "shaft_3.ply"})
+    for (const double eps : {.1, .01, .004, .0003}) {
+      SCOPED_TRACE(input + std::to_string(eps));
+      const std::string chord = " --chord " + std::to_string(eps);
+      const Mesh_data mesh =
+        refined(input, "o.ply", "--sharp surfaces --levels auto" + chord + reported());
+      const Json json = report();
+      const double error = chord_error(mesh, json);
+      EXPECT_LE(error, eps);
+      EXPECT_NEAR(json["chord"]["measured"].get<double>(), error, 1e-9);
+      EXPECT_NEAR(json["chord"]["asked"].get<double>(), eps, 1e-12);
+      const auto rounds = json["rounds"].get<unsigned>();
+      if (rounds == 0) continue;
+      const Mesh_data less =
+        refined(input, "p.ply", "--sharp surfaces --levels " + std::to_string(rounds - 1));
+      EXPECT_GT(chord_error(less, json), eps);
+    }
+}
+
+TEST_F(Pn_subdivide_surfaces, TheChordMayBeAPartOfTheDiagonal)
+{
+  const double diagonal = std::hypot(4., 4., 3.);
+  written("shaft.ply", "o.ply", "--sharp surfaces --levels auto --chord 0.1%" + reported());
+  EXPECT_NEAR(report()["chord"]["asked"].get<double>(), diagonal / 1000, 1e-9);
+  EXPECT_EQ(report()["rounds"], 1); // 0.0171, 0.0043, and 0.0064 asked for
+}
+
+// Where nothing is recognized distances between rounds tell how many it takes.
+TEST_F(Pn_subdivide_surfaces, UnknownSurfacesAskForRounds)
+{
+  unsigned before = 0;
+  for (const char* const eps : {"0.4", "0.2", "0.07", "0.05"}) {
+    written("stone.ply", "o.ply",
+            std::string("--sharp surfaces --levels auto --chord ") + eps + reported());
+    const Json json = report();
+    EXPECT_LE(json["chord"]["estimated"].get<double>(), std::stod(eps));
+    EXPECT_GT(json["chord"]["estimated"].get<double>(), 0);
+    EXPECT_GE(json["rounds"].get<unsigned>(), before);
+    before = json["rounds"].get<unsigned>();
+    if (before == 0) continue;
+    // the points of one round more are that near to the middles of edges, those of one round less are not
+    std::vector<double> distance;
+    for (const unsigned k : {before - 1, before}) {
+      const std::string all = "--sharp surfaces --scheme catmull-clark --levels ";
+      const Mesh_data old = refined("stone.ply", "p.ply", all + std::to_string(k)),
+                      next = refined("stone.ply", "q.ply", all + std::to_string(k + 1));
+      std::map<std::size_t, std::set<std::size_t>> ends; // of the edges, by their points
+      for (std::size_t f = 0; f < next.number_of_faces(); ++f) {
+        const auto face = next.face(f);
+        for (auto v = face.begin(); v != face.end(); ++v) {
+          const std::size_t a = *v, b = v + 1 == face.end() ? *face.begin() : *(v + 1);
+          if ((std::min)(a, b) < old.points.size()) ends[(std::max)(a, b)].insert((std::min)(a, b));
+        }
+      }
+      double largest = 0;
+      for (const auto& [v, pair] : ends) {
+        if (pair.size() != 2) continue;
+        const Triple &p = old.points[*pair.begin()], &q = old.points[*pair.rbegin()],
+                     &m = next.points[v];
+        largest = (std::max)(largest, std::hypot((p[0] + q[0]) / 2 - m[0], (p[1] + q[1]) / 2 - m[1],
+                                                 (p[2] + q[2]) / 2 - m[2]));
+      }
+      distance.push_back(largest);
+    }
+    EXPECT_GT(distance[0] * 4 / 3, std::stod(eps)) << eps;
+    EXPECT_LE(distance[1] * 4 / 3, std::stod(eps)) << eps;
+    EXPECT_NEAR(distance[1] * 4 / 3, json["chord"]["estimated"].get<double>(), 1e-9);
+  }
+  EXPECT_EQ(before, 3u);
+}
+
+TEST_F(Pn_subdivide_surfaces, TooManyRoundsAreAFailure)
+{
+  folder.write("o.ply", "old");
+  const std::string all = "--sharp surfaces --levels auto --chord ";
+  expect_one_line(surface("shaft.ply", "o.ply", all + "1e-12"), 1, "more than 12 rounds");
+  expect_one_line(surface("shaft_3.ply", "o.ply", all + "2e-9"), 1, "2^31 faces");
+  expect_one_line(surface("stone.ply", "o.ply", all + "1e-12"), 1, "more than 12 rounds");
+  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+}
+
+// --- planes from their rims ---
+
+// Has every edge two faces that run along it the other way round?
+bool is_watertight(const Mesh_data& mesh)
+{
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    for (auto v = face.begin(); v != face.end(); ++v)
+      if (!sides.insert({*v, v + 1 == face.end() ? *face.begin() : *(v + 1)}).second) return false;
+  }
+  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
+    return sides.count({side.second, side.first}) == 1;
+  });
+}
+
+double volume(const Mesh_data& mesh)
+{
+  double six = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    const Triple& a = mesh.points[*face.begin()];
+    for (auto v = face.begin() + 1; v + 1 != face.end(); ++v) {
+      const Triple &b = mesh.points[*v], &c = mesh.points[*(v + 1)];
+      six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+  }
+  return six / 6;
+}
+
+std::size_t vertices_with_faces(const Mesh_data& mesh)
+{
+  std::set<std::size_t> all;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const auto v : mesh.face(f)) all.insert(v);
+  return all.size();
+}
+
+// A polygon of n vertices with h holes is n - 2 + 2 h triangles.
+TEST_F(Pn_subdivide_surfaces, PlanesAreTrianglesBetweenTheirRims)
+{
+  for (const std::string input : {"plate.ply", "plate_3.ply"})
+    for (const std::string more : {"", " --limit", " --linear"}) {
+      SCOPED_TRACE(input + more);
+      const std::string options = "--sharp surfaces --levels 2" + more + reported();
+      const Mesh_data all = refined(input, "a.ply", options);
+      const Mesh_data mesh = refined(input, "o.ply", options + " --planes rims");
+      EXPECT_TRUE(is_watertight(mesh));
+      EXPECT_NEAR(volume(mesh), volume(all), 1e-9);
+      EXPECT_EQ(vertices_with_faces(mesh), mesh.points.size());
+      const Json json = report();
+      const std::vector<double>& surface = surface_of(mesh);
+      std::map<std::size_t, std::size_t> faces, sums;
+      std::size_t of_cylinder = 0;
+      for (std::size_t f = 0; f < surface.size(); ++f) {
+        const auto s = std::size_t(surface[f]);
+        if (json["surfaces"].at(s)["kind"] == "cylinder") {
+          ++of_cylinder;
+          continue;
+        }
+        ASSERT_EQ(mesh.face(f).size(), 3);
+        ++faces[s];
+        // all of the triangle is in the plane
+        const Triple n = json["surfaces"][s]["direction"], p = json["surfaces"][s]["point"];
+        for (const auto v : mesh.face(f)) {
+          double d = 0;
+          for (std::size_t k = 0; k < 3; ++k) d += n[k] * (mesh.points[v][k] - p[k]);
+          EXPECT_NEAR(d, 0, 1e-9);
+        }
+      }
+      EXPECT_EQ(of_cylinder, (input == "plate.ply" ? 1u : 2u) * 24 * 16);
+      for (const auto& [s, number] : faces) ++sums[number];
+      EXPECT_EQ(sums, (std::map<std::size_t, std::size_t>{{54, 4}, {192, 2}}));
+    }
+}
+
+// What is said of vertices, corners and faces follows, in all formats.
+TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
+{
+  const std::string options = "--sharp surfaces --planes rims --levels 2 ";
+  const Mesh_data obj = refined("plate.ply", "o.obj", options);
+  ASSERT_EQ(obj.corner_normals.size(), obj.number_of_corners());
+  for (std::size_t f = 0; f < obj.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < std::size_t(obj.face(f).size()); ++i) {
+      const Triple &n = obj.corner_normals[obj.first_corner(f) + i],
+                   &p = obj.points[obj.face(f).begin()[i]];
+      bool is_flat = true; // the face in a plane z = 0 or 1
+      for (const auto v : obj.face(f)) is_flat = is_flat && obj.points[v][2] == p[2];
+      EXPECT_NEAR(std::abs(n[2]), is_flat ? 1 : 0, 1e-9);
+    }
+  const Mesh_data stl = refined("plate.ply", "o.stl", options);
+  EXPECT_TRUE(is_watertight(stl));
+  EXPECT_EQ(stl.number_of_faces(), 2u * 192 + 4u * 54 + 2u * 24 * 16);
+  const std::string vtp = written("plate.ply", "o.vtp", options + "--curvature mean --ascii");
+  EXPECT_TRUE(contains(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\""));
+  EXPECT_TRUE(is_watertight(refined("shaft.ply", "o.ply", "--sharp surfaces --planes rims --levels 0")));
+}
+
+TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
+{
+  const std::string options = "--sharp surfaces --levels 2 ";
+  const Outcome outcome = surface("thin.ply", "o.ply", options + "--planes rims");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.err, "2 planes keep their faces: their rims cross")) << outcome.err;
+  const Mesh_data mesh = read_mesh(folder.file("o.ply"));
+  EXPECT_TRUE(is_watertight(mesh));
+  std::size_t quads_in_planes = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    bool is_flat = true;
+    for (const auto v : mesh.face(f))
+      is_flat = is_flat && mesh.points[v][2] == mesh.points[*mesh.face(f).begin()][2];
+    quads_in_planes += is_flat && mesh.face(f).size() == 4;
+  }
+  EXPECT_EQ(quads_in_planes, 2u * 24 * 16);
+  EXPECT_FALSE(contains(
+    surface("thin.ply", "o.ply", "--sharp surfaces --planes rims --levels 0").err, "keep"));
+}
+
+// --- options ---
+
+TEST_F(Pn_subdivide_surfaces, TheOptionsOfRecognition)
+{
+  // a prism of 6 sides is round if the user says so
+  Part nut;
+  std::vector<Triple> bottom, top;
+  for (int i = 0; i < 6; ++i) {
+    const double a = 60. * i, b = a + 60;
+    nut.add({on_circle(1, a, 0), on_circle(1, b, 0), on_circle(1, b, 1), on_circle(1, a, 1)});
+    bottom.push_back(on_circle(1, 300 - a, 0));
+    top.push_back(on_circle(1, a, 1));
+  }
+  nut.add(bottom);
+  nut.add(top);
+  folder.write("nut.ply", nut.ply());
+  const auto cylinders = [&](const std::string& input, const std::string& options) {
+    written(input, "o.ply", "--sharp surfaces " + options + reported());
+    const Json json = report();
+    return std::count_if(json["surfaces"].begin(), json["surfaces"].end(),
+                         [](const Json& s) { return s["kind"] == "cylinder"; });
+  };
+  EXPECT_EQ(cylinders("nut.ply", ""), 0);
+  EXPECT_EQ(cylinders("nut.ply", "--min-facets 6"), 1);
+
+  // a hole whose points are 1e-4 off
+  Part part = drilled_plate();
+  for (std::size_t v = 0; v < part.points.size(); ++v) {
+    Triple& p = part.points[v];
+    const double factor = 1 + (v % 3 == 0 ? 1e-4 : v % 3 == 1 ? -1e-4 : 0);
+    if (off_axis(p) < 1.1) p = {p[0] * factor, p[1] * factor, p[2]};
+  }
+  folder.write("off.ply", part.ply());
+  EXPECT_EQ(cylinders("off.ply", ""), 0);
+  EXPECT_EQ(cylinders("off.ply", "--surface-tolerance 3e-4"), 1);
+
+  // where nothing is recognized the angle counts
+  const auto tagged = [&](const std::string& options) {
+    written("stone.ply", "o.obj", "--sharp surfaces " + options + tags("s"));
+    return Temporary_folder::content(folder.file("s.selection.txt")).size();
+  };
+  EXPECT_LT(tagged("--sharp-angle 170"), 5u);
+  EXPECT_GT(tagged("--sharp-angle 5"), tagged("--sharp-angle 30"));
+}
+
+TEST_F(Pn_subdivide_surfaces, AFileOfThisName)
+{
+  folder.write("surfaces", "\n\n0 1\n");
+  const std::string before = "cd '" + folder.file(".") + "' && ";
+  const Outcome file = run("plate.ply o.ply --sharp ./surfaces", before);
+  EXPECT_EQ(file.code, 0) << file.err;
+  EXPECT_TRUE(contains(file.err, ", 1 sharp edge,")) << file.err;
+  EXPECT_TRUE(contains(run("plate.ply o.ply --sharp surfaces", before).err, "1 cylinder of"));
+}
+
+TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
+{
+  folder.write("o.ply", "old");
+  const auto refused = [&](const std::string& options, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+      expect_one_line(surface("plate_3.ply", "o.ply", options), 2, part);
+    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
+  };
+  const std::string sharp = "--sharp surfaces ";
+  refused(sharp + "--sharpness 2", {"--sharpness", "--sharp surfaces"});
+  refused(sharp + "--interpolate slide", {"--interpolate", "--sharp surfaces"});
+  refused(sharp + "--pieces 2", {"--pieces", "--sharp surfaces"});
+  refused(sharp + "--memory 1G", {"--memory", "--sharp surfaces"});
+  for (const std::string scheme : {"sqrt3", "butterfly"})
+    refused(sharp + "--scheme " + scheme, {scheme, "--sharp surfaces"});
+  const std::string labels = "--surface-labels '" + folder.file("labels.txt") + "'";
+  const std::string options[] = {"--min-facets 9", "--surface-tolerance 0.1", "--sharp-angle 40",
+                                 labels};
+  for (const std::string& option : options)
+    for (const char* const other : {"", " --sharp angle:30", " --sharp none"})
+      refused(option + other, {option.substr(0, option.find(' ')), "--sharp surfaces"});
+  refused(sharp + "--min-facets 2", {"--min-facets 2"});
+  refused(sharp + "--min-facets 8.5", {"--min-facets 8.5"});
+  refused(sharp + "--min-facets many", {"--min-facets"});
+  refused(sharp + "--surface-tolerance 0", {"--surface-tolerance 0"});
+  refused(sharp + "--surface-tolerance nan", {"--surface-tolerance"});
+  refused(sharp + "--sharp-angle 181", {"--sharp-angle 181"});
+  refused(sharp + "--sharp-angle -1", {"--sharp-angle -1"});
+  refused(sharp + "--surface-labels -", {"--surface-labels"});
+  refused(sharp + "--surface-labels '" + folder.file("o.ply") + "'", {"--surface-labels"});
+  const std::vector<std::string> others = {"--output-normals control", "--output-normals both",
+                                           "--check",
+                                           "--write-tags '" + folder.file("t.selection.txt") + "'"};
+  for (const std::string& other : others)
+    refused(sharp + "--planes rims " + other, {"--planes", other.substr(0, other.find(' '))});
+  refused("--planes rims", {"--planes", "--sharp surfaces"});
+  refused("--planes rims --sharp angle:30", {"--planes", "--sharp surfaces"});
+  refused(sharp + "--planes all", {"--planes 'all'"});
+  refused(sharp + "--planes rims --pieces 2", {"--pieces"});
+  refused("--levels auto", {"--levels auto", "--chord"});
+  refused(sharp + "--levels auto", {"--levels auto", "--chord"});
+  refused(sharp + "--chord 1", {"--chord", "--levels auto"});
+  refused(sharp + "--chord 1 --levels 3", {"--chord", "--levels 3"});
+  refused("--chord 1 --levels auto", {"--chord", "--sharp surfaces"});
+  refused(sharp + "--levels auto --chord 0", {"--chord 0"});
+  refused(sharp + "--levels auto --chord -1%", {"--chord -1%"});
+  for (const std::string scheme : {"sqrt3", "doo-sabin"})
+    refused("--levels auto --chord 1 --scheme " + scheme, {"--chord", scheme});
+  refused("--levels automatic", {"--levels"});
+  expect_one_line(surface("plate.ply", "o.ply", sharp + "--surface-labels /no/such/labels"), 1,
+                  "/no/such");
+}

@@ -1,0 +1,161 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef PN_TEST_TRAP_PARTS_H
+#define PN_TEST_TRAP_PARTS_H
+
+// Parts that have misled recognition.
+
+#include "Named_parts.h"
+
+namespace synthetic_parts {
+
+inline Part turned_part(const std::string& name, const Chain& profile, int n,
+                        bool are_triangles = true)
+{
+  Random random(5);
+  Part_builder b(name, random, are_triangles);
+  const auto side = b.sweep(circle(0, 0, 0, steps(n), false, 0.1), profile);
+  if (profile.points.front()[0] > 0) b.cap({side.start});
+  if (profile.points.back()[0] > 1e-9) b.cap({side.end});
+  return b.take();
+}
+
+// the end of the sphere is a plane, all corners of which are on the sphere
+inline Part zone_of_a_sphere(int n, bool are_triangles)
+{
+  const Chain profile =
+    Chain(1, 0).line_to(1, 1).arc(0, 1, 60, steps(4)); // 60 degrees: not to the pole
+  return turned_part("zone of a sphere", profile, n, are_triangles);
+}
+
+// `flat`: length of the face between two fillets of three facets each
+inline Part narrow_plate(double flat, int facets)
+{
+  Random random(6);
+  Part_builder b("narrow plate", random);
+  const auto side = b.sweep(rounded_rectangle(0, 0, 3, 0.8 + flat, 0.4, steps(facets)),
+                            Chain(0, 0).line_to(0, 0.7));
+  b.cap({side.start});
+  b.cap({side.end});
+  return b.take();
+}
+
+// In a plate: half a hexagon, its left side going on in a wall.
+inline Part open_nut_trap()
+{
+  Random random(7);
+  Part_builder b("open nut trap", random);
+  const double s = std::sqrt(0.75);
+  const Chain outline = polygon(
+    {{-2, -2}, {2.5, -2}, {2.5, 0}, {1, 0}, {0.5, -s}, {-0.5, -s}, {-1, 0}, {-1, 1.5}, {-2, 1.5}});
+  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, 1));
+  b.cap({side.start});
+  b.cap({side.end});
+  return b.take();
+}
+
+// half a turn of three facets, both walls tangent
+inline Part open_slot()
+{
+  Random random(8);
+  Part_builder b("open slot", random);
+  const Chain outline = Chain(-2, -2)
+                          .line_to(2.5, -2)
+                          .line_to(2.5, 1.5)
+                          .line_to(1, 1.5)
+                          .line_to(1, 0)
+                          .arc(0, 0, -180, steps(3))
+                          .line_to(-1, 1.5)
+                          .line_to(-2, 1.5)
+                          .line_to(-2, -2)
+                          .close();
+  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, 1));
+  b.cap({side.start});
+  b.cap({side.end});
+  return b.take();
+}
+
+// The disc at its end is tangent to the fillet.
+inline Part rounded_stub(int n, int quarter)
+{
+  return turned_part("rounded stub", Chain(1, 0).line_to(1, 1).arc(0.7, 1, 90, steps(quarter)), n);
+}
+
+// A groove of half a circle: the angles about the tube's center go beyond pi.
+inline Part grooved_shaft(int n, int half)
+{
+  return turned_part("grooved shaft",
+                     Chain(1, 0).line_to(1, 1).arc(1, 1.3, -180, steps(half)).line_to(1, 2.6), n);
+}
+
+inline Part plate_with_drilled_hole(int n)
+{
+  Random random(9);
+  Part_builder b("plate with a drilled hole", random);
+  const auto side =
+    b.sweep(polygon({{0, 0}, {2, 0}, {2, 1.5}, {0, 1.5}}), Chain(0, 0).line_to(0, 1));
+  const auto hole =
+    b.sweep(circle(0.9, 0.8, 0.3, steps(n), true), Chain(0.3, 0.2).line_to(0, 0.35).line_to(0, 1));
+  b.cap({side.start});
+  b.cap({side.end, hole.end});
+  return b.take();
+}
+
+inline Part plate_with_hole(int n)
+{
+  Random random(10);
+  Part_builder b("plate with a hole", random);
+  const auto side =
+    b.sweep(polygon({{0, 0}, {2, 0}, {2, 1.5}, {0, 1.5}}), Chain(0, 0).line_to(0, 1));
+  const auto hole = b.sweep(circle(0.9, 0.8, 0.4, steps(n), true), Chain(0, 0).line_to(0, 1));
+  b.cap({side.start, hole.start});
+  b.cap({side.end, hole.end});
+  return b.take();
+}
+
+// A facet of altitude 0 along an edge between faces of these kinds: a vertex in the middle of the edge, on the side of the first kind
+// only. Says which face it is; its truth is the first surface.
+inline std::size_t insert_sliver(Part& part, Kind first, Kind second)
+{
+  const Edge_faces faces = halfedges(part);
+  for (const auto& [edge, f] : faces) {
+    const auto [a, b] = edge;
+    const std::size_t g = faces.at({b, a}), s = part.surface_of_face[f];
+    if (part.surfaces[s].kind != first || part.surfaces[part.surface_of_face[g]].kind != second ||
+        s == part.surface_of_face[g])
+      continue;
+    const std::vector<std::size_t> face = part.faces[f];
+    const std::size_t c = face[0] != a && face[0] != b   ? face[0]
+                          : face[1] != a && face[1] != b ? face[1]
+                                                         : face[2];
+    const std::size_t m = part.points.size();
+    part.points.push_back(0.5 * (part.points[a] + part.points[b]));
+    part.faces[f] = {a, m, c};
+    part.faces.push_back({m, b, c});
+    part.faces.push_back({a, b, m});
+    part.surface_of_face.insert(part.surface_of_face.end(), 2, s);
+    check_closed(part);
+    return part.faces.size() - 1;
+  }
+  throw std::logic_error("no such edge");
+}
+
+// A cylinder of n facets from which planes cut pieces, not at its rulings: vertices on chords.
+inline Part cut_cylinder(int n, double at)
+{
+  Convex_builder b;
+  b.add_plane({0, 0, -1}, {0, 0, 0});
+  b.add_plane({0, 0, 1}, {0, 0, 1});
+  b.add_fillet(0, 0, 1, 0, 360, n);
+  b.add_plane({1, 0, 0}, {at, 0, 0});
+  return b.take("cut cylinder", false);
+}
+
+} // namespace synthetic_parts
+
+#endif // PN_TEST_TRAP_PARTS_H

@@ -1,0 +1,195 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Single parts, and what they must give.
+
+#include "Named_parts.h"
+#include "Part_marks.h"
+
+#include <gtest/gtest.h>
+
+using namespace synthetic_parts;
+namespace PN = CGAL::PN_subdivision_3;
+using Recognized_kind = Recognized_surface::Kind;
+
+namespace {
+
+// planes, cylinders, cones, spheres, tori
+using Counts = std::array<std::size_t, 5>;
+
+Counts counts(const Recognition& r)
+{
+  Counts n{};
+  for (const Recognized_surface& s : r.surfaces) {
+    EXPECT_NE(s.kind, Recognized_kind::unknown);
+    if (s.kind != Recognized_kind::unknown) ++n[static_cast<std::size_t>(truth(s.kind))];
+  }
+  return n;
+}
+
+Recognition expect_right(const Part& part, const Counts& expected)
+{
+  const Recognition r = recognition_of(part);
+  EXPECT_EQ(counts(r), expected) << part.name;
+  EXPECT_EQ(Part_marks(part, r).text(), "") << part.name;
+  return r;
+}
+
+template <class NamedParameters>
+Counts counts_with(const Part& part, const NamedParameters& np)
+{
+  Mesh mesh = mesh_of<Mesh>(part);
+  return counts(recognition_of(mesh, np));
+}
+
+// of the surfaces of a kind
+double widest_step(const Recognition& r, Recognized_kind kind)
+{
+  double widest = 0;
+  for (const Recognized_surface& s : r.surfaces)
+    if (s.kind == kind) widest = (std::max)(widest, s.widest_step);
+  return widest;
+}
+
+} // namespace
+
+TEST(Recognize_surfaces, box_with_fillets_and_chamfers)
+{
+  expect_right(box_with_fillets_and_chamfers(), {9, 2, 0, 0, 0});
+}
+
+TEST(Recognize_surfaces, bolt_with_a_head_of_eight_sides)
+{
+  const Recognition r = expect_right(bolt(8, 24), {11, 1, 1, 0, 0});
+  EXPECT_NEAR(widest_step(r, Recognized_kind::cylinder), 2 * pi / 24, 1e-9);
+  EXPECT_NEAR(widest_step(r, Recognized_kind::cone), 2 * pi / 24, 1e-9);
+}
+
+// Nothing finer says that the head is a prism: both are round.
+TEST(Recognize_surfaces, bolt_of_one_step)
+{
+  const Recognition r = recognition_of(bolt(8, 8));
+  EXPECT_EQ(counts(r), (Counts{3, 2, 1, 0, 0}));
+}
+
+TEST(Recognize_surfaces, shaft_of_seven_sides)
+{
+  expect_right(bored_prism(7), {23, 0, 0, 0, 0});
+}
+
+TEST(Recognize_surfaces, rounded_box)
+{
+  Random random(11);
+  const Part part = rounded_box({3, 2, 1.5}, 0.3, steps(6), steps(6), random);
+  const Recognition r = expect_right(part, {6, 12, 0, 8, 0});
+  EXPECT_NEAR(widest_step(r, Recognized_kind::cylinder), pi / 12, 1e-9);
+}
+
+TEST(Recognize_surfaces, shaft)
+{
+  const Recognition r = expect_right(shaft(48, 12), {3, 2, 2, 0, 1});
+  EXPECT_NEAR(widest_step(r, Recognized_kind::torus), 2 * pi / 48, 1e-9);
+  for (const Recognized_surface& s : r.surfaces)
+    if (s.kind == Recognized_kind::torus) {
+      EXPECT_NEAR(s.radius, 0.8, 1e-9);
+      EXPECT_NEAR(s.tube_radius, 0.2, 1e-9);
+      EXPECT_NEAR(s.widest_meridian_step, pi / 24, 1e-9);
+    } else
+      EXPECT_EQ(s.widest_meridian_step, 0);
+}
+
+TEST(Recognize_surfaces, prisms_pyramids_and_frusta)
+{
+  for (int n = 3; n <= 7; ++n) {
+    const auto sides = static_cast<std::size_t>(n);
+    expect_right(regular_prism(n), {sides + 2, 0, 0, 0, 0});
+    expect_right(regular_prism(n, 0), {sides + 1, 0, 0, 0, 0});
+    expect_right(regular_prism(n, 0.6), {sides + 2, 0, 0, 0, 0});
+  }
+}
+
+// Their sides meet at angles at which what is round does.
+TEST(Recognize_surfaces, flat_pyramids_and_frusta)
+{
+  for (int n = 3; n <= 7; ++n)
+    for (double stretch : {1., 1.3})
+      for (double top : {0., 0.5}) {
+        if (top > 0 && stretch > 1) continue; // some of the sides meet at more than that
+        SCOPED_TRACE(n);
+        Part part = regular_prism(n, top);
+        for (Vec& p : part.points) p = {stretch * p[0], p[1], (top > 0 ? 0.4 : 0.15) * p[2]};
+        Mesh mesh = mesh_of<Mesh>(part);
+        const Recognition r = recognition_of(mesh, CGAL::parameters::default_values());
+        const auto planes = static_cast<std::size_t>(top > 0 ? n + 2 : n + 1);
+        EXPECT_EQ(counts(r), (Counts{planes, 0, 0, 0, 0})) << stretch << ' ' << top;
+      }
+}
+
+TEST(Recognize_surfaces, prism_of_eight_sides_is_round)
+{
+  EXPECT_EQ(counts(recognition_of(regular_prism(8))), (Counts{2, 1, 0, 0, 0}));
+  EXPECT_EQ(counts(recognition_of(regular_prism(8, 0.6))), (Counts{2, 0, 1, 0, 0}));
+}
+
+TEST(Recognize_surfaces, elbow)
+{
+  Random random(12);
+  expect_right(elbow(steps(16), steps(4), 90, 0, random), {2, 2, 0, 0, 1});
+  expect_right(elbow(steps(16), steps(4), 90, 0.3, random), {2, 4, 0, 0, 2});
+}
+
+TEST(Recognize_surfaces, fewest_facets)
+{
+  EXPECT_EQ(counts_with(regular_prism(6), PN::parameters::min_facets(6)), (Counts{2, 1, 0, 0, 0}));
+  EXPECT_EQ(counts_with(regular_prism(6), PN::parameters::min_facets(7)), (Counts{8, 0, 0, 0, 0}));
+  EXPECT_EQ(counts_with(regular_prism(11), PN::parameters::min_facets(12)),
+            (Counts{13, 0, 0, 0, 0}));
+  EXPECT_EQ(counts_with(regular_prism(11), PN::parameters::min_facets(11)),
+            (Counts{2, 1, 0, 0, 0}));
+}
+
+// Radii that vary by more than a file's rounding are those of a cylinder only if one says so.
+TEST(Recognize_surfaces, tolerance)
+{
+  Part part = regular_prism(20);
+  for (std::size_t v = 0; v < part.points.size(); ++v) {
+    const double s = 1 + 1e-5 * std::sin(7. * static_cast<double>(v));
+    part.points[v] = {s * part.points[v][0], s * part.points[v][1], part.points[v][2]};
+  }
+  Mesh mesh = mesh_of<Mesh>(part);
+  EXPECT_EQ(
+    recognition_of(mesh, CGAL::parameters::default_values()).count(Recognized_kind::cylinder), 0u);
+  EXPECT_EQ(counts_with(part, PN::parameters::surface_tolerance(4e-5)), (Counts{2, 1, 0, 0, 0}));
+}
+
+// A cylinder that is no cylinder: its side is unknown, with creases inside where it bends by more than the angle.
+TEST(Recognize_surfaces, elliptic_cylinder_is_unknown)
+{
+  Part part = regular_prism(40);
+  for (Vec& p : part.points) p[0] *= 2.3;
+  Mesh mesh = mesh_of<Mesh>(part);
+  const Recognition r = recognition_of(mesh, CGAL::parameters::default_values());
+  EXPECT_EQ(r.count(Recognized_kind::unknown), 1u);
+  EXPECT_EQ(r.count(Recognized_kind::plane), 2u);
+  EXPECT_EQ(r.surfaces.size(), 3u);
+  EXPECT_EQ(r.creases.size(), 80u); // the rims
+
+  // joints of these rulings: 3 to 20 degrees
+  Mesh again = mesh_of<Mesh>(part);
+  const Recognition s = recognition_of(again, PN::parameters::sharp_angle(15));
+  std::size_t sharp = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto normal = [](int k) {
+      const double t = 2 * pi * (k + 0.5) / 40;
+      return unit({std::cos(t), 2.3 * std::sin(t), 0});
+    };
+    if (dot(normal(i), normal(i - 1)) < std::cos(15 * pi / 180)) ++sharp;
+  }
+  EXPECT_GT(sharp, 0u);
+  EXPECT_EQ(s.creases.size(), 80 + sharp);
+}

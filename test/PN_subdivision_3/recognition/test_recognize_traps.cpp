@@ -1,0 +1,140 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Parts that look like what they are not.
+
+#include "Part_marks.h"
+#include "Trap_parts.h"
+
+#include <gtest/gtest.h>
+
+using namespace synthetic_parts;
+using Recognized_kind = Recognized_surface::Kind;
+
+namespace {
+
+void expect_right(const Part& part)
+{
+  EXPECT_EQ(Part_marks(part, recognition_of(part)).text(), "") << part.name;
+}
+
+Part in_file(Part part, File file, double shift = 0.3)
+{
+  Random random(21);
+  place(part, random_pose(random, shift, 0));
+  write_as(part, file);
+  return part;
+}
+
+} // namespace
+
+TEST(Recognize_traps, plane_section_of_a_sphere)
+{
+  for (const bool are_triangles : {false, true}) expect_right(zone_of_a_sphere(32, are_triangles));
+}
+
+TEST(Recognize_traps, frustum_whose_corners_are_on_a_sphere)
+{
+  for (double top : {0.3, 0.6, 0.9}) expect_right(regular_prism(6, top));
+}
+
+TEST(Recognize_traps, face_between_equal_fillets)
+{
+  for (int facets : {3, 4})
+    for (double flat : {0.1, 0.16, 0.207, 0.25, 0.3}) {
+      SCOPED_TRACE(flat);
+      expect_right(narrow_plate(flat, facets));
+    }
+}
+
+TEST(Recognize_traps, face_of_a_rounded_box_and_what_surrounds_it)
+{
+  Random random(22);
+  for (int quarter : {3, 4, 6})
+    for (double flat : {0.1, 0.2, 0.4}) {
+      SCOPED_TRACE(flat);
+      const Vec size{0.6 + flat, 0.6 + flat, 0.6 + 2 * flat};
+      expect_right(rounded_box(size, 0.3, steps(quarter), steps(quarter), random));
+    }
+}
+
+TEST(Recognize_traps, octagonal_head_on_a_finer_shank)
+{
+  for (int n : {16, 24, 48}) expect_right(bolt(8, n));
+  for (int n : {16, 24}) expect_right(bolt(9, n, 0.7));
+}
+
+TEST(Recognize_traps, open_nut_trap)
+{
+  expect_right(open_nut_trap());
+  expect_right(open_slot());
+}
+
+TEST(Recognize_traps, disc_that_is_tangent_to_a_torus)
+{
+  for (int n : {12, 24}) expect_right(rounded_stub(n, n / 4));
+}
+
+TEST(Recognize_traps, coplanar_facets_of_pipe_and_bend)
+{
+  Random random(23);
+  for (int n : {10, 12, 16, 24}) {
+    SCOPED_TRACE(n);
+    expect_right(elbow(steps(n), steps(5), 75, 0, random, pi / n));
+    expect_right(elbow(steps(n), steps(5), 75, 0.3, random, pi / n));
+  }
+}
+
+TEST(Recognize_traps, angles_about_the_tube_beyond_pi)
+{
+  expect_right(grooved_shaft(24, 6));
+  expect_right(grooved_shaft(24, 7));
+}
+
+TEST(Recognize_traps, apex_of_a_drill_point_in_six_digits)
+{
+  for (int n : {12, 24, 36}) expect_right(in_file(plate_with_drilled_hole(n), File::six_digits));
+}
+
+TEST(Recognize_traps, sliver_between_planes)
+{
+  Part part = plate_with_hole(24);
+  const std::size_t sliver = insert_sliver(part, Kind::plane, Kind::plane);
+  const Recognition r = recognition_of(part);
+  // either plane may have it
+  for (const auto& [edge, f] : halfedges(part))
+    if (f == sliver && r.segment_of_face[halfedges(part).at({edge.second, edge.first})] ==
+                         r.segment_of_face[sliver])
+      part.surface_of_face[sliver] =
+        part.surface_of_face[halfedges(part).at({edge.second, edge.first})];
+  EXPECT_EQ(Part_marks(part, r).text(), "");
+}
+
+TEST(Recognize_traps, sliver_along_a_rim)
+{
+  Part part = plate_with_hole(24);
+  insert_sliver(part, Kind::plane, Kind::cylinder);
+  expect_right(part);
+  expect_right(in_file(part, File::single));
+}
+
+TEST(Recognize_traps, vertices_on_chords)
+{
+  for (int n : {16, 24, 32})
+    for (double at : {0.13, 0.52}) {
+      const Part part = cut_cylinder(n, at);
+      EXPECT_TRUE(Part_marks(part, recognition_of(part)).are_segments_right())
+        << Part_marks(part, recognition_of(part)).text() << ' ' << n << ' ' << at;
+    }
+}
+
+TEST(Recognize_traps, far_from_the_origin)
+{
+  expect_right(in_file(shaft(24, 6), File::single, 15 * 3.5));
+  expect_right(in_file(bolt(6, 24), File::exact, 15 * 3.5));
+}
