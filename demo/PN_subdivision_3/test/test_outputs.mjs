@@ -54,7 +54,8 @@ test("OBJ, STL and GLB hold the surface", async () => {
     const stl = await readFile(saved.stl);
     const [normal, a, b, c] = [0, 1, 2, 3].map((k) => [0, 1, 2].map((j) => stl.readFloatLE(84 + 12 * k + 4 * j)));
     const [u, v] = [b, c].map((p) => p.map((x, k) => x - a[k]));
-    assert.ok(normal[0] * (u[1] * v[2] - u[2] * v[1]) + normal[1] * (u[2] * v[0] - u[0] * v[2]) + normal[2] * (u[0] * v[1] - u[1] * v[0]) > 0);
+    const product = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    assert.ok(largestDifference(normal, product.map((x) => x / Math.hypot(...product))) < 1e-5);
     checkGlb(await readFile(saved.glb), start, 2 * faces);
     await drop(page, "again.obj", await readFile(saved.obj));
     await page.waitForFunction(() => window.page.editor.name === "again.obj");

@@ -332,6 +332,22 @@ test("what the formula does is what the package does", async () => {
       await page.evaluate(() => document.getElementById("formula-next").click());
       await compare(1);
     }
+    // a normal that is nearly opposite to the new one takes no part, or less; Chaikin's points are at a quarter
+    for (const degrees of [120, 150, 155, 170]) {
+      const [ours, theirs] = await page.evaluate((angle) => {
+        const { formula, modeler } = window.page;
+        formula.ends = [{ p: [-2, -0.6], n: [0, 1] }, { p: [2, 0.3], n: [Math.sin(angle), Math.cos(angle)] }];
+        document.getElementById("formula-share").value = "0.25";
+        formula.rounds = 1;
+        formula.draw();
+        const ends = formula.ends;
+        const curve = modeler.refineCurve(Float64Array.from(ends.flatMap(({ p }) => p)), Float64Array.from(ends.flatMap(({ n }) => n)),
+          "bspline:2", false, false, 1, 1);
+        return [formula.polygon[1].p, Array.from(curve.points)];
+      }, (degrees * Math.PI) / 180);
+      const distances = Array.from({ length: theirs.length / 2 }, (_, i) => Math.hypot(ours[0] - theirs[2 * i], ours[1] - theirs[2 * i + 1]));
+      assert.ok(Math.min(...distances) < 1e-14, `${degrees} degrees: ${ours} is none of ${theirs}`);
+    }
     // one circle stays one circle, from round to round
     await page.click("#formula-reset");
     await page.click("#formula-circle");

@@ -93,7 +93,6 @@ private:
     return triangulation_.number_of_vertices() == points.size() && triangulation_.dimension() == 2;
   }
 
-  // An edge that runs through another vertex is in parts afterwards.
   bool constrain()
   {
     std::vector<std::pair<std::size_t, Triangulation::Vertex_handle>> handles;
@@ -110,14 +109,11 @@ private:
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return false;
     }
-    const auto edges = triangulation_.finite_edges();
-    return rims_.size() ==
-           std::size_t(std::count_if(edges.begin(), edges.end(), [&](const auto& e) {
-             return triangulation_.is_constrained(e);
-           }));
+    return true;
   }
 
-  // The faces are inside that an odd number of rims parts from outside. Each rim has to run round them.
+  // The faces are inside that an odd number of rims parts from outside. Each rim has to run round
+  // them; one through another vertex is in parts and does not.
   bool collect()
   {
     for (const Face_handle f : triangulation_.all_face_handles()) f->info() = -1;

@@ -15,6 +15,7 @@
 
 #include <CGAL/PN_subdivision_3/PN_mask_3.h>
 #include <CGAL/PN_subdivision_3/Subdivision_method_3.h>
+#include <CGAL/PN_subdivision_3/schemes/Bilinear_scheme.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>

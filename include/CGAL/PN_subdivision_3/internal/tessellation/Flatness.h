@@ -20,7 +20,7 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // by which estimates are multiplied
-constexpr double tessellation_safety = 1.05, safety_at_curves = 1.2;
+constexpr double tessellation_safety = 1.1, safety_at_curves = 1.25;
 
 // How far a surface is from triangles between its points, told from the normals at these.
 namespace flatness {

@@ -1,0 +1,383 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Tessellations to a tolerance: against surfaces that are known, and against CGAL's own subdivision.
+
+#include "Named_shapes.h"
+#include "Scheme_runs.h"
+#include "Tessellation_cases.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/tessellate.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using test_meshes::Cells;
+using test_meshes::Control_mesh;
+using Vector = Kernel::Vector_3;
+using namespace tessellation_cases;
+
+double distance_from_unit_sphere(const std::vector<Triangle>& all)
+{
+  double largest = 0;
+  for_each_sample(all, [&](const Point& p) {
+    largest = (std::max)(largest, std::abs(1 - std::sqrt((p - CGAL::ORIGIN).squared_length())));
+  });
+  return largest;
+}
+
+double distance(const Point& p, const std::vector<Triangle>& all)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : all) {
+    const double radius =
+      std::sqrt((std::max)(CGAL::squared_distance(a, b), CGAL::squared_distance(a, c)));
+    if (std::sqrt(CGAL::squared_distance(p, a)) - radius > least) continue;
+    least = (std::min)(least, std::sqrt(CGAL::squared_distance(p, Kernel::Triangle_3(a, b, c))));
+  }
+  return least;
+}
+
+Control_mesh on_unit_sphere(Control_mesh mesh)
+{
+  mesh.normals.clear();
+  for (auto& p : mesh.points) mesh.normals.push_back(p = test_meshes::unit(p));
+  return mesh;
+}
+
+struct Tessellated
+{
+  Surface_mesh mesh;
+  Normal_map normals = normal_map(mesh);
+  PN::Tessellation_result result;
+};
+
+template <class Scheme>
+std::unique_ptr<Tessellated> tessellated(Surface_mesh control, const Scheme& scheme, double eps)
+{
+  auto t = std::make_unique<Tessellated>();
+  t->result =
+    PN::tessellate(control, scheme, eps, t->mesh, params::vertex_normal_map(normal_map(control)),
+                   params::vertex_normal_map(t->normals));
+  EXPECT_EQ(t->result.number_of_vertices, t->mesh.number_of_vertices());
+  EXPECT_EQ(t->result.number_of_triangles, t->mesh.number_of_faces());
+  return t;
+}
+
+// \name Spheres
+
+template <class Scheme>
+void expect_sphere(const Control_mesh& shape, const Scheme& scheme)
+{
+  const Surface_mesh control = to_surface_mesh(on_unit_sphere(shape));
+  for (const double eps : {0.1, 0.01}) {
+    const auto t = tessellated(control, scheme, eps);
+    const double error = distance_from_unit_sphere(triangles(t->mesh));
+    EXPECT_TRUE(t->result.reached);
+    EXPECT_LE(t->result.bound, eps);
+    EXPECT_LE(error, t->result.bound + 1e-9);
+    EXPECT_GE(error, 0.15 * t->result.bound);
+    expect_conforming(t->mesh, control);
+    for (auto v : t->mesh.vertices()) {
+      const Vector p = t->mesh.point(v) - CGAL::ORIGIN;
+      EXPECT_NEAR(p.squared_length(), 1, 1e-8);
+      EXPECT_LE((t->normals[v] - p).squared_length(), 1e-8);
+    }
+  }
+}
+
+TEST(Tessellate, SpheresOfCatmullClark)
+{
+  expect_sphere(named_shapes::cube(), PN::CatmullClark_scheme());
+  expect_sphere(named_shapes::prism(5), PN::CatmullClark_scheme()); // pentagons
+}
+TEST(Tessellate, SpheresOfLoop)
+{
+  expect_sphere(named_shapes::tetrahedron(), PN::Loop_scheme());
+  expect_sphere(test_meshes::bipyramid(7), PN::Loop_scheme());
+}
+
+TEST(Tessellate, ASphereHasNoMoreTrianglesThanUniformOnes)
+{
+  const Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube()));
+  std::vector<std::pair<double, std::size_t>> uniform; // errors and numbers
+  for (unsigned rounds = 2; rounds <= 4; ++rounds) {
+    Surface_mesh mesh = control;
+    PN::subdivide_to_limit(
+      mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+      params::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
+    double error = 0;
+    for (auto f : mesh.faces()) {
+      Vector sum = CGAL::NULL_VECTOR;
+      const auto h = mesh.halfedge(f);
+      sum = (mesh.point(mesh.source(h)) - CGAL::ORIGIN) +
+            (mesh.point(mesh.target(mesh.next(h))) - CGAL::ORIGIN);
+      error = (std::max)(error, 1 - std::sqrt((sum / 2).squared_length()));
+    }
+    uniform.emplace_back(error, 2 * mesh.number_of_faces());
+  }
+  for (const auto& [error, number] : uniform) {
+    const auto t = tessellated(control, PN::CatmullClark_scheme(), 1.11 * error);
+    EXPECT_LE(t->mesh.number_of_faces(), number);
+  }
+}
+
+TEST(Tessellate, AllSchemesThatSplitEdges)
+{
+  for (const char* name :
+       {"catmull-clark", "modified-catmull-clark", "ct-catmull-clark", "kobbelt"})
+    expect_sphere(named_shapes::cube(), PN::any_scheme(name));
+  for (const char* name : {"loop", "modified-loop", "ct-loop", "butterfly"})
+    expect_sphere(test_meshes::bipyramid(5), PN::any_scheme(name));
+}
+
+// \name Creases and borders
+
+TEST(Tessellate, ACubeHasTwelveTriangles)
+{
+  Surface_mesh control = to_surface_mesh(
+    named_shapes::with_normals(named_shapes::cube(), named_shapes::Normals::missing));
+  const auto sharp =
+    control.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
+  Surface_mesh out;
+  const auto normals = out.add_property_map<Surface_mesh::Halfedge_index, Vector>("h:normal").first;
+  const auto result =
+    PN::tessellate(control, PN::CatmullClark_scheme(), 1e-6, out,
+                   params::edge_is_constrained_map(sharp), params::vertex_normal_map(normals));
+  EXPECT_EQ(result.number_of_triangles, 12U);
+  EXPECT_EQ(result.bound, 0);
+  EXPECT_EQ(result.depth, 0U);
+  expect_conforming(out, control);
+  ASSERT_EQ(out.number_of_vertices(), 8U);
+  for (auto v : out.vertices()) EXPECT_EQ(out.point(v), control.point(v));
+  for (auto f : out.faces()) {
+    const auto h = out.halfedge(f);
+    const Vector area =
+      CGAL::cross_product(out.point(out.target(h)) - out.point(out.source(h)),
+                          out.point(out.target(out.next(h))) - out.point(out.target(h)));
+    for (auto g : out.halfedges_around_face(h))
+      EXPECT_LE(CGAL::cross_product(normals[g], area).squared_length(), 1e-20);
+  }
+}
+
+// \name Linear schemes, against CGAL
+
+template <class Scheme, class Subdivide>
+void expect_linear(const Control_mesh& shape, const Scheme& scheme, const Subdivide& subdivide)
+{
+  SCOPED_TRACE(shape.name);
+  Surface_mesh control;
+  {
+    Control_mesh with = shape;
+    with.normals.assign(with.points.size(), {0, 0, 0});
+    control = to_surface_mesh(with);
+  }
+  for (const double eps : {0.05, 0.01}) {
+    Surface_mesh out;
+    const auto result = PN::tessellate(control, PN::linear(scheme), eps, out);
+    EXPECT_TRUE(result.reached);
+    expect_conforming(out, control);
+    Surface_mesh deep = control;
+    subdivide(deep, 4);
+    const std::vector<Triangle> all = triangles(out);
+    double largest = 0;
+    for (auto v : deep.vertices()) largest = (std::max)(largest, distance(deep.point(v), all));
+    EXPECT_LE(largest, eps + 2e-3); // vertices after four rounds are not limit points yet
+    EXPECT_GE(largest, 0.2 * eps);
+  }
+}
+
+TEST(Tessellate, LinearCatmullClark)
+{
+  const auto subdivide = [](Surface_mesh& m, unsigned n) {
+    CGAL::Subdivision_method_3::CatmullClark_subdivision(m, params::number_of_iterations(n));
+  };
+  expect_linear(named_shapes::cube(), PN::CatmullClark_scheme(), subdivide);
+  expect_linear(test_meshes::house(5), PN::CatmullClark_scheme(), subdivide);
+}
+TEST(Tessellate, LinearLoop)
+{
+  const auto subdivide = [](Surface_mesh& m, unsigned n) {
+    CGAL::Subdivision_method_3::Loop_subdivision(m, params::number_of_iterations(n));
+  };
+  expect_linear(named_shapes::tetrahedron(), PN::Loop_scheme(), subdivide);
+  expect_linear(test_meshes::grid(3, 3, false, false, Cells::triangles), PN::Loop_scheme(),
+                subdivide);
+}
+
+// \name All shapes, without cracks
+
+TEST(Tessellate, NamedShapesAreConforming)
+{
+  for (const named_shapes::Shape& shape : named_shapes::all()) {
+    if (!shape.creases.empty()) continue;
+    SCOPED_TRACE(shape.mesh.name);
+    const Surface_mesh control =
+      to_surface_mesh(named_shapes::with_normals(shape.mesh, named_shapes::Normals::missing));
+    const auto t = tessellated(control, PN::CatmullClark_scheme(), 0.05);
+    expect_conforming(t->mesh, control);
+    if (test_meshes::all_faces_have_degree(shape.mesh, 3))
+      expect_conforming(tessellated(control, PN::Loop_scheme(), 0.05)->mesh, control);
+  }
+}
+TEST(Tessellate, IsolatedVerticesRemain)
+{
+  const Surface_mesh control = to_surface_mesh(named_shapes::with_normals(
+    test_meshes::with_isolated_vertices(named_shapes::cube()), named_shapes::Normals::missing));
+  const auto t = tessellated(control, PN::CatmullClark_scheme(), 0.05);
+  std::size_t isolated = 0, in_control = 0;
+  for (auto v : control.vertices()) in_control += control.is_isolated(v) ? 1 : 0;
+  for (auto v : t->mesh.vertices())
+    if (t->mesh.is_isolated(v)) {
+      ++isolated;
+      EXPECT_EQ(t->mesh.point(v), control.point(v));
+    }
+  EXPECT_GT(in_control, 0U);
+  EXPECT_EQ(isolated, in_control);
+}
+TEST(Tessellate, NothingOfAnEmptyMesh)
+{
+  const auto t = tessellated(Surface_mesh(), PN::CatmullClark_scheme(), 1);
+  EXPECT_EQ(t->mesh.number_of_vertices(), 0U);
+  EXPECT_TRUE(t->result.reached);
+}
+
+// \name Meshes and numbers
+
+TEST(Tessellate, PolyhedronHasTheSameTriangles)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const Surface_mesh control = to_surface_mesh(
+    named_shapes::with_normals(named_shapes::prism(5), named_shapes::Normals::missing));
+  Polyhedron polyhedron, out;
+  CGAL::copy_face_graph(control, polyhedron);
+  const auto result = PN::tessellate(polyhedron, PN::CatmullClark_scheme(), 0.02, out);
+  Surface_mesh mesh;
+  PN::tessellate(control, PN::CatmullClark_scheme(), 0.02, mesh);
+  EXPECT_EQ(result.number_of_triangles, mesh.number_of_faces());
+  expect_conforming(out, polyhedron);
+  const auto sorted = [](std::vector<Triangle> all) {
+    for (Triangle& t : all) std::sort(t.begin(), t.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  EXPECT_EQ(sorted(triangles(out)), sorted(triangles(mesh)));
+}
+
+template <class Other_kernel>
+void expect_number_type(double close)
+{
+  using Mesh = CGAL::Surface_mesh<typename Other_kernel::Point_3>;
+  const Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube()));
+  Mesh other, out;
+  const auto normals =
+    other
+      .template add_property_map<typename Mesh::Vertex_index, typename Other_kernel::Vector_3>(
+        "v:normal")
+      .first;
+  CGAL::copy_face_graph(control, other);
+  for (auto v : other.vertices()) normals[v] = other.point(v) - CGAL::ORIGIN;
+  const auto result =
+    PN::tessellate(other, PN::CatmullClark_scheme(), 0.05, out, params::vertex_normal_map(normals));
+  EXPECT_TRUE(result.reached);
+  expect_conforming(out, other);
+  Surface_mesh in_double;
+  CGAL::copy_face_graph(out, in_double);
+  EXPECT_LE(distance_from_unit_sphere(triangles(in_double)), 0.05);
+  for (auto v : in_double.vertices())
+    EXPECT_NEAR((in_double.point(v) - CGAL::ORIGIN).squared_length(), 1, close);
+}
+TEST(Tessellate, FloatAndExactNumbers)
+{
+  expect_number_type<CGAL::Simple_cartesian<float>>(1e-5);
+  expect_number_type<CGAL::Exact_predicates_exact_constructions_kernel>(1e-9);
+}
+
+TEST(Tessellate, ThreadsChangeNothing)
+{
+  const Surface_mesh control = to_surface_mesh(
+    named_shapes::with_normals(named_shapes::prism(5), named_shapes::Normals::missing));
+  Surface_mesh one, other;
+  PN::tessellate(control, PN::CatmullClark_scheme(), 0.01, one);
+  PN::tessellate<CGAL::Parallel_if_available_tag>(control, PN::CatmullClark_scheme(), 0.01, other);
+  EXPECT_EQ(triangles(one), triangles(other));
+}
+
+// \name Refused input
+
+template <class Scheme>
+void expect_refused(const Surface_mesh& control, const Scheme& scheme, double eps,
+                    const std::string& part)
+{
+  Surface_mesh out;
+  try {
+    PN::tessellate(control, scheme, eps, out);
+    FAIL() << part;
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+  EXPECT_EQ(out.num_vertices() + out.num_halfedges() + out.num_faces(), 0U);
+}
+
+TEST(Tessellate, RefusesToleranceAndScheme)
+{
+  const Surface_mesh control = to_surface_mesh(
+    named_shapes::with_normals(named_shapes::tetrahedron(), named_shapes::Normals::missing));
+  for (const double eps :
+       {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    expect_refused(control, PN::CatmullClark_scheme(), eps, "chord error");
+  expect_refused(control, PN::Sqrt3_scheme(), 0.1, "sqrt3");
+  expect_refused(control, PN::DooSabin_scheme(), 0.1, "doo-sabin");
+  expect_refused(control, PN::any_scheme("sqrt3"), 0.1, "sqrt3");
+  expect_refused(control, PN::any_scheme("doo-sabin"), 0.1, "doo-sabin");
+}
+TEST(Tessellate, RefusesMeshes)
+{
+  const Surface_mesh cube = to_surface_mesh(
+    named_shapes::with_normals(named_shapes::cube(), named_shapes::Normals::missing));
+  expect_refused(cube, PN::Loop_scheme(), 0.1, "4 corners");
+  Surface_mesh control = cube, out;
+  const auto sharp = control.add_property_map<Surface_mesh::Edge_index, double>("e:s", 2.).first;
+  EXPECT_THROW(PN::tessellate(control, PN::CatmullClark_scheme(), 0.1, out,
+                              params::edge_is_constrained_map(sharp)),
+               std::invalid_argument);
+  EXPECT_EQ(out.num_vertices(), 0U);
+  Surface_mesh full = cube;
+  EXPECT_THROW(PN::tessellate(cube, PN::CatmullClark_scheme(), 0.1, full), std::invalid_argument);
+  EXPECT_EQ(full.num_vertices(), cube.num_vertices());
+  EXPECT_EQ(full.num_faces(), cube.num_faces());
+}
+
+TEST(Tessellate, TellsWhatIsNotReached)
+{
+  const Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube()));
+  for (const unsigned rounds : {0U, 1U, 2U}) {
+    Surface_mesh out, in = control;
+    const auto result =
+      PN::tessellate(in, PN::CatmullClark_scheme(), 1e-4, out,
+                     params::number_of_iterations(rounds).vertex_normal_map(normal_map(in)));
+    EXPECT_FALSE(result.reached);
+    EXPECT_EQ(result.depth, rounds);
+    EXPECT_EQ(result.number_of_triangles, std::size_t(12) << 2 * rounds);
+    const double error = distance_from_unit_sphere(triangles(out));
+    EXPECT_GE(result.bound, error);
+    EXPECT_LE(result.bound, 1.3 * error);
+  }
+}
+
+} // namespace
