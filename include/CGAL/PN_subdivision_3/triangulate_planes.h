@@ -301,7 +301,7 @@ constrained Delaunay triangulation of these rims has about a quarter of the face
 has no vertices of its own, so that the faces of the neighbors fit to it as before; vertices inside planes are left without faces.
 The mesh itself is not changed, as it becomes no control mesh for further rounds.
 
-This header uses the package \ref PkgTriangulation2, which is under the GPL, and so is what is made with it. No other header
+This header uses the 2D triangulations of CGAL, which are under the GPL, and so is what is made with it. No other header
 of this package includes it.
 
 \tparam FaceGraph a model of `FaceListGraph`

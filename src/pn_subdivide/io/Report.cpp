@@ -104,6 +104,7 @@ void Report::write_file(const Result& result) const
   json["check"] = row(check_);
   json["surfaces"] = Json::array();
   for (const Row& values : surfaces_) json["surfaces"].push_back(row(values));
+  json["high_faces"] = high_faces_;
   json["chord"] = object(chord_);
   try {
     Output_file file(*options_.file);

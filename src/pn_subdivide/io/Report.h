@@ -70,6 +70,8 @@ public:
   void set_check(std::vector<Value> values) { check_ = std::move(values); }
   // the same of recognized surfaces, one a row, and of the chord that was asked for
   void set_surfaces(std::vector<Row> rows) { surfaces_ = std::move(rows); }
+  // control faces that are higher than with the linear scheme
+  void set_high_faces(std::vector<std::size_t> faces) { high_faces_ = std::move(faces); }
   void set_chord(std::vector<Number> numbers) { chord_ = std::move(numbers); }
 
   // To be called once each in this order, when the output is complete.
@@ -88,6 +90,7 @@ private:
   std::vector<Number> limit_, chord_;
   std::vector<Value> check_;
   std::vector<Row> surfaces_;
+  std::vector<std::size_t> high_faces_;
 };
 
 // Throws Usage_error or Error if the file of --report cannot be one: it is none of `others`, in which

@@ -246,6 +246,7 @@ void Surface_table::warn(const std::string& input, Report& report) const
     report.warn(input + ": " + std::to_string(std::lround(100 * part_.unknown_area / part_.area)) +
                 " % of the area is on no recognized surface: this is no tessellation of a CAD part "
                 "(decimated, remeshed or free-form)");
+  report.set_high_faces(part_.high_faces);
   if (part_.high_faces.empty()) return;
   constexpr std::size_t most = 10;
   std::string faces;
