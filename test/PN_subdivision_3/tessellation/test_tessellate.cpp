@@ -229,10 +229,10 @@ TEST(Tessellate, NamedShapesAreConforming)
     SCOPED_TRACE(shape.mesh.name);
     const Surface_mesh control =
       to_surface_mesh(named_shapes::with_normals(shape.mesh, named_shapes::Normals::missing));
-    const auto t = tessellated(control, PN::CatmullClark_scheme(), 0.05);
+    const auto t = tessellated(control, PN::CatmullClark_scheme(), 0.15);
     expect_conforming(t->mesh, control);
     if (test_meshes::all_faces_have_degree(shape.mesh, 3))
-      expect_conforming(tessellated(control, PN::Loop_scheme(), 0.05)->mesh, control);
+      expect_conforming(tessellated(control, PN::Loop_scheme(), 0.15)->mesh, control);
   }
 }
 TEST(Tessellate, IsolatedVerticesRemain)
