@@ -14,8 +14,8 @@
 Schemes and the functions that subdivide meshes and curves. Not included are what needs other packages or
 libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`), what measures results
 (`reproduction.h`, `extraordinary_curvature.h`, `extraordinary_eigenvalues.h`), the limit surface
-(`limit_points.h`, `subdivide_to_limit.h`, `curve_limit_points.h`, `interpolate_limit_points.h`,
-`interpolate_curve.h`, `prescribe_limit_data.h`), and surfaces that follow their control data (`Surface_refiner.h`).
+(`limit_points.h`, `subdivide_to_limit.h`, `tessellate.h`, `curve_limit_points.h`,
+`interpolate_limit_points.h`, `interpolate_curve.h`, `prescribe_limit_data.h`), and surfaces that follow their control data (`Surface_refiner.h`).
 */
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>

@@ -65,11 +65,11 @@ exact on spheres and cylinders and of fourth order elsewhere, and that of a surf
 most
 \f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$ |s_{ij}| \f$. When a face is
 split, the new limit points tell how far they are from where they had been expected; half of this is added to the
-estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.35 of
+estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.45 of
 the distance that was measured on the parent stands for the estimate; a fourth is what remains of it on smooth
 surfaces. On the control mesh itself a round is made of all faces, and the estimate is the measured distance.
-Edges on creases and borders have to be as close to their curve, which an eighth of the second differences of the points of
-the level tells. All is multiplied by 1.1, and by 1.25 at borders. It is an estimate, and not a proof.
+Edges on creases and borders have to be as close to their curve, which the turns of the points of the level along it
+tell. All is multiplied by 1.1, and by 1.25 at borders. It is an estimate, and not a proof.
 
 <b>Creases and borders</b> are those of `subdivide_to_limit()`: what is sharp has to be so for ever. A plane stays as
 coarse as the control mesh is, apart from faces with more than four corners, which are split once.

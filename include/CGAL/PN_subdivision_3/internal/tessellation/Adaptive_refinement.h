@@ -92,7 +92,7 @@ private:
   static constexpr Index null = Level_connectivity::null;
 
   // The sagitta of halves is a fourth; what is known badly may fall more slowly.
-  static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.35;
+  static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45;
   // where a normal is not to be trusted, and the surface not smooth about the vertex
   static constexpr double distrust = 2;
 

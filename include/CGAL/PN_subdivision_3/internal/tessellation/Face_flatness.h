@@ -28,7 +28,7 @@ namespace internal {
 
 // How far the limit surface is from the triangles of a face, estimated from limit points and surface normals at its
 // corners, and from what was seen on its parent. Along creases and the border, whose curves count for themselves, from
-// the second differences of the points of the level.
+// the turns of the points of the level along them.
 template <class FT, class Level>
 class Face_flatness
 {
@@ -176,25 +176,20 @@ private:
       (std::max)(result.discrepancy, has_side ? std::abs(section.excess_of(middle)) : distance);
   }
 
-  // the sagitta of an edge on a curve, across it
+  // the sagitta of an edge on a curve, if the curve is bent as at the ends
   double along_curve(const Corners& c, std::size_t i) const
   {
     const Index h = c.halfedges[i];
-    const Vector along = flatness::unit(flatness::minus(c[(i + 1) % c.number].point, c[i].point));
-    double largest = 0;
-    for (const Index v : {connectivity_.source(h), connectivity_.target(h)}) {
-      Vector d = second_difference(v);
-      const double part = flatness::product(d, along);
-      for (std::size_t k = 0; k < 3; ++k) d[k] -= part * along[k];
-      largest = (std::max)(largest, flatness::length(d) / 8);
-    }
-    return largest;
+    const double chord = flatness::length(flatness::minus(c[(i + 1) % c.number].point, c[i].point));
+    const double bend =
+      (std::max)(bend_at(connectivity_.source(h)), bend_at(connectivity_.target(h)));
+    return bend * chord * chord / 8;
   }
 
   Vector place(Index v) const { return to_double_3(point_of(level_.level.values[v])); }
 
-  // along the curve through a vertex, 0 where it ends
-  Vector second_difference(Index v) const
+  // the curvature of the curve through a vertex: the turn there by the mean length; 0 where it ends
+  double bend_at(Index v) const
   {
     Index before = v, after = v;
     bool is_star = false;
@@ -214,8 +209,12 @@ private:
       before = connectivity_.source(h);
       after = connectivity_.target(connectivity_.next(h));
     }
-    const Vector a = place(before), b = place(after), center = place(v);
-    return {a[0] + b[0] - 2 * center[0], a[1] + b[1] - 2 * center[1], a[2] + b[2] - 2 * center[2]};
+    if (before == v || after == v) return 0;
+    const Vector in = flatness::minus(place(v), place(before));
+    const Vector out = flatness::minus(place(after), place(v));
+    const double lengths = flatness::length(in) + flatness::length(out);
+    const Vector turn = flatness::minus(flatness::unit(out), flatness::unit(in));
+    return lengths > 0 ? 2 * flatness::length(turn) / lengths : 0;
   }
 
   const Level& level_;
