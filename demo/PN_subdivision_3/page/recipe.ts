@@ -21,6 +21,8 @@ const classes: Record<string, string> = {
   "modified-loop": "modified_Loop_scheme",
   "ct-catmull-clark": "ct_CatmullClark_scheme",
   "ct-loop": "ct_Loop_scheme",
+  midpoint: "Midpoint_scheme",
+  bilinear: "Bilinear_scheme",
 };
 
 /** The files that "Control mesh" takes with you. */

@@ -30,6 +30,8 @@ const titles: Record<string, string> = {
   "modified-loop": "Modified Loop (triangles)",
   "ct-catmull-clark": "Catmull-Clark, curvature transfer",
   "ct-loop": "Loop, curvature transfer",
+  midpoint: "Midpoints (triangles)",
+  bilinear: "Bilinear",
 };
 
 /** Files of more bytes are read so slowly that it is said before. */

@@ -73,7 +73,7 @@ async function ofCommand(mesh, words) {
 
 test("all schemes, linear and point-normal, make what the command makes, in every byte", async () => {
   const schemes = subdivision.schemes();
-  assert.equal(schemes.length, 10);
+  assert.equal(schemes.length, 12);
   for (const { name, takesTriangles } of schemes)
     for (const linear of [false, true]) {
       const mesh = { ...(takesTriangles ? octahedron : cube) };

@@ -81,7 +81,7 @@ test("dragging a normal moves the vertices that the command computes", async () 
 test("all schemes, linear and point-normal, make what the command makes", async () => {
   await withPage(file, { hash: "#cube" }, async (page) => {
     const schemes = await page.$$eval("#scheme option", (options) => options.map((o) => o.value));
-    assert.equal(schemes.length, 10);
+    assert.equal(schemes.length, 12);
     await page.fill("#rounds", "3");
     for (const scheme of schemes)
       for (const layout of ["pn", "linear"]) {
