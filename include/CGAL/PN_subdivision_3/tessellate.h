@@ -59,7 +59,7 @@ the vertices on it as corners.
 <b>The error.</b> How far the surface is from the triangles of a face is estimated before they are refined, from the
 limit points \f$ p_i \f$ and surface normals \f$ n_i \f$ at its corners: the height of the surface over the middle of a
 chord is that of the point-normal average (`PN_average`) of its ends,
-\f[ s_{ij} = \tfrac14\,(\tau_j-\tau_i)\cdot(p_j-p_i), \qquad \tau_i=\frac{n_i+n}{1+n_i\cdot n}, \quad
+\f[ s_{ij} = \frac14\,(\tau_j-\tau_i)\cdot(p_j-p_i), \qquad \tau_i=\frac{n_i+n}{1+n_i\cdot n}, \quad
 n=\frac{n_i+n_j}{|n_i+n_j|}, \f]
 exact on spheres and cylinders and of fourth order elsewhere, and that of a surface of second order over a triangle is at
 most
