@@ -7,19 +7,27 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Makes one HTML file of demo/PN_subdivision_3, with the package in it as WebAssembly. Installs what is
-# missing from Debian and npm.
+# Makes one HTML file of demo/PN_subdivision_3, with the package in it as WebAssembly, and the library for JavaScript in
+# build/page/library. Installs what is missing from Debian and npm.
 #
-#   scripts/build_page.sh [OUTPUT.html]      default: build/page/pn_subdivision_3.html
-#   scripts/build_page.sh --offline [OUTPUT.html]      nothing is installed
+#   scripts/build_page.sh [--offline] [--url ADDRESS] [--separate] [OUTPUT.html]      default: build/page/pn_subdivision_3.html
+#
+# --offline: nothing is installed; --url: where the package is to be found, which the page then links to; --separate:
+# script and style are files beside the page, for servers with a strict content policy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 offline=no
-if [[ ${1:-} == --offline ]]; then
-  offline=yes
+options=()
+while [[ ${1:-} == --* ]]; do
+  case $1 in
+    --offline) offline=yes ;;
+    --url) options+=(--url "$2"); shift ;;
+    --separate) options+=(--separate) ;;
+    *) echo "usage: $0 [--offline] [--url ADDRESS] [--separate] [OUTPUT.html]" >&2; exit 2 ;;
+  esac
   shift
-fi
+done
 demo=demo/PN_subdivision_3
 build=build/page
 output=$(realpath -m "${1:-$build/pn_subdivision_3.html}")
@@ -48,4 +56,5 @@ nice cmake --build $build/modeler --parallel "$(nproc)"
 
 (cd $demo && node_modules/.bin/tsc --noEmit)
 mkdir -p "$(dirname "$output")"
-node $demo/build.mjs $build/modeler "$output"
+node $demo/build.mjs $build/modeler "$output" "${options[@]}"
+node $demo/build_library.mjs $build/modeler $build/library

@@ -7,7 +7,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Builds the page (scripts/build_page.sh) and tests it in headless Chromium, against the command.
+# Builds the page and the library for JavaScript (scripts/build_page.sh) and tests them in headless Chromium and Node.js,
+# against the command.
 #
 #   scripts/test_page.sh [--offline] [--measure] [--command PN_SUBDIVIDE]
 #
@@ -39,4 +40,5 @@ if [[ -z $command ]]; then
   scripts/build.sh pn_subdivide
   command=build/release/src/pn_subdivide/pn_subdivide
 fi
-PN_PAGE=$page PN_SUBDIVIDE=$command node --test $tests/test_editing.mjs $tests/test_page.mjs
+export PN_PAGE=$page PN_LIBRARY=build/page/library PN_MODELER=build/page/modeler PN_SUBDIVIDE=$command
+node --test $tests/test_editing.mjs $tests/test_page.mjs $tests/test_pictures.mjs $tests/test_outputs.mjs $tests/test_library.mjs

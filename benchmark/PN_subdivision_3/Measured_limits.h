@@ -12,7 +12,6 @@
 
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
-#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <algorithm>
@@ -29,7 +28,6 @@ using closed_samples::Mesh;
 using closed_samples::Normals;
 using closed_samples::Point;
 using closed_samples::Vector;
-using Any_scheme = CGAL::PN_subdivision_3::Any_scheme<>;
 
 struct Sample
 {
@@ -57,13 +55,14 @@ inline void disturb(Mesh& mesh, double noise)
   order_samples::Random random;
   const double size = std::tan(noise * std::acos(-1.) / 180) * std::sqrt(1.5);
   for (const auto v : mesh.vertices()) {
-    const Vector r(random(), random(), random()), n = normals[v];
+    const Vector r{random(), random(), random()}, n = normals[v];
     normals[v] = order_samples::unit(n + size * (r - (r * n) * n));
   }
 }
 
 // the limit surface at the vertices of the second round; without normals, that of the linear twin
-inline Samples limits(Mesh mesh, const Any_scheme& scheme, bool is_linear, double roundness = 1)
+template <class Scheme>
+Samples limits(Mesh mesh, const Scheme& scheme, bool is_linear, double roundness = 1)
 {
   namespace PN = CGAL::PN_subdivision_3;
   constexpr unsigned rounds = 2;

@@ -18,9 +18,8 @@
 #include <CGAL/PN_subdivision_3/curve_limit_points.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Timer.h>
 
@@ -134,16 +133,17 @@ Surface subdivided(Mesh mesh, Way way)
   timer.start();
   if (way == Way::linear_solved) {
     options.mode = PN::Limit_interpolation_mode::limit_points;
-    PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), options, np);
+    PN::interpolate_limit_points(mesh, PN::linear(PN::modified_Loop_scheme()), options, np);
   } else if (way == Way::slide)
-    PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), options, np);
   Mesh refined = mesh;
   const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  PN::subdivide(refined, PN::Loop_scheme(), params::number_of_iterations(3).vertex_normal_map(map));
+  PN::subdivide(refined, PN::modified_Loop_scheme(),
+                params::number_of_iterations(3).vertex_normal_map(map));
   timer.stop();
   Surface surface;
   surface.nanoseconds = timer.time() / double(refined.number_of_vertices()) * 1e9;
-  surface.samples = limits(mesh, PN::any_scheme("modified-loop"), is_linear);
+  surface.samples = limits(mesh, PN::modified_Loop_scheme(), is_linear);
   return surface;
 }
 
@@ -193,11 +193,11 @@ void print_surfaces()
   print_surface("Walton and Meek", [](const Mesh& m) {
     return patches(m, [](const Triangle& t) { return by_method::Walton_Meek_patch(t); });
   });
-  print_surface("linear Loop", [](const Mesh& m) { return subdivided(m, Way::linear); });
-  print_surface("linear Loop, solved",
+  print_surface("linear modified Loop", [](const Mesh& m) { return subdivided(m, Way::linear); });
+  print_surface("the same, solved",
                 [](const Mesh& m) { return subdivided(m, Way::linear_solved); });
-  print_surface("PN-Loop", [](const Mesh& m) { return subdivided(m, Way::plain); });
-  print_surface("PN-Loop, `slide`", [](const Mesh& m) { return subdivided(m, Way::slide); });
+  print_surface("PN-modified Loop", [](const Mesh& m) { return subdivided(m, Way::plain); });
+  print_surface("the same, `slide`", [](const Mesh& m) { return subdivided(m, Way::slide); });
 }
 
 // --- curves ---

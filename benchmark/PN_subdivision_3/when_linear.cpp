@@ -20,8 +20,9 @@
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -40,7 +41,8 @@ using namespace measured;
 
 // --- noise of the given normals ---
 
-void print_noise(const char* layout, const Mesh& exact, const Any_scheme& scheme)
+template <class Scheme>
+void print_noise(const char* layout, const Mesh& exact, const Scheme& scheme)
 {
   const auto print = [layout](const char* way, double noise, const Errors& e) {
     std::printf(
@@ -106,7 +108,7 @@ double interpolation_error(Mesh mesh, const std::string& way)
     PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), options, np);
   else if (way != "nothing solved")
     PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
-  return errors(limits(mesh, PN::any_scheme("loop"), is_linear)).largest_distance;
+  return errors(limits(mesh, PN::Loop_scheme(), is_linear)).largest_distance;
 }
 
 void print_interpolation()
@@ -130,7 +132,7 @@ void print_interpolation()
 void print_convexity()
 {
   std::puts("#table convexity");
-  const Any_scheme scheme = PN::any_scheme("modified-catmull-clark");
+  const PN::modified_CatmullClark_scheme scheme;
   for (const double thickness : {1., .5, .2, .1}) {
     Mesh mesh = closed_samples::cube(4);
     const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
@@ -156,7 +158,7 @@ void print_convexity()
 void print_hull()
 {
   std::puts("#table hull");
-  const Any_scheme scheme = PN::any_scheme("catmull-clark");
+  const PN::CatmullClark_scheme scheme;
   Mesh mesh = closed_samples::cube(1);
   const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   for (const auto v : mesh.vertices()) {
@@ -239,9 +241,8 @@ void print_models(const std::string& folder)
 int main(int argc, char** argv)
 {
   std::puts("#table noise");
-  print_noise("even quads", closed_samples::cube(12), PN::any_scheme("modified-catmull-clark"));
-  print_noise("scattered triangles", closed_samples::scattered(896),
-              PN::any_scheme("modified-loop"));
+  print_noise("even quads", closed_samples::cube(12), PN::modified_CatmullClark_scheme());
+  print_noise("scattered triangles", closed_samples::scattered(896), PN::modified_Loop_scheme());
   std::puts("#table ellipse");
   print_ellipse("cubic", PN::B_spline_mask(3));
   print_ellipse("4-point", PN::Dubuc_Deslauriers_mask(4));

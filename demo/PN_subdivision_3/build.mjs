@@ -6,14 +6,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Makes one HTML file of the page: node build.mjs FOLDER_OF_MODELER OUTPUT.html
+// Makes one HTML file of the page: node build.mjs FOLDER_OF_MODELER OUTPUT.html [--url ADDRESS] [--separate]
+// --url: where the package is to be found, which the page then links to; --separate: script and style are files beside it,
+// for servers whose content policy allows none in the page.
 import { build } from "esbuild";
+import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { licences } from "./licences.mjs";
 
-const [, , modelerFolder, output] = process.argv;
+const [, , modelerFolder, output, ...options] = process.argv;
+const url = options.includes("--url") ? new URL(options[options.indexOf("--url") + 1]).href : undefined;
+const isSeparate = options.includes("--separate");
 const here = path.dirname(fileURLToPath(import.meta.url));
 
 /** The module's code, and its binary compressed. */
@@ -36,7 +42,7 @@ const script = await build({
   format: "esm",
   target: "es2022",
   legalComments: "inline",
-  loader: { ".ply": "text", ".off": "text", ".obj": "text", ".txt": "text" },
+  loader: { ".ply": "text", ".off": "text", ".obj": "text", ".txt": "text", ".webp": "dataurl" },
   // the module's loader has branches for Node.js, which a browser never takes
   external: ["module", "fs", "path", "url"],
   plugins: [modeler],
@@ -49,15 +55,42 @@ const style = await build({
   write: false,
 });
 
+const address = url === undefined ? "" : `<meta property="og:url" content="${url}">`;
+const link = url === undefined ? "" : `<a href="${url}" rel="noopener">Its sources and manual</a>. `;
+/** A file beside the page, whose name and integrity are its hash. */
+async function fileBeside(text, extension) {
+  const hash = createHash("sha384").update(text).digest();
+  const name = `${path.basename(output, ".html")}.${hash.toString("hex").slice(0, 16)}.${extension}`;
+  await writeFile(path.join(path.dirname(output), name), text);
+  return { name, integrity: `sha384-${hash.toString("base64")}` };
+}
+
+async function styleTag(text) {
+  if (!isSeparate) return `<style>${text}</style>`;
+  const { name, integrity } = await fileBeside(text, "css");
+  return `<link rel="stylesheet" href="${name}" integrity="${integrity}" crossorigin="anonymous">`;
+}
+
+async function scriptTag(text) {
+  if (!isSeparate) return `<script type="module">${text.replaceAll("</script", "<\\/script")}</script>`;
+  const { name, integrity } = await fileBeside(text, "js");
+  return `<script type="module" src="${name}" integrity="${integrity}" crossorigin="anonymous"></script>`;
+}
+
+const tags = { style: await styleTag(style.outputFiles[0].text), script: await scriptTag(script.outputFiles[0].text) };
+const texts = await licences();
 const html = (await readFile(path.join(here, "page/index.html"), "utf8"))
-  .replace("<!-- style -->", () => `<style>${style.outputFiles[0].text}</style>`)
-  .replace("<!-- script -->", () =>
-    `<script type="module">${script.outputFiles[0].text.replaceAll("</script", "<\\/script")}</script>`);
+  .replaceAll("'unsafe-inline'", () => (isSeparate ? "'self'" : "'unsafe-inline'"))
+  .replace("<!-- style -->", () => tags.style)
+  .replace("<!-- licences -->", () => texts)
+  .replace("<!-- address -->", () => address)
+  .replace("<!-- link -->", () => link)
+  .replace("<!-- script -->", () => tags.script);
 await writeFile(output, html);
 
 const size = Buffer.byteLength(html);
 console.log(`${output}: ${size} bytes`);
-if (size > 2 * 1024 * 1024) {
-  console.error("The page is larger than 2 MB.");
+if (size > 2.2e6) {
+  console.error("The page is larger than 2.2 MB.");
   process.exit(1);
 }

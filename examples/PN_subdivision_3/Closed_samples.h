@@ -86,23 +86,24 @@ inline Mesh scattered(std::size_t n, double off = .5)
   order_samples::Random random;
   const double pi = std::acos(-1.), step = off * std::sqrt(4 * pi / double(n));
   std::vector<Hull_kernel::Point_3> directions;
+  std::map<Hull_kernel::Point_3, Mesh::Vertex_index> vertices; // the hull has them in another order
+  Mesh mesh;
   for (std::size_t i = 0; i < n; ++i) {
     const double z = 1 - (2 * double(i) + 1) / double(n), r = std::sqrt(1 - z * z);
     const double angle = pi * (3 - std::sqrt(5.)) * double(i);
-    const Vector v = unit(Vector(r * std::cos(angle) + step * random(),
-                                 r * std::sin(angle) + step * random(), z + step * random()));
+    const double x = r * std::cos(angle), y = r * std::sin(angle);
+    const Vector moved{step * random(), step * random(), step * random()}; // in this order
+    const Vector v = unit(Vector(x, y, z) + moved);
     directions.emplace_back(v.x(), v.y(), v.z());
+    vertices[directions.back()] = mesh.add_vertex(CGAL::ORIGIN + v);
   }
   CGAL::Surface_mesh<Hull_kernel::Point_3> hull;
   CGAL::convex_hull_3(directions.begin(), directions.end(), hull);
-  Mesh mesh;
-  for (const auto& p : hull.points()) mesh.add_vertex(Point(p.x(), p.y(), p.z()));
   for (const auto f : hull.faces()) {
-    std::array<Mesh::Vertex_index, 3> corners;
-    std::size_t k = 0;
+    std::vector<Mesh::Vertex_index> corners;
     for (const auto v : hull.vertices_around_face(hull.halfedge(f)))
-      corners[k++] = Mesh::Vertex_index(v.idx());
-    mesh.add_face(corners[0], corners[1], corners[2]);
+      corners.push_back(vertices.at(hull.point(v)));
+    mesh.add_face(corners);
   }
   put_on_surface(mesh);
   return mesh;

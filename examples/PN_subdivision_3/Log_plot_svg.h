@@ -45,6 +45,7 @@ struct Plot
   bool numbered_labels = true; // the legend is in the order of numbers, else of appearance
   double legend_width = 90;
   std::vector<std::string> tick_labels = {}; // instead of 0, 1, 2, ...
+  std::size_t color_step = 1;                // farther apart where lines are few
 };
 
 namespace internal {
@@ -125,7 +126,7 @@ inline std::string drawing(const Plot& plot)
   const std::size_t n = last_x(plot);
   const auto color = [&](const std::string& label) {
     const auto i = std::find(names.begin(), names.end(), label) - names.begin();
-    return colors[static_cast<std::size_t>(i) % colors.size()];
+    return colors[static_cast<std::size_t>(i) * plot.color_step % colors.size()];
   };
   const double right = left + double(plot.panels.size()) * (width + gap);
   std::ostringstream out;

@@ -179,7 +179,8 @@ int main(int argc, char** argv)
                           1,
                           false,
                           150,
-                          {"56", "220", "880", "3.5k", "14k"}};
+                          {"56", "220", "880", "3.5k", "14k"},
+                          3};
   for (const bool quads : {true, false}) {
     log_plot_svg::Panel panel{quads ? "Even quads: linear (dashed), point-normal"
                                     : "Scattered triangles: linear (dashed), point-normal",

@@ -34,7 +34,7 @@ const std::vector<Option_group>& option_groups()
       "--limit", "--threads", "--quiet", "--help"}},
     {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
     {"Surfaces of CAD parts",
-     {"--min-facets", "--surface-tolerance", "--sharp-angle", "--chord", "--surface-labels"}},
+     {"--min-facets", "--surface-tolerance", "--sharp-angle", "--chord", "--planes", "--surface-labels"}},
     {"What is read",
      {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
     {"What is written",

@@ -198,6 +198,13 @@ void add_recognition_options(CLI::App& command, Crease_options& options)
                      "face into this file, one a line");
 }
 
+void add_planes(CLI::App& command, std::optional<std::string>& planes)
+{
+  command.add_option("--planes", planes,
+                     "With --sharp surfaces: rims makes planes of as few triangles as their "
+                     "refined rims allow; no control mesh for further rounds");
+}
+
 void add_repair_options(CLI::App& command, Surface_options& options)
 {
   command.add_flag("--merge-points", options.merge_points,
@@ -277,6 +284,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
                      "vertices from 0 (linear points) to 1");
   add_crease_options(surface, options.creases);
   add_recognition_options(surface, options.creases);
+  add_planes(surface, options.planes);
   surface.add_option("--write-tags", options.write_tags,
                      "Write what is sharp in the result as a selection file of CGAL, "
                      "FILE.selection.txt; with --output-normals control or both .ply and .obj hold "

@@ -13,11 +13,13 @@
 #include "io/formats.h"
 #include "io/near_points.h"
 #include "io/normals_of_file.h"
+#include "io/shading_normals.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -64,9 +66,13 @@ void require_manifold(const Mesh_data& mesh)
 void drop_normals_that_say_nothing(Mesh_data& mesh)
 {
   const pn_subdivide::Flat_shading flat = pn_subdivide::find_flat_shading(mesh);
-  if (!pn_subdivide::are_all_zero(mesh) && (!flat.is_there() || flat.makes_creases())) return;
+  const bool is_flat = flat.is_there() && !flat.makes_creases();
+  const bool is_shading =
+    !mesh.are_said_to_be_control && !flat.is_there() && pn_subdivide::find_shading(mesh).is_there();
+  if (!pn_subdivide::are_all_zero(mesh) && !is_flat && !is_shading) return;
   mesh.normals.clear();
   mesh.corner_normals.clear();
+  mesh.roundness.clear();
 }
 
 // Cuts off ears, those with the shortest diagonals first.
@@ -147,11 +153,14 @@ Control_mesh::Control_mesh(const Mesh_state& state)
   }
   wedges_ = std::make_unique<Wedges>(surface_, [this](Edge e) { return is_sharp(e); });
   if (!has_normals) estimate_normals();
+  if (state.roundness.size() == mesh.points.size()) put_roundness(state.roundness);
 }
 
 void Control_mesh::fill(const Mesh_data& mesh)
 {
   surface_ = pn_subdivide::make_surface(mesh);
+  const auto roundness = pn_subdivide::roundness_of(surface_);
+  roundness_ = roundness ? *roundness : pn_subdivide::add_roundness(surface_);
   sharpness_ = surface_.add_property_map<Edge, double>("e:sharpness", 0).first;
   normals_ = surface_.add_property_map<Halfedge, Vector_3>("h:normal", CGAL::NULL_VECTOR).first;
   if (!mesh.has_corner_normals() && mesh.has_normals())
@@ -190,6 +199,8 @@ Mesh_state Control_mesh::state() const
     if (is_sharp(e))
       for (unsigned i = 0; i < 2; ++i)
         s.sharp_edges.push_back(std::uint32_t(surface_.vertex(e, i)));
+  if (has_roundness())
+    for (const auto v : surface_.vertices()) s.roundness.push_back(roundness_[v]);
   return s;
 }
 
@@ -205,6 +216,7 @@ Control_mesh Control_mesh::triangulated() const
   Mesh_state split;
   split.points = old.points;
   split.sharp_edges = old.sharp_edges;
+  split.roundness = old.roundness;
   std::size_t first = 0;
   for (const std::uint32_t degree : old.degrees) {
     const std::size_t first_new = split.corners.size();
@@ -272,20 +284,24 @@ void Control_mesh::replace_wedges()
     const std::size_t w = wedges_->of_corner[h];
     if (old_size[old->of_corner[h]] != size[w]) is_new[w] = true;
   }
-  const std::vector<Vector_3> estimated = estimated_normals();
+  const std::vector<Vector_3> estimated = estimate().normals;
   for (const Halfedge h : surface_.halfedges())
     if (!surface_.is_border(h) && is_new[wedges_->of_corner[h]]) normals_[h] = estimated[h];
 }
 
-std::vector<Vector_3> Control_mesh::estimated_normals() const
+Control_mesh::Estimate Control_mesh::estimate() const
 {
+  namespace PN = CGAL::PN_subdivision_3;
   Surface copy = surface_;
   const auto normals =
     copy.add_property_map<Halfedge, Vector_3>("h:estimate", CGAL::NULL_VECTOR).first;
-  CGAL::PN_subdivision_3::estimate_corner_normals(copy, sharpness_, normals);
-  std::vector<Vector_3> result;
-  result.reserve(copy.number_of_halfedges());
-  for (const Halfedge h : copy.halfedges()) result.push_back(normals[h]);
+  const Roundness_map roundness = pn_subdivide::add_roundness(copy);
+  PN::estimate_corner_normals(copy, sharpness_, normals,
+                              PN::parameters::vertex_roundness_map(roundness));
+  Estimate result;
+  result.normals.reserve(copy.number_of_halfedges());
+  for (const Halfedge h : copy.halfedges()) result.normals.push_back(normals[h]);
+  for (const auto v : copy.vertices()) result.roundness.push_back(roundness[v]);
   return result;
 }
 
@@ -296,8 +312,32 @@ void Control_mesh::drop_normals()
 
 void Control_mesh::estimate_normals()
 {
-  const std::vector<Vector_3> estimated = estimated_normals();
-  for (const Halfedge h : surface_.halfedges()) normals_[h] = estimated[h];
+  const Estimate estimated = estimate();
+  for (const Halfedge h : surface_.halfedges()) normals_[h] = estimated.normals[h];
+  put_roundness(estimated.roundness);
+}
+
+bool Control_mesh::has_roundness() const
+{
+  const auto vertices = surface_.vertices();
+  return std::any_of(vertices.begin(), vertices.end(),
+                     [this](auto v) { return roundness_[v] != 1; });
+}
+
+void Control_mesh::set_roundness(double w)
+{
+  if (!(w >= 0 && w <= 1)) throw Error("the roundness must be from 0 to 1");
+  for (const auto v : surface_.vertices()) roundness_[v] = w;
+}
+
+void Control_mesh::estimate_roundness()
+{
+  put_roundness(estimate().roundness);
+}
+
+void Control_mesh::put_roundness(const std::vector<double>& roundness)
+{
+  for (const auto v : surface_.vertices()) roundness_[v] = roundness[v];
 }
 
 // |p - c|^2 = r^2 is linear in c and r^2 - |c|^2.
@@ -323,6 +363,7 @@ void Control_mesh::take_normals_of_sphere()
     const Point_3& p = surface_.point(surface_.target(h));
     normals_[h] = p - Point_3(c[0], c[1], c[2]);
   }
+  set_roundness(1);
 }
 
 } // namespace pn_demo

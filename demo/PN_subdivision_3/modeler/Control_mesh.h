@@ -25,6 +25,7 @@ using pn_subdivide::Corner_normal_map;
 using pn_subdivide::Mesh_data;
 using pn_subdivide::Normal_map;
 using pn_subdivide::Point_3;
+using pn_subdivide::Roundness_map;
 using pn_subdivide::Surface;
 using pn_subdivide::Triple;
 using pn_subdivide::Vector_3;
@@ -40,15 +41,16 @@ struct Mesh_state
   std::vector<std::uint32_t> corners;     // the faces' vertices
   std::vector<double> corner_normals;     // x y z, or empty: to be estimated
   std::vector<std::uint32_t> sharp_edges; // pairs of vertices
+  std::vector<double> roundness; // of the vertices, or empty: 1, or as normals are estimated
 };
 
 // A control mesh with creases, and with a normal for each wedge of each vertex. Without creases that is
-// a normal for each vertex that has faces.
+// a normal for each vertex that has faces. Each vertex has a roundness.
 class Control_mesh
 {
 public:
-  // The content of a PLY, OFF, OBJ or STL file; normals are estimated where it has none, edges at which
-  // the normals of the file's corners differ are sharp. Throws Error with a line for the user.
+  // The content of a PLY, OFF, OBJ or STL file; normals and the roundness are estimated where it has no normals but
+  // those for shading, edges at which the normals of the file's corners differ are sharp. Throws Error with a line for the user.
   static Control_mesh read(const std::string& content, const std::string& format);
   explicit Control_mesh(const Mesh_state& state);
 
@@ -72,20 +74,34 @@ public:
   std::size_t detect_creases(double degrees);
 
   void drop_normals();
+  // and the roundness
   void estimate_normals();
   // Those of the sphere that fits the vertices best, about its center.
   void take_normals_of_sphere();
+
+  double roundness(Surface::Vertex_index v) const { return roundness_[v]; }
+  // Whether that of some vertex is not 1.
+  bool has_roundness() const;
+  void set_roundness(double w);
+  void estimate_roundness();
 
 private:
   Control_mesh() = default;
   void fill(const Mesh_data& mesh);
   void mark_edges_where_normals_differ();
   void replace_wedges();
-  std::vector<Vector_3> estimated_normals() const; // by half-edge
+  struct Estimate
+  {
+    std::vector<Vector_3> normals; // by half-edge
+    std::vector<double> roundness; // by vertex
+  };
+  Estimate estimate() const;
+  void put_roundness(const std::vector<double>& roundness);
 
   Surface surface_;
   Corner_normal_map normals_;
   Edge_sharpness sharpness_;
+  Roundness_map roundness_;
   std::unique_ptr<Wedges> wedges_;
 };
 

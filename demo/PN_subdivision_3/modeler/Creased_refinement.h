@@ -13,6 +13,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
 namespace pn_demo {
@@ -52,6 +53,10 @@ public:
 
   const std::vector<Point_3>& points() const override { return points_; }
   const std::vector<Vector_3>& normals() const override { return normals_; }
+  std::vector<double> roundness(const Control_mesh& mesh) const override
+  {
+    return mesh.has_roundness() ? roundness_ : std::vector<double>();
+  }
   Faces faces() const override { return faces_; }
   const Faces* cut_faces() const override { return &cut_faces_; }
   const std::vector<Index>& cut_vertices() const override { return cut_vertices_; }
@@ -78,7 +83,12 @@ private:
     else {
       const auto normals =
         PN::internal::find_property_map<Halfedge, Vector_3>(surface, "h:normal").value();
-      PN::subdivide(surface, scheme_, np.vertex_normal_map(normals), attributes);
+      const pn_subdivide::Roundness_map roundness = *pn_subdivide::roundness_of(surface);
+      PN::subdivide(surface, scheme_,
+                    PN::parameters::vertex_roundness_map(roundness, np.vertex_normal_map(normals)),
+                    attributes);
+      roundness_.clear();
+      for (const auto v : surface.vertices()) roundness_.push_back(roundness[v]);
       normals_.assign(surface.number_of_vertices(), CGAL::NULL_VECTOR);
       for (const Halfedge h : surface.halfedges())
         if (!surface.is_border(h)) normals_[surface.target(h)] = normals[h];
@@ -91,6 +101,7 @@ private:
   unsigned rounds_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
+  std::vector<double> roundness_;
   Faces faces_, cut_faces_;
   std::vector<Index> cut_vertices_, all_;
 };

@@ -45,10 +45,11 @@ void add_pair(std::vector<double>& array, const double x, const double y)
 
 Plane_curve refine_plane_curve(const std::vector<double>& points,
                                const std::vector<double>& normals, const std::string& mask,
-                               bool is_linear, bool is_closed, unsigned rounds)
+                               bool is_linear, bool is_closed, unsigned rounds, double roundness)
 {
   pn_subdivide::Curve_rule rule{pn_subdivide::parse_curve_scheme("mask", mask), {}, is_linear};
   rule.end = is_closed ? PN::Curve_end::closed : PN::Curve_end::reflect;
+  rule.roundness = roundness;
   pn_subdivide::Curve_data data;
   data.points = to_curve(points, normals);
   const pn_subdivide::Curve_data refined = pn_subdivide::refine_curve(data, rule, rounds);

@@ -24,7 +24,7 @@ struct Plane_curve
 // Points and normals are x y each; of masks such as bspline:3 and 4-point. Throws std::exception.
 Plane_curve refine_plane_curve(const std::vector<double>& points,
                                const std::vector<double>& normals, const std::string& mask,
-                               bool is_linear, bool is_closed, unsigned rounds);
+                               bool is_linear, bool is_closed, unsigned rounds, double roundness);
 
 std::vector<double> estimate_plane_normals(const std::vector<double>& points, bool is_closed);
 

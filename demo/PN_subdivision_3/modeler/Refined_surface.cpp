@@ -12,6 +12,7 @@
 
 #include <CGAL/PN_subdivision_3/estimate_curvature.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <numeric>
@@ -116,7 +117,7 @@ const std::vector<Vector_3>& Refined_surface::normals() const
   return limit_normals_.empty() ? refinement_->normals() : limit_normals_;
 }
 
-void Refined_surface::show_limit()
+void Refined_surface::show_limit(const Control_mesh& mesh)
 {
   if (!limit_points_.empty()) return;
   if (refinement_->cut_faces() &&
@@ -134,9 +135,15 @@ void Refined_surface::show_limit()
     PN::limit_points(surface, PN::linear(scheme_), limits, options);
   else {
     const Normal_map normals = pn_subdivide::add_normals(surface);
-    for (const auto v : surface.vertices()) normals[v] = refinement_->normals()[v];
+    const pn_subdivide::Roundness_map roundness = pn_subdivide::add_roundness(surface);
+    const std::vector<double> refined = refinement_->roundness(mesh);
+    for (const auto v : surface.vertices()) {
+      normals[v] = refinement_->normals()[v];
+      if (!refined.empty()) roundness[v] = refined[v];
+    }
     PN::limit_points(surface, scheme_, limits, options,
-                     CGAL::parameters::vertex_normal_map(normals));
+                     PN::parameters::vertex_roundness_map(
+                       roundness, CGAL::parameters::vertex_normal_map(normals)));
   }
   for (const auto v : surface.vertices()) {
     limit_points_.push_back(limits[v].point);

@@ -40,7 +40,7 @@ public:
   void follow(const Control_mesh& mesh, std::size_t vertex);
   void update(const Control_mesh& mesh);
   // Shows the points of the limit surface and its normals, until hide_limit() or the next update().
-  void show_limit();
+  void show_limit(const Control_mesh& mesh);
   void hide_limit();
   // 0 where there is no estimate; by the vertices of the display. Both are kept until something is shown anew.
   const std::vector<float>& curvature(bool is_gaussian);
@@ -50,6 +50,11 @@ public:
   const std::vector<Point_3>& points() const;
   const std::vector<Vector_3>& normals() const;
   Faces faces() const { return refinement_->faces(); }
+  // Beside the control normals; empty: 1.
+  std::vector<double> roundness(const Control_mesh& mesh) const
+  {
+    return refinement_->roundness(mesh);
+  }
 
 private:
   void show_all();

@@ -8,7 +8,6 @@
 
 #include "Refinement.h"
 
-#include "Creased_refinement.h"
 #include "Refiner_refinement.h"
 #include "io/Error.h"
 

@@ -44,6 +44,8 @@ public:
   virtual const std::vector<Point_3>& points() const = 0;
   // Control normals; empty with linear schemes.
   virtual const std::vector<Vector_3>& normals() const = 0;
+  // Of the refined vertices, from the control mesh as it is; empty: 1.
+  virtual std::vector<double> roundness(const Control_mesh& mesh) const = 0;
   virtual Faces faces() const = 0;
   // Vertices as a renderer needs them, those on creases several times: the faces, and for each of these
   // vertices its number in points(). Empty: no creases.

@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVISION_3_DEMO_REFINER_REFINEMENT_H
 #define PN_SUBDIVISION_3_DEMO_REFINER_REFINEMENT_H
 
-#include "Refinement.h"
+#include "Creased_refinement.h"
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 
@@ -23,7 +23,9 @@ class Refiner_refinement : public Refinement
 
 public:
   Refiner_refinement(const Control_mesh& mesh, const S& scheme, unsigned rounds)
-    : refiner_(make(mesh, scheme, rounds))
+    : scheme_(scheme)
+    , rounds_(rounds)
+    , refiner_(make(mesh, scheme, rounds))
   {
     all_.resize(refiner_->number_of_vertices());
     for (std::size_t v = 0; v < all_.size(); ++v) all_[v] = Index(v);
@@ -42,6 +44,13 @@ public:
   const std::vector<Point_3>& points() const override { return refiner_->points(); }
   const std::vector<Vector_3>& normals() const override { return refiner_->normals(); }
   const std::vector<Index>& cut_vertices() const override { return all_; }
+
+  // A refiner does not tell: the mesh is subdivided once more, which limit points take longer than.
+  std::vector<double> roundness(const Control_mesh& mesh) const override
+  {
+    if (is_linear || !mesh.has_roundness()) return {};
+    return Creased_refinement<S, is_linear>(mesh, scheme_, rounds_).roundness(mesh);
+  }
 
   Faces faces() const override
   {
@@ -78,10 +87,15 @@ private:
       Surface copy = mesh.surface();
       const auto normals = copy.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
       for (const auto v : copy.vertices()) normals[v] = normal_at(mesh, v);
-      return std::make_unique<Refiner>(copy, scheme, np.vertex_normal_map(normals));
+      const pn_subdivide::Roundness_map roundness = *pn_subdivide::roundness_of(copy);
+      return std::make_unique<Refiner>(copy, scheme,
+                                       CGAL::PN_subdivision_3::parameters::vertex_roundness_map(
+                                         roundness, np.vertex_normal_map(normals)));
     }
   }
 
+  S scheme_;
+  unsigned rounds_;
   std::unique_ptr<Refiner> refiner_;
   std::vector<Index> all_;
 };

@@ -108,6 +108,7 @@ Control_mesh restore_mesh(const val& state)
     s.corners = vector_of<std::uint32_t>(state["corners"]);
     s.corner_normals = vector_of<double>(state["cornerNormals"]);
     s.sharp_edges = vector_of<std::uint32_t>(state["sharpEdges"]);
+    s.roundness = vector_of<double>(state["roundness"]);
     return Control_mesh(s);
   });
 }
@@ -121,6 +122,7 @@ val state_of(const Control_mesh& mesh)
   result.set("corners", copy_of(s.corners));
   result.set("cornerNormals", copy_of(s.corner_normals));
   result.set("sharpEdges", copy_of(s.sharp_edges));
+  if (!s.roundness.empty()) result.set("roundness", copy_of(s.roundness));
   return result;
 }
 
@@ -172,6 +174,14 @@ unsigned detect_creases(Control_mesh& mesh, double degrees)
 {
   return guarded([&] { return unsigned(mesh.detect_creases(degrees)); });
 }
+void set_roundness(Control_mesh& mesh, double w)
+{
+  guarded([&] { mesh.set_roundness(w); });
+}
+void estimate_roundness(Control_mesh& mesh)
+{
+  guarded([&] { mesh.estimate_roundness(); });
+}
 unsigned number_of_sharp_edges(const Control_mesh& mesh)
 {
   return unsigned(mesh.number_of_sharp_edges());
@@ -213,9 +223,9 @@ void update(Refined_surface& surface, const Control_mesh& mesh)
 {
   guarded([&] { surface.update(mesh); });
 }
-void show_limit(Refined_surface& surface)
+void show_limit(Refined_surface& surface, const Control_mesh& mesh)
 {
-  guarded([&] { surface.show_limit(); });
+  guarded([&] { surface.show_limit(mesh); });
 }
 val curvature(Refined_surface& surface, bool is_gaussian)
 {
@@ -241,6 +251,10 @@ val control_normals_of(const Refined_surface& surface)
 {
   return triples(surface.normals());
 }
+val roundness_of(const Refined_surface& surface, const Control_mesh& mesh)
+{
+  return guarded([&] { return copy_of(surface.roundness(mesh)); });
+}
 val faces_of(const Refined_surface& surface)
 {
   return to_page(surface.faces());
@@ -249,11 +263,12 @@ val faces_of(const Refined_surface& surface)
 // --- curves ---
 
 val refine_curve(const val& points, const val& normals, const std::string& mask, bool is_linear,
-                 bool is_closed, unsigned rounds)
+                 bool is_closed, unsigned rounds, double roundness)
 {
   return guarded([&] {
-    const Plane_curve curve = refine_plane_curve(
-      vector_of<double>(points), vector_of<double>(normals), mask, is_linear, is_closed, rounds);
+    const Plane_curve curve =
+      refine_plane_curve(vector_of<double>(points), vector_of<double>(normals), mask, is_linear,
+                         is_closed, rounds, roundness);
     val result = val::object();
     result.set("points", copy_of(curve.points));
     result.set("normals", copy_of(curve.normals));
@@ -287,6 +302,8 @@ EMSCRIPTEN_BINDINGS(pn_subdivision_3)
     .function("detectCreases", detect_creases)
     .function("dropNormals", &Control_mesh::drop_normals)
     .function("estimateNormals", &Control_mesh::estimate_normals)
+    .function("setRoundness", set_roundness)
+    .function("estimateRoundness", estimate_roundness)
     .function("takeNormalsOfSphere", &Control_mesh::take_normals_of_sphere);
   class_<Refined_surface>("RefinedSurface")
     .function("follow", follow)
@@ -299,6 +316,7 @@ EMSCRIPTEN_BINDINGS(pn_subdivision_3)
     .function("triangles", triangles)
     .function("points", points_of)
     .function("controlNormals", control_normals_of)
+    .function("roundness", roundness_of)
     .function("faces", faces_of);
   function("readMesh", read_mesh);
   function("restoreMesh", restore_mesh);

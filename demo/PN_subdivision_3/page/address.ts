@@ -16,7 +16,8 @@ export interface Edits {
   points?: number[][]; // vertex, x, y, z
   normals?: number[][]; // corner, x, y, z
   sharp?: number[]; // pairs of vertices, all of them
-  mesh?: { points: number[]; degrees: number[]; corners: number[]; normals: number[]; sharp: number[] };
+  roundness?: number[]; // of all vertices, or of each
+  mesh?: { points: number[]; degrees: number[]; corners: number[]; normals: number[]; sharp: number[]; roundness?: number[] };
 }
 
 const sameArray = (a: ArrayLike<number>, b: ArrayLike<number>): boolean =>
@@ -31,6 +32,18 @@ function changedTriples(before: Float64Array, after: Float64Array): number[][] {
   return result;
 }
 
+/** One number where it is the same everywhere. */
+export function shortRoundness({ roundness }: MeshState): number[] {
+  if (!roundness) return [1];
+  return roundness.every((w) => w === roundness[0]) ? [roundness[0]] : [...roundness];
+}
+
+function longRoundness(short: number[] | undefined, vertices: number): Float64Array | undefined {
+  if (short === undefined) return undefined;
+  if (short.length !== 1 && short.length !== vertices) throw new Error("the link is damaged");
+  return Float64Array.from({ length: vertices }, (_, v) => short[short.length === 1 ? 0 : v]);
+}
+
 /** Nothing if the mesh is its example. */
 export function editsOf(mesh: MeshState, example: MeshState | undefined): Edits | undefined {
   if (!example || !sameArray(mesh.corners, example.corners) || !sameArray(mesh.degrees, example.degrees))
@@ -41,6 +54,7 @@ export function editsOf(mesh: MeshState, example: MeshState | undefined): Edits 
         corners: [...mesh.corners],
         normals: [...mesh.cornerNormals!],
         sharp: [...mesh.sharpEdges],
+        roundness: shortRoundness(mesh),
       },
     };
   const edits: Edits = {};
@@ -49,6 +63,8 @@ export function editsOf(mesh: MeshState, example: MeshState | undefined): Edits 
   if (points.length > 0) edits.points = points;
   if (normals.length > 0) edits.normals = normals;
   if (!sameArray(mesh.sharpEdges, example.sharpEdges)) edits.sharp = [...mesh.sharpEdges];
+  const roundness = shortRoundness(mesh);
+  if (!sameArray(roundness, shortRoundness(example))) edits.roundness = roundness;
   return Object.keys(edits).length > 0 ? edits : undefined;
 }
 
@@ -60,6 +76,7 @@ export function applyEdits(edits: Edits, example: MeshState | undefined): MeshSt
       corners: Uint32Array.from(edits.mesh.corners),
       cornerNormals: Float64Array.from(edits.mesh.normals),
       sharpEdges: Uint32Array.from(edits.mesh.sharp),
+      roundness: longRoundness(edits.mesh.roundness, edits.mesh.points.length / 3),
     };
   if (!example) throw new Error("the example of this link is not known");
   const state = { ...example, points: example.points.slice(), cornerNormals: example.cornerNormals!.slice() };
@@ -72,6 +89,7 @@ export function applyEdits(edits: Edits, example: MeshState | undefined): MeshSt
   put(state.points, edits.points);
   put(state.cornerNormals, edits.normals);
   if (edits.sharp) state.sharpEdges = Uint32Array.from(edits.sharp);
+  if (edits.roundness) state.roundness = longRoundness(edits.roundness, state.points.length / 3);
   return state;
 }
 

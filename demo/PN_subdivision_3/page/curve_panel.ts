@@ -41,6 +41,7 @@ export class CurvePanel {
     select("mask").addEventListener("change", () => editor.set({ mask: select("mask").value }));
     input("closed").addEventListener("change", () => editor.set({ closed: input("closed").checked }));
     input("curve-rounds").addEventListener("input", () => editor.set({ rounds: Number(input("curve-rounds").value) }));
+    input("curve-roundness").addEventListener("input", () => editor.set({ roundness: Number(input("curve-roundness").value) }));
     input("show-linear").addEventListener("change", () => editor.set({ showLinear: input("show-linear").checked }));
     input("show-comb").addEventListener("change", () => editor.set({ showComb: input("show-comb").checked }));
     input("comb-scale").addEventListener("input", () => editor.set({ combScale: Number(input("comb-scale").value) }));
@@ -75,6 +76,8 @@ export class CurvePanel {
     input("closed").checked = state.closed;
     input("curve-rounds").value = String(state.rounds);
     element("curve-rounds-value").textContent = String(state.rounds);
+    input("curve-roundness").value = String(state.roundness);
+    element("curve-roundness-value").textContent = state.roundness.toFixed(2);
     input("show-linear").checked = state.showLinear;
     input("show-comb").checked = state.showComb;
     input("comb-scale").value = String(state.combScale);

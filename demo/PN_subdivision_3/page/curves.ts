@@ -13,6 +13,7 @@ import type { CurveExample } from "./examples";
 import { History } from "./history";
 import type { Modeler, PlaneCurve } from "./modeler";
 import { deviation, roundShapeThrough } from "./round_shapes";
+import { make, space } from "./svg";
 
 export interface CurveState {
   example: string;
@@ -21,6 +22,7 @@ export interface CurveState {
   closed: boolean;
   mask: string;
   rounds: number;
+  roundness: number;
   showLinear: boolean;
   showComb: boolean;
   combScale: number; // 0 to 100
@@ -34,6 +36,7 @@ export function checkedCurve(given: Partial<CurveState>, usual: CurveState): Cur
     throw new Error("it has no points with normals");
   const inRange = (x: unknown, most: number, otherwise: number): number =>
     typeof x === "number" && x >= 0 && x <= most ? Math.floor(x) : otherwise;
+  const isShare = (x: unknown): x is number => typeof x === "number" && x >= 0 && x <= 1;
   return {
     example: String(given.example ?? ""),
     points,
@@ -41,13 +44,13 @@ export function checkedCurve(given: Partial<CurveState>, usual: CurveState): Cur
     closed: Boolean(given.closed),
     mask: String(given.mask ?? usual.mask),
     rounds: inRange(given.rounds, 8, usual.rounds),
+    roundness: isShare(given.roundness) ? given.roundness : 1,
     showLinear: Boolean(given.showLinear),
     showComb: Boolean(given.showComb),
     combScale: inRange(given.combScale, 100, usual.combScale),
   };
 }
 
-const space = "http://www.w3.org/2000/svg";
 const tipDistance = 34; // pixels
 
 type Hold = { kind: "point" | "normal"; vertex: number; pointer: number; x: number; y: number; before?: CurveState };
@@ -63,6 +66,7 @@ export class CurveEditor {
     closed: true,
     mask: "bspline:3",
     rounds: 6,
+    roundness: 1,
     showLinear: true,
     showComb: true,
     combScale: 12,
@@ -350,9 +354,9 @@ export class CurveEditor {
   }
 
   private refine(isLinear: boolean): PlaneCurve {
-    const { points, normals, mask, closed, rounds } = this.state;
+    const { points, normals, mask, closed, rounds, roundness } = this.state;
     return this.modeler.refineCurve(
-      Float64Array.from(points), Float64Array.from(normals), mask, isLinear, closed, rounds);
+      Float64Array.from(points), Float64Array.from(normals), mask, isLinear, closed, rounds, roundness);
   }
 
   /** The refined curve that is shown. */
@@ -494,11 +498,4 @@ function turn(normals: number[], v: number, degrees: number): void {
   const [x, y] = [normals[2 * v], normals[2 * v + 1]];
   const isZero = x === 0 && y === 0;
   normals.splice(2 * v, 2, isZero ? 0 : c * x - s * y, isZero ? 1 : s * x + c * y);
-}
-
-function make(name: string, attributes: Record<string, string | number>, data?: Record<string, string | number>): SVGElement {
-  const result = document.createElementNS(space, name);
-  for (const [key, value] of Object.entries(attributes)) result.setAttribute(key, String(value));
-  for (const [key, value] of Object.entries(data ?? {})) result.dataset[key] = String(value);
-  return result;
 }

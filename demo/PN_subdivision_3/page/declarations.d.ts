@@ -33,3 +33,7 @@ declare module "*.obj" {
   const text: string;
   export default text;
 }
+declare module "*.webp" {
+  const address: string;
+  export default address;
+}

@@ -8,17 +8,20 @@
 
 // The surface that is shown: its control mesh, what is made of it, and every change of it.
 
+import { shortRoundness } from "./address";
 import { History } from "./history";
 import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
-import { deviation, roundShapeThrough } from "./round_shapes";
+import { bestSphere, deviation, roundShapeThrough } from "./round_shapes";
 import { withCreases } from "./selection";
-import { endOfColors, type Shading } from "./shading";
+import { endOfColors, endOfRelative, relativeToMean, type Shading } from "./shading";
 import type { Layout, Selection, Viewer } from "./viewer";
 
 export interface Settings {
   scheme: string;
   rounds: number;
   layout: Layout;
+  /** Where the linear surface ends in the view, from 0 to 1. */
+  split: number;
   shading: Shading;
   limit: boolean;
   showControl: boolean;
@@ -38,10 +41,11 @@ export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>)
   const result: Partial<Settings> = {};
   if (typeof given.scheme === "string") result.scheme = given.scheme;
   if (typeof given.rounds === "number" && given.rounds >= 0) result.rounds = Math.min(7, Math.floor(given.rounds));
-  const layout = (["pn", "linear", "both"] as const).find((name) => name === given.layout);
+  const layout = (["pn", "linear", "both", "split"] as const).find((name) => name === given.layout);
   if (layout) result.layout = layout;
-  const shading = (["smooth", "zebra", "gaussian", "mean"] as const).find((name) => name === given.shading);
+  const shading = (["smooth", "zebra", "gaussian", "mean", "relative"] as const).find((name) => name === given.shading);
   if (shading) result.shading = shading;
+  if (typeof given.split === "number" && given.split >= 0) result.split = Math.min(1, given.split);
   for (const name of ["limit", "showControl", "showNormals"] as const)
     if (typeof given[name] === "boolean") result[name] = given[name];
   return result;
@@ -65,6 +69,8 @@ export class Editor {
   /** What the mesh is called; it is changed if it differs from its example. */
   name = "";
   normalLength = 1;
+  /** That of all vertices, if it is the same. */
+  roundness: number | undefined = 1;
   colorEnd = 1;
   /** The most rounds for this mesh and scheme. */
   greatestRounds = 7;
@@ -76,6 +82,7 @@ export class Editor {
     scheme: "catmull-clark",
     rounds: 4,
     layout: "both",
+    split: 0.5,
     shading: "smooth",
     limit: false,
     showControl: true,
@@ -91,6 +98,7 @@ export class Editor {
   private frame = 0;
   private beforeDrag: Version | undefined; // until something is dragged
   private hasDragged = false;
+  private beforeSlide: Version | undefined;
 
   constructor(
     private readonly modeler: Modeler,
@@ -189,11 +197,29 @@ export class Editor {
     this.changed();
   }
 
-  frameAll(keepDirection = false): void {
-    this.viewer.frameAll([this.shownHandles.points, this.shownSurface.positionsView()], keepDirection);
+  /** Where the two surfaces of one view meet. */
+  setSplit(split: number, isFinal: boolean): void {
+    this.settings.split = split;
+    this.viewer.setLayout(this.settings.layout, split);
+    this.onChange?.(isFinal);
+  }
+
+  /** From the usual direction, or from another one. */
+  frameAll(direction?: Triple): void {
+    this.viewer.frameAll([this.shownHandles.points, this.shownSurface.positionsView()], direction);
   }
 
   // --- changes of the mesh ---
+
+  /** While a slider moves it is one change. */
+  slideRoundness(w: number, isLast: boolean): void {
+    if (!this.beforeSlide) this.history.remember((this.beforeSlide = this.version()));
+    this.mesh.setRoundness(w);
+    this.replace(this.mesh, this.settings);
+    if (!isLast) return;
+    this.beforeSlide = undefined;
+    this.changed();
+  }
 
   /** A change that is done at once. */
   change(change: (mesh: ControlMesh) => void): void {
@@ -286,7 +312,7 @@ export class Editor {
 
   select(selection: Selection): void {
     this.selection = selection;
-    this.showControlMesh();
+    this.viewer.showSelection(this.shownHandles, this.normalLength, selection);
     this.onChange?.(false);
   }
 
@@ -306,13 +332,14 @@ export class Editor {
     const traits = this.schemes.get(wanted.scheme);
     if (!traits) throw new Error(`there is no scheme ${wanted.scheme}`);
     const split = traits.takesTriangles && !mesh.hasOnlyTriangles() ? mesh.triangulated() : mesh;
-    const most = this.mostRounds(split, wanted.scheme);
+    const state = split.state();
+    const most = this.mostRounds(state, wanted.scheme);
     const rounds = Math.min(wanted.rounds, most);
     const made = new Map<boolean, RefinedSurface>();
-    const origin = this.originFor(split);
+    const origin = this.originFor(state.points);
     try {
       for (const isLinear of [false, true])
-        if (wanted.layout === "both" || (wanted.layout === "linear") === isLinear)
+        if (hasTwoSurfaces(wanted.layout) || (wanted.layout === "linear") === isLinear)
           made.set(isLinear, this.modeler.refine(split, wanted.scheme, rounds, isLinear, ...origin));
     } catch (error) {
       for (const surface of made.values()) surface.delete();
@@ -329,20 +356,19 @@ export class Editor {
     this.origin = origin;
     this.settings = { ...wanted, rounds };
     this.greatestRounds = most;
-    this.readHandles();
+    this.readHandles(state);
     for (const [isLinear, surface] of made) this.viewer.pane(isLinear).setTriangles(surface.triangles());
     this.show(true, performance.now() - started);
   }
 
   /** 0 for what is near it; otherwise the center, which stays while the mesh does not go far away. */
-  private originFor(mesh: ControlMesh): Triple {
-    const { center, size } = boxOf(mesh.state().points);
+  private originFor(points: Float64Array): Triple {
+    const { center, size } = boxOf(points);
     const isNear = (origin: Triple): boolean => Math.hypot(...center.map((x, k) => x - origin[k])) <= 10 * size;
     return ([[0, 0, 0], this.origin] as Triple[]).find(isNear) ?? center;
   }
 
-  private mostRounds(mesh: ControlMesh, scheme: string): number {
-    const { corners, degrees } = mesh.state();
+  private mostRounds({ corners, degrees }: MeshState, scheme: string): number {
     const traits = this.schemes.get(scheme)!;
     const inFirst = traits.takesTriangles ? (scheme === "sqrt3" ? 3 : 4) * degrees.length : corners.length;
     const perRound = scheme === "sqrt3" ? 3 : 4;
@@ -351,9 +377,11 @@ export class Editor {
     return Math.min(rounds, 7);
   }
 
-  private readHandles(): void {
+  private readHandles(state: MeshState): void {
     ++this.meshNumber;
     this.handles = this.mesh.handles();
+    const roundness = shortRoundness(state);
+    this.roundness = roundness.length === 1 ? roundness[0] : undefined;
     const { points, edges, sharp } = this.handles;
     let length = 0;
     for (let e = 0; e < sharp.length; ++e) {
@@ -362,6 +390,7 @@ export class Editor {
     }
     this.shownHandles = { ...this.handles, points: points.map((x, i) => x - this.origin[i % 3]) };
     this.size = boxOf(points).size || 1;
+    this.viewer.setClosed(!this.handles.border.includes(1));
     this.normalLength = Math.min((0.5 * length) / Math.max(1, sharp.length), 0.14 * this.size);
     const { wedge, vertex } = this.selection;
     if (wedge !== undefined && (wedge >= this.handles.vertices.length || this.handles.vertices[wedge] !== vertex))
@@ -385,11 +414,11 @@ export class Editor {
   /** Limit points and curvatures are left for the end of a drag where they take long. */
   private show(isLast: boolean, milliseconds?: number): void {
     const { limit, shading } = this.settings;
-    const curved = shading === "gaussian" || shading === "mean";
+    const curved = isCurvature(shading);
     for (const [isLinear, surface] of this.surfaces) {
       const pane = this.viewer.pane(isLinear);
       if (limit && this.canShowLimit && (isLast || this.cost.limit < whileDragging))
-        this.cost.limit = timeOf(() => surface.showLimit());
+        this.cost.limit = timeOf(() => surface.showLimit(this.mesh));
       else if (!limit || !this.canShowLimit) surface.hideLimit();
       pane.setVertices(surface.positionsView(), surface.normalsView());
     }
@@ -397,14 +426,15 @@ export class Editor {
       const values = new Map<boolean, Float32Array>();
       this.cost.curvature = timeOf(() => {
         for (const [isLinear, surface] of this.surfaces)
-          values.set(isLinear, surface.curvature(shading === "gaussian"));
+          values.set(isLinear, surface.curvature(shading !== "mean"));
       });
       // the colors are those of the surface that is looked at, so that both views can be compared
       const pn = values.get(false) ?? values.get(true)!;
-      this.colorEnd = endOfColors([pn], this.size, shading);
-      for (const [isLinear, array] of values) this.viewer.pane(isLinear).setValues(array);
+      this.colorEnd = shading === "relative" ? endOfRelative : endOfColors([pn], this.size, shading);
+      for (const [isLinear, array] of values)
+        this.viewer.pane(isLinear).setValues(shading === "relative" ? relativeToMean(array) : array);
     }
-    this.viewer.setLayout(this.settings.layout);
+    this.viewer.setLayout(this.settings.layout, this.settings.split);
     this.viewer.setShading(shading, this.colorEnd);
     this.viewer.setVisible(this.settings.showControl, this.settings.showNormals);
     this.viewer.setSize(this.size / 2);
@@ -416,17 +446,20 @@ export class Editor {
     this.onChange?.(false);
   }
 
-  /** How far the surfaces are from the sphere that the control points are on, if they are on one. */
+  /** How much the radii of each surface differ, about the sphere that fits it best, if the control points are on one. */
   private deviations(isLast: boolean): string {
-    const sphere = isLast ? roundShapeThrough(this.handles.points, 3) : undefined;
-    if (!sphere) return "";
-    const parts = [...this.surfaces].map(
-      ([isLinear, surface]) =>
-        `${isLinear ? "linear" : "point-normal"} ${deviation(surface.points(), sphere.center, sphere.radius).toExponential(0)}`,
-    );
-    return ` · distance from the sphere in radii: ${parts.join(", ")}`;
+    if (!isLast || !roundShapeThrough(this.handles.points, 3)) return "";
+    const parts = [...this.surfaces].reverse().map(([isLinear, surface]) => {
+      const points = surface.points();
+      const { center, radius } = bestSphere(points);
+      return `${isLinear ? "linear" : "point-normal"} ±${share(deviation(points, center, radius))}`;
+    });
+    return ` · radii about the best sphere: ${parts.join(", ")}`;
   }
 
+  get showsLimit(): boolean {
+    return this.settings.limit && this.canShowLimit;
+  }
   get canShowLimit(): boolean {
     return this.scheme.hasLimitPoints && this.mesh.numberOfSharpEdges() === 0;
   }
@@ -449,6 +482,18 @@ function boxOf(points: Float64Array): { center: Triple; size: number } {
 
 function isTriple(values: Float64Array, i: number, triple: number[]): boolean {
   return triple.every((x, k) => values[3 * i + k] === x);
+}
+
+function hasTwoSurfaces(layout: Layout): boolean {
+  return layout === "both" || layout === "split";
+}
+function isCurvature(shading: Shading): boolean {
+  return shading === "gaussian" || shading === "mean" || shading === "relative";
+}
+
+/** A small number in hundredths, one that is rounding with its power of ten. */
+function share(x: number): string {
+  return x < 1e-6 ? x.toExponential(0) : `${(100 * x).toPrecision(2)} %`;
 }
 
 function timeOf(work: () => void): number {

@@ -38,8 +38,10 @@ export function say(text: string, kind: "error" | "note"): void {
   box.querySelector("span")!.textContent = text;
   box.hidden = false;
 }
-export function silence(): void {
-  element("message").hidden = true;
+/** Takes any message away, or only this one. */
+export function silence(text?: string): void {
+  const box = element("message");
+  if (text === undefined || box.querySelector("span")!.textContent === text) box.hidden = true;
 }
 
 /** For screen readers. */

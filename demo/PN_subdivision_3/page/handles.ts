@@ -245,7 +245,7 @@ export class Handles {
       "+": () => this.viewer.zoom(1 / 1.1),
       "=": () => this.viewer.zoom(1 / 1.1),
       "-": () => this.viewer.zoom(1.1),
-      f: () => this.editor.frameAll(true),
+      f: () => this.editor.frameAll(this.viewer.direction),
       n: () => this.selectNext(1),
       p: () => this.selectNext(-1),
       Escape: () => this.editor.select({}),

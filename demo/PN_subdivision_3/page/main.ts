@@ -14,13 +14,18 @@ import { checkedCurve, CurveEditor, type CurveState } from "./curves";
 import { checkedSettings, Editor, messageOf, type Settings } from "./editor";
 import { announce, button, element, say, silence } from "./elements";
 import { curveExamples, examples } from "./examples";
+import { FormulaView } from "./formula_view";
+import { exampleOf, fillGallery, markPicture, pictures } from "./gallery";
 import { Handles } from "./handles";
 import { loadModeler, type MeshState, type Modeler } from "./modeler";
 import type { Theme } from "./shading";
 import { SurfacePanel } from "./surface_panel";
+import { Tour } from "./tour";
+import { TurnMe } from "./turn_me";
 import { Viewer } from "./viewer";
 
-type Tab = "surface" | "curve";
+const tabs = ["surface", "curve", "formula"] as const;
+type Tab = (typeof tabs)[number];
 
 /** Of links; what another page cannot read has another number. Links of before had none. */
 const linkVersion = 1;
@@ -32,6 +37,8 @@ interface Shared {
   settings: Settings;
   camera: number[];
   edits?: Edits;
+  /** The picture that this is. */
+  picture?: string;
 }
 
 class Page {
@@ -41,6 +48,9 @@ class Page {
   readonly curve: CurveEditor;
   private readonly panel: SurfacePanel;
   private readonly curvePanel: CurvePanel;
+  readonly formula: FormulaView;
+  private readonly turnMe: TurnMe;
+  private picture: string | undefined;
   private timer = 0;
   private ownAddress = "";
   private place = ""; // what is looked at: the browser goes back to the one before
@@ -55,8 +65,13 @@ class Page {
     const handles = new Handles(this.viewer, this.editor, announce);
     this.panel = new SurfacePanel(this.editor, this.viewer, handles, modeler, link);
     this.curvePanel = new CurvePanel(this.curve, link);
+    this.formula = new FormulaView(element<SVGSVGElement>("formula-drawing"), announce);
+    this.turnMe = new TurnMe(this.viewer, this.editor);
+    fillGallery((name) => this.showPicture(name));
+    new Tour((name) => this.showStep(name));
     this.editor.onChange = (isFinal) => {
       this.panel.refresh();
+      if (this.picture && this.editor.name !== exampleOf(this.picture)) this.takePicture(undefined);
       if (isFinal) this.changed();
     };
     this.curve.onChange = () => {
@@ -67,11 +82,12 @@ class Page {
     this.editor.history.onChange = this.curve.history.onChange = () => this.showHistory();
     this.wire();
     this.takeTheme();
+    document.body.classList.toggle("embedded", new URLSearchParams(location.search).get("embed") === "1");
   }
 
   async start(): Promise<void> {
     this.curve.show(curveExamples.bottle, "bottle", true);
-    if (!(await this.readAddress())) this.panel.showExample("cube", {}, true);
+    if (!(await this.readAddress())) this.showPicture("cube", true);
     this.isReady = true;
     this.place = this.placeOfNow();
     this.changed();
@@ -90,15 +106,17 @@ class Page {
     button("undo").addEventListener("click", () => this.undo());
     button("redo").addEventListener("click", () => this.redo());
     button("help").addEventListener("click", () => element<HTMLDialogElement>("help-dialog").showModal());
-    element("message").querySelector("button")!.addEventListener("click", silence);
-    for (const tab of ["surface", "curve"] as const)
+    element("message").querySelector("button")!.addEventListener("click", () => silence());
+    for (const tab of tabs)
       button(`tab-${tab}`).addEventListener("click", () => this.show(tab));
     element("tab-surface").parentElement!.addEventListener("keydown", (event) => {
       if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
-      this.show(this.tab === "surface" ? "curve" : "surface");
+      const step = event.key === "ArrowRight" ? 1 : tabs.length - 1;
+      this.show(tabs[(tabs.indexOf(this.tab) + step) % tabs.length]);
       button(`tab-${this.tab}`).focus();
     });
     window.addEventListener("keydown", (event) => this.key(event));
+    for (const form of document.querySelectorAll("form.panel")) form.addEventListener("submit", (event) => event.preventDefault());
     window.addEventListener("hashchange", () => {
       if (location.hash !== this.ownAddress) void this.goTo();
     });
@@ -116,31 +134,64 @@ class Page {
     if (event.key === "?" && !inText) element<HTMLDialogElement>("help-dialog").showModal();
   }
 
+  /** What undo and redo are of. */
+  private get edited(): Editor | CurveEditor | undefined {
+    return { surface: this.editor, curve: this.curve, formula: undefined }[this.tab];
+  }
+
   private undo(): void {
     silence();
-    (this.tab === "surface" ? this.editor : this.curve).undo();
+    this.edited?.undo();
   }
   private redo(): void {
     silence();
-    (this.tab === "surface" ? this.editor : this.curve).redo();
+    this.edited?.redo();
   }
 
   private showHistory(): void {
-    const { history } = this.tab === "surface" ? this.editor : this.curve;
-    button("undo").disabled = !history.canUndo;
-    button("redo").disabled = !history.canRedo;
+    button("undo").disabled = !this.edited?.history.canUndo;
+    button("redo").disabled = !this.edited?.history.canRedo;
+  }
+
+  // --- pictures ---
+
+  private showPicture(name: string, isFirst = false): boolean {
+    const picture = pictures[name];
+    if (!isFirst) silence();
+    if (!picture?.settings) {
+      this.curve.show(curveExamples.bottle, "bottle");
+      this.show("curve");
+      return false;
+    }
+    if (!this.panel.showExample(exampleOf(name), picture.settings, isFirst)) return false;
+    this.editor.frameAll(picture.direction);
+    this.takePicture(name);
+    return true;
+  }
+
+  private showStep(name: string): void {
+    if (name === "formula") return this.show("formula");
+    if (this.tab !== "surface") this.show("surface");
+    this.showPicture(name);
+  }
+
+  private takePicture(name: string | undefined): void {
+    this.picture = name;
+    markPicture(name);
+    this.turnMe.show(name !== undefined && pictures[name].asksToTurn === true);
   }
 
   private show(tab: Tab): void {
     this.tab = tab;
-    for (const name of ["surface", "curve"] as const) {
+    for (const name of tabs) {
       element(name).hidden = name !== tab;
       button(`tab-${name}`).setAttribute("aria-selected", String(name === tab));
       button(`tab-${name}`).tabIndex = name === tab ? 0 : -1;
     }
     this.showHistory();
     if (tab === "surface") this.viewer.requestDraw();
-    else this.curve.requestDraw();
+    else if (tab === "curve") this.curve.requestDraw();
+    else this.formula.draw();
     this.changed();
   }
 
@@ -168,11 +219,12 @@ class Page {
   }
 
   private placeOfNow(): string {
-    return this.tab === "curve" ? "curve" : `surface ${this.editor.name}`;
+    return this.tab === "surface" ? `surface ${this.editor.name}` : this.tab;
   }
 
   /** Nothing for a large mesh of the user's, of which no address is made. */
   private async address(): Promise<string | undefined> {
+    if (this.tab === "formula") return "#formula";
     if (this.tab === "curve") return `#curve=${await pack({ version: linkVersion, ...this.curve.state })}`;
     const { editor } = this;
     const { handles } = editor;
@@ -188,6 +240,7 @@ class Page {
     };
     const edits = this.editsOfNow();
     if (edits) shared.edits = edits;
+    else if (this.picture) shared.picture = this.picture;
     return `#${encodeURIComponent(editor.name)}=${await pack(shared)}`;
   }
 
@@ -215,6 +268,7 @@ class Page {
     const write = place === this.place ? history.replaceState : history.pushState;
     this.place = place;
     this.ownAddress = hash;
+    element<HTMLAnchorElement>("whole").href = location.pathname + hash;
     write.call(history, null, "", hash || location.pathname + location.search);
   }
 
@@ -242,6 +296,11 @@ class Page {
   /** Shows what the address says; false if it says nothing. */
   private async readAddress(): Promise<boolean> {
     const [name, packed] = location.hash.slice(1).split("=");
+    if (name === "formula") {
+      this.show("formula");
+      return this.editor.mesh !== undefined || this.showPicture("cube", true);
+    }
+    if (name.startsWith("picture-")) return this.showPictureOf(name.slice("picture-".length));
     if (!packed) return name !== "" && this.panel.showExample(decodeURIComponent(name), {}, this.editor.mesh === undefined);
     try {
       const value = await unpack(packed);
@@ -260,6 +319,14 @@ class Page {
     }
   }
 
+  private showPictureOf(name: string): boolean {
+    const isFirst = this.editor.mesh === undefined;
+    if (name !== "bottle") return pictures[name] !== undefined && this.showPicture(name, isFirst);
+    if (isFirst) this.showPicture("cube", true);
+    this.showPicture(name);
+    return true;
+  }
+
   private takeShared(name: string, shared: Shared): boolean {
     const { settings, edits } = shared;
     const make = () =>
@@ -271,6 +338,8 @@ class Page {
       this.viewer.camera.position.fromArray(camera);
       this.viewer.controls.update();
     }
+    const { picture } = shared;
+    this.takePicture(picture !== undefined && Object.hasOwn(pictures, picture) && exampleOf(picture) === name ? picture : undefined);
     return true;
   }
 }

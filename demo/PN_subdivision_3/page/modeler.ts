@@ -6,100 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// The package as WebAssembly: the types of ../modeler/bindings.cpp, and how the module is loaded from the page itself.
+// The package as WebAssembly: how the module is loaded from the page itself.
 
 import createModule from "modeler-code";
 import compressedModule from "modeler-wasm";
+import type { Modeler } from "./modeler_types";
 
-/** All that is to be known of a control mesh, as flat arrays: for undo, files and addresses. */
-export interface MeshState {
-  points: Float64Array;
-  degrees: Uint32Array;
-  corners: Uint32Array;
-  /** Of each corner; without them they are estimated. */
-  cornerNormals?: Float64Array;
-  /** Pairs of vertices. */
-  sharpEdges: Uint32Array;
-}
-
-/** What a user takes hold of. A wedge is a run of faces at a vertex between sharp edges, with a normal of its own. */
-export interface Handles {
-  points: Float64Array;
-  /** The vertex of each wedge. */
-  vertices: Uint32Array;
-  /** Of each wedge. */
-  normals: Float64Array;
-  edges: Uint32Array;
-  sharp: Uint8Array;
-  border: Uint8Array;
-}
-
-export interface Faces {
-  degrees: Uint32Array;
-  corners: Uint32Array;
-}
-
-export interface ControlMesh {
-  state(): MeshState;
-  handles(): Handles;
-  triangulated(): ControlMesh;
-  hasOnlyTriangles(): boolean;
-  numberOfFaces(): number;
-  numberOfSharpEdges(): number;
-  setPoint(vertex: number, x: number, y: number, z: number): void;
-  setNormal(wedge: number, x: number, y: number, z: number): void;
-  setSharp(edge: number, isSharp: boolean): void;
-  detectCreases(degrees: number): number;
-  dropNormals(): void;
-  estimateNormals(): void;
-  takeNormalsOfSphere(): void;
-  delete(): void;
-}
-
-export interface RefinedSurface {
-  /** To be told of each control vertex that has changed, before update(). */
-  follow(mesh: ControlMesh, vertex: number): void;
-  update(mesh: ControlMesh): void;
-  /** Until hideLimit() or the next update(). */
-  showLimit(): void;
-  hideLimit(): void;
-  curvature(isGaussian: boolean): Float32Array;
-  /** Relative to the origin that refine() was given. Views are valid until the next call of anything. */
-  positionsView(): Float32Array;
-  normalsView(): Float32Array;
-  triangles(): Uint32Array;
-  points(): Float64Array;
-  controlNormals(): Float64Array;
-  faces(): Faces;
-  delete(): void;
-}
-
-export interface SchemeTraits {
-  name: string;
-  takesTriangles: boolean;
-  takesQuads: boolean;
-  hasCreaseRules: boolean;
-  hasLimitPoints: boolean;
-}
-
-export interface PlaneCurve {
-  points: Float64Array;
-  normals: Float64Array;
-  curvature: Float64Array;
-  /** Tips of the teeth, for the scale 1. */
-  comb: Float64Array;
-}
-
-export interface Modeler {
-  readMesh(content: Uint8Array, format: string): ControlMesh;
-  restoreMesh(state: MeshState): ControlMesh;
-  /** What is shown is relative to x, y, z. */
-  refine(mesh: ControlMesh, scheme: string, rounds: number, isLinear: boolean, x: number, y: number, z: number): RefinedSurface;
-  schemes(): SchemeTraits[];
-  refineCurve(points: Float64Array, normals: Float64Array, mask: string, isLinear: boolean, isClosed: boolean,
-    rounds: number): PlaneCurve;
-  estimateCurveNormals(points: Float64Array, isClosed: boolean): Float64Array;
-}
+export type * from "./modeler_types";
 
 export async function inflate(bytes: Uint8Array, format: CompressionFormat): Promise<Uint8Array> {
   const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream(format));

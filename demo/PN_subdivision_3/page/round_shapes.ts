@@ -32,6 +32,29 @@ export function deviation(points: ArrayLike<number>, center: number[], radius: n
   return worst;
 }
 
+/** The sphere of which the squared distances of the points are least wrong: linear in the center and r^2 - |center|^2. */
+export function bestSphere(points: ArrayLike<number>): Round {
+  const n = points.length / 3;
+  const mean = [0, 0, 0];
+  for (let i = 0; i < points.length; ++i) mean[i % 3] += points[i] / n;
+  const second = [0, 1, 2].map(() => [0, 0, 0]);
+  const third = [0, 0, 0];
+  let squared = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    const d = mean.map((m, k) => points[i + k] - m);
+    const length = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    squared += length / n;
+    for (let k = 0; k < 3; ++k) {
+      third[k] += (d[k] * length) / n;
+      for (let j = 0; j < 3; ++j) second[k][j] += (2 * d[k] * d[j]) / n;
+    }
+  }
+  const found = solve(second, third);
+  const offset = found.every(Number.isFinite) ? found : [0, 0, 0];
+  const radius = Math.sqrt(squared + offset.reduce((sum, x) => sum + x * x, 0));
+  return { center: mean.map((m, k) => m + offset[k]), radius };
+}
+
 export interface Round {
   center: number[];
   radius: number;

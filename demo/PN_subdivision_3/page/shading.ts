@@ -10,7 +10,7 @@
 
 import * as THREE from "three";
 
-export type Shading = "smooth" | "zebra" | "gaussian" | "mean";
+export type Shading = "smooth" | "zebra" | "gaussian" | "mean" | "relative";
 
 export interface Theme {
   background: string;
@@ -41,6 +41,7 @@ uniform int mode; // 0 smooth, 1 zebra, 2 curvature
 uniform float scale;
 uniform vec3 surface;
 uniform vec3 inside;
+uniform bool isClosed;
 varying vec3 vNormal;
 varying vec3 vPosition;
 varying float vValue;
@@ -58,7 +59,8 @@ void main() {
   vec3 n = normalize(vNormal);
   if (!gl_FrontFacing) n = -n;
   vec3 toEye = normalize(-vPosition);
-  vec3 color = gl_FrontFacing ? surface : inside;
+  bool isOutside = gl_FrontFacing || isClosed;
+  vec3 color = isOutside ? surface : inside;
   if (mode == 2) color = diverging(vValue / scale);
   if (mode == 1) {
     // stripes of lamps that are far away, parallel to the horizon
@@ -67,7 +69,7 @@ void main() {
     float width = fwidth(stripe);
     float black = smoothstep(-width, width, sin(stripe));
     color = mix(vec3(0.025), vec3(0.93), black);
-    if (!gl_FrontFacing) color *= inside + 0.25;
+    if (!isOutside) color *= inside + 0.25;
   }
   float key = max(dot(n, normalize(vec3(0.45, 0.75, 0.65))), 0.0);
   float fill = max(dot(n, normalize(vec3(-0.8, 0.1, 0.45))), 0.0);
@@ -95,6 +97,7 @@ export function makeMaterial(): THREE.ShaderMaterial {
       scale: { value: 1 },
       surface: { value: new THREE.Color() },
       inside: { value: new THREE.Color() },
+      isClosed: { value: false },
     },
   });
 }
@@ -107,6 +110,15 @@ export function setShading(material: THREE.ShaderMaterial, shading: Shading, sca
 export function setTheme(material: THREE.ShaderMaterial, theme: Theme): void {
   material.uniforms.surface.value.set(theme.surface);
   material.uniforms.inside.value.set(theme.inside);
+}
+
+/** The end of the colors of curvatures relative to their mean: this much less and more. */
+export const endOfRelative = 0.4;
+
+/** How much each value differs from the mean of all, as a share of it. */
+export function relativeToMean(values: Float32Array): Float32Array {
+  const mean = values.reduce((sum, x) => sum + x, 0) / Math.max(1, values.length);
+  return values.map((x) => x / mean - 1);
 }
 
 /** The value at the end of the colors: nine tenths of the vertices are within. What is flat but for rounding stays so. */

@@ -11,9 +11,10 @@
 import { button, choose, element, fill, input, onChoice, say, select, silence } from "./elements";
 import { format, type Editor, type Settings, type Triple } from "./editor";
 import { examples } from "./examples";
-import { objFile, plyFile, save } from "./files";
+import { glbFile, objFile, objOfVertices, plyFile, save, stlFile } from "./files";
 import type { Handles } from "./handles";
 import type { Modeler } from "./modeler";
+import { commandFor, controlFiles, programFor } from "./recipe";
 import { selectionFile, withCreases } from "./selection";
 import type { Shading } from "./shading";
 import type { Layout, Viewer } from "./viewer";
@@ -30,6 +31,15 @@ const titles: Record<string, string> = {
   "ct-catmull-clark": "Catmull-Clark, curvature transfer",
   "ct-loop": "Loop, curvature transfer",
 };
+
+/** Files of more bytes are read so slowly that it is said before. */
+const large = 2e6;
+
+/** The page stands still afterwards. */
+async function sayAndShow(text: string): Promise<void> {
+  say(text, "note");
+  for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+}
 
 export class SurfacePanel {
   constructor(
@@ -82,9 +92,11 @@ export class SurfacePanel {
     const file = mesh ?? creases;
     if (!file) return;
     try {
+      if (file.size > large) await sayAndShow(`Reading ${file.name} …`);
       const selection = await creases?.text();
       if (mesh) this.editor.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name, selection);
       else this.editor.openSelection(selection!, file.name);
+      silence(`Reading ${file.name} …`);
     } catch {
       say(`${file.name}: the file cannot be read`, "error");
     }
@@ -120,6 +132,8 @@ export class SurfacePanel {
     onChoice("layout", (value) => editor.set({ layout: value as Layout }));
     onChoice("shading", (value) => editor.set({ shading: value as Shading }));
     input("limit").addEventListener("change", () => editor.set({ limit: input("limit").checked }));
+    for (const event of ["input", "change"] as const)
+      input("split").addEventListener(event, () => editor.setSplit(Number(input("split").value), event === "change"));
     input("show-control").addEventListener("change", () => editor.set({ showControl: input("show-control").checked }));
     input("show-normals").addEventListener("change", () => editor.set({ showNormals: input("show-normals").checked }));
   }
@@ -130,6 +144,10 @@ export class SurfacePanel {
     onClick("normals-zero", () => editor.change((mesh) => mesh.dropNormals()));
     onClick("normals-estimate", () => editor.change((mesh) => mesh.estimateNormals()));
     onClick("normals-sphere", () => editor.change((mesh) => mesh.takeNormalsOfSphere()));
+    for (const event of ["input", "change"] as const)
+      input("roundness").addEventListener(event, () => editor.slideRoundness(Number(input("roundness").value), event === "change"));
+    onClick("roundness-estimate", () => editor.change((mesh) => mesh.estimateRoundness()));
+    onClick("roundness-one", () => editor.change((mesh) => mesh.setRoundness(1)));
     onClick("mark", () => this.markEdges(!this.handles.marksEdges));
     onClick("creases-clear", () => editor.change((mesh) => void mesh.detectCreases(180)));
     onClick("detect", () => {
@@ -181,28 +199,54 @@ export class SurfacePanel {
 
   private wireExport(): void {
     const name = (): string => this.editor.name.replace(/\.[^.]*$/, "") || "mesh";
-    button("save-surface").addEventListener("click", () => {
-      const surface = this.editor.shownSurface;
-      save(plyFile(surface.points(), surface.controlNormals(), surface.faces()) as BlobPart, "model/ply",
-        `${name()}_${this.editor.settings.scheme}.ply`);
-    });
-    button("save-control").addEventListener("click", () => this.saveControlMesh(name()));
+    button("save-surface").addEventListener("click", () => this.saveSurface(name()));
+    button("save-control").addEventListener("click", () => this.saveControlMesh());
     button("save-png").addEventListener("click", async () => save(await this.viewer.png(), "image/png", `${name()}.png`));
     button("copy-link").addEventListener("click", this.onLink);
+    button("recipe").addEventListener("click", () => this.showRecipe());
+  }
+
+  /** PLY has all digits; the others are what is drawn. */
+  private saveSurface(name: string): void {
+    const format = select("surface-format").value;
+    const stem = `${name}_${this.editor.settings.scheme}`;
+    if (format === "ply") return this.savePly(`${stem}.ply`);
+    const { shownSurface: surface, origin } = this.editor;
+    const drawn = { positions: surface.positionsView().map((x, i) => x + origin[i % 3]), normals: surface.normalsView().slice(),
+      triangles: surface.triangles() };
+    if (format === "stl") return save(stlFile(drawn) as BlobPart, "model/stl", `${stem}.stl`);
+    if (format === "glb") return save(glbFile(drawn) as BlobPart, "model/gltf-binary", `${stem}.glb`);
+    save(objOfVertices(surface.points(), surface.controlNormals(), surface.faces()), "model/obj", `${stem}.obj`);
+  }
+
+  private savePly(fileName: string): void {
+    const { mesh, showsLimit, shownSurface: surface } = this.editor;
+    const roundness = showsLimit ? undefined : surface.roundness(mesh);
+    const vertices = { points: surface.points(), normals: surface.controlNormals(), roundness };
+    const kind = showsLimit ? "normals of the surface" : "control normals";
+    save(plyFile(vertices, surface.faces(), kind) as BlobPart, "model/ply", fileName);
+  }
+
+  private showRecipe(): void {
+    element("recipe-command").textContent = commandFor(this.editor);
+    element("recipe-program").textContent = programFor(this.editor);
+    element<HTMLDialogElement>("recipe-dialog").showModal();
   }
 
   /** PLY holds one normal for each vertex: with creases it is OBJ, and a selection file for creases of which normals
    * do not tell. */
-  private saveControlMesh(name: string): void {
+  private saveControlMesh(): void {
     const { mesh, handles } = this.editor;
     const state = mesh.state();
-    if (mesh.numberOfSharpEdges() > 0) {
-      save(objFile(state.points, state.cornerNormals!, state), "model/obj", `${name}_control.obj`);
-      return save(selectionFile(state), "text/plain", `${name}_control.selection.txt`);
+    const files = controlFiles(this.editor);
+    if (files.creases) {
+      if (state.roundness) say("OBJ holds no roundness: it is 1 when this file is opened.", "note");
+      save(objFile(state.points, state.cornerNormals!, state), "model/obj", files.mesh);
+      return save(selectionFile(state), "text/plain", files.creases);
     }
     const normals = new Float64Array(state.points.length);
     handles.vertices.forEach((v, w) => normals.set(handles.normals.subarray(3 * w, 3 * w + 3), 3 * v));
-    save(plyFile(state.points, normals, state) as BlobPart, "model/ply", `${name}_control.ply`);
+    save(plyFile({ points: state.points, normals, roundness: state.roundness }, state, "control normals") as BlobPart, "model/ply", files.mesh);
   }
 
   /** Shows what holds now. */
@@ -226,11 +270,26 @@ export class SurfacePanel {
     if (!editor.scheme.hasCreaseRules) this.markEdges(false);
     element("status").textContent = editor.status;
     this.showScale();
-
+    this.showRoundness();
     this.showSelected(false);
+    this.showLayout();
+  }
+
+  private showRoundness(): void {
+    const { roundness } = this.editor;
+    if (roundness !== undefined) input("roundness").value = String(roundness);
+    element("roundness-value").textContent = roundness === undefined ? "varies" : roundness.toFixed(2);
+  }
+
+  private showLayout(): void {
+    const { settings } = this.editor;
 
     const picture = this.viewer.canvas.parentElement!;
     picture.classList.toggle("both", settings.layout === "both");
+    picture.classList.toggle("split", settings.layout === "split");
+    picture.style.setProperty("--split", String(settings.split));
+    input("split").hidden = settings.layout !== "split";
+    input("split").value = String(settings.split);
     picture.classList.toggle("stacked", this.viewer.isStacked());
     element("label-linear").hidden = settings.layout === "pn";
     element("label-pn").hidden = settings.layout === "linear";
@@ -266,10 +325,12 @@ export class SurfacePanel {
 
   private showScale(): void {
     const { settings, colorEnd } = this.editor;
-    const isCurvature = settings.shading === "gaussian" || settings.shading === "mean";
-    element("scale").hidden = !isCurvature;
-    element("scale-name").textContent = settings.shading === "gaussian" ? "Gaussian curvature" : "Mean curvature";
-    element("scale-low").textContent = `−${colorEnd.toPrecision(2)}`;
-    element("scale-high").textContent = colorEnd.toPrecision(2);
+    const isRelative = settings.shading === "relative";
+    const title = { gaussian: "Gaussian curvature", mean: "Mean curvature", relative: "Gaussian curvature of each surface" };
+    element("scale").hidden = !(settings.shading in title);
+    element("scale-name").textContent = title[settings.shading as keyof typeof title] ?? "";
+    element("scale-low").textContent = isRelative ? `−${100 * colorEnd} %` : `−${colorEnd.toPrecision(2)}`;
+    element("scale-middle").textContent = isRelative ? "average" : "0";
+    element("scale-high").textContent = isRelative ? `+${100 * colorEnd} %` : colorEnd.toPrecision(2);
   }
 }

@@ -11,6 +11,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { DistancePicture } from "./distance_picture";
+import { makePale, Segments } from "./lines";
 import type { Handles } from "./modeler";
 import { makeMaterial, setShading, setTheme, type Shading, type Theme } from "./shading";
 
@@ -64,10 +65,10 @@ class Pane {
 class ControlPicture {
   readonly group = new THREE.Group();
   readonly normals = new THREE.Group();
-  private readonly edges = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
-  private readonly sharp = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly edges = new Segments();
+  private readonly sharp = new Segments();
   private readonly dots = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
-  private readonly stems = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
+  private readonly stems = new Segments();
   private readonly tips = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
   private readonly mark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
   private readonly tipMark = new THREE.Points(new THREE.BufferGeometry(), dotMaterial());
@@ -75,58 +76,57 @@ class ControlPicture {
   constructor() {
     this.group.add(this.edges, this.sharp, this.dots, this.mark);
     this.normals.add(this.stems, this.tips, this.tipMark);
-    for (const object of [...this.group.children, ...this.normals.children] as Drawn[]) {
+    for (const object of this.allDots) {
       object.frustumCulled = false;
       object.add(makeGhost(object));
     }
+    // what is selected is seen in front of the surface, too
+    for (const mark of [this.mark, this.tipMark]) {
+      mark.material.depthTest = false;
+      mark.renderOrder = 1;
+      mark.children[0].visible = false;
+    }
+  }
+
+  private get allDots(): Dots[] {
+    return [this.dots, this.tips, this.mark, this.tipMark];
   }
 
   setTheme(theme: Theme): void {
-    this.edges.material.color.set(theme.edge);
-    this.sharp.material.color.set(theme.crease);
+    this.edges.setColor(theme.edge);
+    this.sharp.setColor(theme.crease);
+    this.stems.setColor(theme.normal);
     this.dots.material.color.set(theme.vertex);
-    this.stems.material.color.set(theme.normal);
     this.tips.material.color.set(theme.normal);
     this.mark.material.color.set(theme.selection);
     this.tipMark.material.color.set(theme.selection);
-    for (const object of [...this.group.children, ...this.normals.children] as Drawn[])
-      (object.children[0] as Drawn).material.color.copy(object.material.color);
+    for (const object of this.allDots) (object.children[0] as Dots).material.color.copy(object.material.color);
   }
 
   /** In pixels. */
   setDotSize(size: number): void {
     for (const [points, factor] of [[this.dots, 1], [this.tips, 0.9], [this.mark, 1.6], [this.tipMark, 1.5]] as const) {
       points.material.size = factor * size;
-      (points.children[0] as THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial>).material.size = factor * size;
+      (points.children[0] as Dots).material.size = factor * size;
     }
   }
 
   show(handles: Handles, normalLength: number, selection: Selection): void {
-    const { points, edges, sharp, vertices } = handles;
-    const lines: number[] = [];
-    const creases: number[] = [];
-    for (let e = 0; e < sharp.length; ++e) {
-      const list = sharp[e] ? creases : lines;
-      for (const v of [edges[2 * e], edges[2 * e + 1]]) list.push(points[3 * v], points[3 * v + 1], points[3 * v + 2]);
-    }
-    const stems: number[] = [];
-    const tips: number[] = [];
-    for (let w = 0; w < vertices.length; ++w) {
-      const tip = normalTip(handles, w, normalLength);
-      if (!tip) continue;
-      const v = vertices[w];
-      stems.push(points[3 * v], points[3 * v + 1], points[3 * v + 2], ...tip);
-      tips.push(...tip);
-    }
-    setPositions(this.edges, lines);
-    setPositions(this.sharp, creases);
+    const { points, edges, sharp } = handles;
+    const isSharp = (e: number): boolean => sharp[e] > 0;
+    this.edges.setEnds(linesOf(points, edges, (e) => !isSharp(e)));
+    this.sharp.setEnds(linesOf(points, edges, isSharp));
+    const { stems, tips } = stemsOf(handles, normalLength);
     setPositions(this.dots, points);
-    setPositions(this.stems, stems);
+    this.stems.setEnds(stems);
     setPositions(this.tips, tips);
-    const v = selection.vertex;
-    setPositions(this.mark, v === undefined ? [] : points.slice(3 * v, 3 * v + 3));
-    const tip = selection.wedge === undefined ? undefined : normalTip(handles, selection.wedge, normalLength);
-    setPositions(this.tipMark, tip ?? []);
+    this.select(handles, normalLength, selection);
+  }
+
+  /** Marks what is selected; the rest stays as it is. */
+  select(handles: Handles, normalLength: number, { vertex: v, wedge }: Selection): void {
+    setPositions(this.mark, v === undefined ? [] : handles.points.slice(3 * v, 3 * v + 3));
+    setPositions(this.tipMark, (wedge === undefined ? undefined : normalTip(handles, wedge, normalLength)) ?? []);
   }
 }
 
@@ -137,7 +137,8 @@ export interface Selection {
 
 export function normalTip(handles: Handles, wedge: number, length: number): [number, number, number] | undefined {
   const v = handles.vertices[wedge];
-  const [x, y, z] = handles.normals.subarray(3 * wedge, 3 * wedge + 3);
+  const { normals } = handles;
+  const [x, y, z] = [normals[3 * wedge], normals[3 * wedge + 1], normals[3 * wedge + 2]];
   const size = Math.hypot(x, y, z);
   if (size === 0) return undefined;
   const s = length / size;
@@ -159,21 +160,48 @@ function dotMaterial(): THREE.PointsMaterial {
   return material;
 }
 
-type Drawn = (THREE.LineSegments | THREE.Points) & { material: THREE.LineBasicMaterial | THREE.PointsMaterial };
+type Dots = THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial>;
 
 /** The same, pale, where it is behind the surface. */
-function makeGhost(object: Drawn): Drawn {
-  const ghost = object.clone(false) as Drawn;
+function makeGhost(object: Dots): Dots {
+  const ghost = object.clone(false) as Dots;
   ghost.material = object.material.clone();
   ghost.material.onBeforeCompile = object.material.onBeforeCompile;
-  ghost.material.depthFunc = THREE.GreaterDepth;
-  ghost.material.depthWrite = false;
-  ghost.material.transparent = true;
-  ghost.material.opacity = 0.22;
+  makePale(ghost.material);
   return ghost;
 }
 
-function setPositions(object: THREE.LineSegments | THREE.Points, positions: ArrayLike<number>): void {
+/** The ends of those edges that are wanted. */
+function linesOf(points: Float64Array, edges: Uint32Array, isWanted: (edge: number) => boolean): Float32Array {
+  const result = new Float32Array(3 * edges.length);
+  let n = 0;
+  for (let e = 0; e < edges.length; ++e) {
+    if (!isWanted(e >> 1)) continue;
+    result.set(points.subarray(3 * edges[e], 3 * edges[e] + 3), n);
+    n += 3;
+  }
+  return result.subarray(0, n);
+}
+
+/** The lines from vertices to the tips of their normals, of those that have one. */
+function stemsOf(handles: Handles, length: number): { stems: Float32Array; tips: Float32Array } {
+  const { points, vertices } = handles;
+  const stems = new Float32Array(6 * vertices.length);
+  const tips = new Float32Array(3 * vertices.length);
+  let n = 0;
+  for (let w = 0; w < vertices.length; ++w) {
+    const tip = normalTip(handles, w, length);
+    if (!tip) continue;
+    for (let k = 0; k < 3; ++k) {
+      stems[6 * n + k] = points[3 * vertices[w] + k];
+      stems[6 * n + 3 + k] = tips[3 * n + k] = tip[k];
+    }
+    ++n;
+  }
+  return { stems: stems.subarray(0, 6 * n), tips: tips.subarray(0, 3 * n) };
+}
+
+function setPositions(object: Dots, positions: ArrayLike<number>): void {
   const array = Float32Array.from(positions);
   const old = object.geometry.getAttribute("position") as THREE.BufferAttribute | undefined;
   if (old && old.array.length === array.length) {
@@ -183,7 +211,7 @@ function setPositions(object: THREE.LineSegments | THREE.Points, positions: Arra
     object.geometry.dispose();
     object.geometry = new THREE.BufferGeometry();
     object.geometry.setAttribute("position", new THREE.BufferAttribute(array, 3));
-    for (const ghost of object.children as Drawn[]) ghost.geometry = object.geometry;
+    for (const ghost of object.children as Dots[]) ghost.geometry = object.geometry;
   }
 }
 
@@ -197,7 +225,12 @@ function graphicsOfBrowser(): "none" | "software" | "hardware" {
   return /swiftshader|llvmpipe|software/i.test(renderer) ? "software" : "hardware";
 }
 
-export type Layout = "pn" | "linear" | "both";
+export type Layout = "pn" | "linear" | "both" | "split";
+
+/** Where the two surfaces of one view meet: the middle of a slider's thumb of 28 pixels. */
+export function splitPlace(share: number, width: number): number {
+  return 14 + share * (width - 28);
+}
 
 export class Viewer {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
@@ -209,6 +242,7 @@ export class Viewer {
   private readonly pn: Pane;
   private readonly linear: Pane;
   private layout: Layout = "both";
+  private split = 0.5;
   private radius = 1;
   private normalLength = 1;
   private frame = 0;
@@ -248,8 +282,14 @@ export class Viewer {
     this.requestDraw();
   }
 
-  setLayout(layout: Layout): void {
+  /** The inside of what has no border is never seen: where two triangles meet on the outline, rounding shows it. */
+  setClosed(isClosed: boolean): void {
+    for (const pane of [this.pn, this.linear]) pane.material.uniforms.isClosed.value = isClosed;
+  }
+
+  setLayout(layout: Layout, split: number): void {
     this.layout = layout;
+    this.split = split;
     this.requestDraw();
   }
 
@@ -276,17 +316,27 @@ export class Viewer {
     this.requestDraw();
   }
 
-  /** Looks at everything from the usual direction, or from that of now. */
-  frameAll(pointLists: ArrayLike<number>[], keepDirection = false): void {
+  /** What is selected, where the rest is as it was. */
+  showSelection(handles: Handles, normalLength: number, selection: Selection): void {
+    this.control.select(handles, normalLength, selection);
+    this.controlCopy.select(handles, normalLength, selection);
+    this.requestDraw();
+  }
+
+  /** Where the eye is, from what it looks at. */
+  get direction(): [number, number, number] {
+    return this.camera.position.clone().sub(this.controls.target).toArray();
+  }
+
+  /** Looks at everything from the usual direction, or another one. */
+  frameAll(pointLists: ArrayLike<number>[], wanted?: [number, number, number]): void {
     const box = new THREE.Box3();
     const p = new THREE.Vector3();
     for (const points of pointLists)
       for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
     const sphere = box.getBoundingSphere(new THREE.Sphere());
     this.radius = sphere.radius || 1;
-    const direction = keepDirection
-      ? this.camera.position.clone().sub(this.controls.target).normalize()
-      : new THREE.Vector3(0.62, -1, 0.62).normalize();
+    const direction = new THREE.Vector3(...(wanted ?? ([0.62, -1, 0.62] as const))).normalize();
     const center = box.getCenter(new THREE.Vector3());
     const aspect = this.paneSize().x / Math.max(1, this.paneSize().y);
     const high = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
@@ -348,7 +398,8 @@ export class Viewer {
     const inX = isSecond && !this.isStacked() ? x - size.x : x;
     const inY = isSecond && this.isStacked() ? y - size.y : y;
     const ndc = new THREE.Vector2((2 * inX) / size.x - 1, 1 - (2 * inY) / size.y);
-    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) };
+    const isLeft = this.layout === "split" && x < splitPlace(this.split, size.x);
+    return { ndc, isLinear: this.layout === "linear" || (this.layout === "both" && !isSecond) || isLeft };
   }
 
   /** Where a point is in a pane, in CSS pixels from its middle, and how far away. */
@@ -356,6 +407,16 @@ export class Viewer {
     const size = this.paneSize();
     const projected = p.clone().project(this.camera);
     return { x: (projected.x * size.x) / 2, y: (-projected.y * size.y) / 2, depth: projected.z };
+  }
+
+  /** The middle of a pane on the canvas, in CSS pixels. */
+  middleOf(isLinear: boolean): { x: number; y: number } {
+    const size = this.paneSize();
+    const isSecond = this.layout === "both" && !isLinear;
+    return {
+      x: size.x / 2 + (isSecond && !this.isStacked() ? size.x : 0),
+      y: size.y / 2 + (isSecond && this.isStacked() ? size.y : 0),
+    };
   }
 
   ndcToPixels(ndc: THREE.Vector2): { x: number; y: number } {
@@ -419,16 +480,31 @@ export class Viewer {
     const dotSize = THREE.MathUtils.clamp(0.28 * pixels, 3.5, 9);
     this.control.setDotSize(dotSize);
     this.controlCopy.setDotSize(dotSize);
+    if (this.layout === "split") this.drawSplit(renderer, size);
+    else this.drawBesideEachOther(renderer, size);
+    this.onDraw?.();
+  }
+
+  private drawBesideEachOther(renderer: THREE.WebGLRenderer, size: THREE.Vector2): void {
     const panes = this.layout === "both" ? [this.linear, this.pn] : [this.pane(this.layout === "linear")];
     panes.forEach((pane, i) => {
       // from the lower left
       const x = this.isStacked() ? 0 : i * size.x;
-      const y = this.isStacked() && this.layout === "both" ? height - (i + 1) * size.y : 0;
+      const y = this.isStacked() && this.layout === "both" ? this.canvas.clientHeight - (i + 1) * size.y : 0;
       renderer.setViewport(x, y, size.x, size.y);
       renderer.setScissor(x, y, size.x, size.y);
       renderer.render(pane.scene, this.camera);
     });
-    this.onDraw?.();
+  }
+
+  /** One view, the linear surface on the left of it. */
+  private drawSplit(renderer: THREE.WebGLRenderer, size: THREE.Vector2): void {
+    const place = splitPlace(this.split, size.x);
+    renderer.setViewport(0, 0, size.x, size.y);
+    renderer.setScissor(0, 0, place, size.y);
+    renderer.render(this.linear.scene, this.camera);
+    renderer.setScissor(place, 0, size.x - place, size.y);
+    renderer.render(this.pn.scene, this.camera);
   }
 
   private updateClipping(): void {

@@ -10,16 +10,23 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 
-/** Binary PLY as the page and the command write it: double coordinates, then faces. */
+/** Binary PLY as the page and the command write it: vertices of doubles, of which the first three are the point, then faces. */
 export function readPly(bytes) {
   const end = bytes.indexOf("end_header\n") + "end_header\n".length;
   const header = bytes.subarray(0, end).toString("latin1");
   const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
   const hasNormals = /double nx/.test(header);
+  const columns = header.match(/^property double \w+$/gm).length;
+  const normals = [];
+  const roundness = [];
   const points = [];
-  for (let v = 0; v < vertices; ++v)
-    for (let k = 0; k < 3; ++k) points.push(bytes.readDoubleLE(end + v * (hasNormals ? 48 : 24) + 8 * k));
-  return { vertices, points, faces: Number(/element face (\d+)/.exec(header)[1]), hasNormals };
+  for (let v = 0; v < vertices; ++v) {
+    const at = (k) => bytes.readDoubleLE(end + 8 * (columns * v + k));
+    for (let k = 0; k < 3; ++k) points.push(at(k));
+    if (hasNormals) for (let k = 3; k < 6; ++k) normals.push(at(k));
+    if (/double roundness/.test(header)) roundness.push(at(columns - 1));
+  }
+  return { vertices, points, faces: Number(/element face (\d+)/.exec(header)[1]), hasNormals, normals, roundness };
 }
 
 export async function download(page, button, folder) {
@@ -53,6 +60,15 @@ export function tipOf(page, wedge) {
     const half = editor.settings.layout === "both" ? 0.75 : 0.5;
     return { x: box.left + half * box.width + pixels.x, y: box.top + box.height / 2 + pixels.y };
   }, wedge);
+}
+
+/** The middle of the first element of a drawing, which is drawn anew with each frame: found and measured at once. */
+export async function middleOf(page, selector) {
+  await page.waitForSelector(selector, { state: "attached" });
+  return page.evaluate((s) => {
+    const { left, top, width, height } = document.querySelector(s).getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  }, selector);
 }
 
 /** The normal that is nearest to the eye. */

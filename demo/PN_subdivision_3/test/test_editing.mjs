@@ -15,7 +15,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
-import { drop, dropAll, frontWedge, largestDifference, message, points, tipOf } from "./page_actions.mjs";
+import { drop, dropAll, frontWedge, largestDifference, message, middleOf, points, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 let folder;
@@ -115,12 +115,12 @@ test("a click that moves nothing is no change", async () => {
     assert.ok(await page.isDisabled("#undo"));
     assert.equal(largestDifference(await points(page), start), 0);
     await page.click("#tab-curve");
-    const hold = await page.locator("#drawing .hold[data-kind=point]").first().boundingBox();
-    await page.mouse.click(hold.x + hold.width / 2, hold.y + hold.height / 2);
+    const [x, y] = await middleOf(page, "#drawing .hold[data-kind=point]");
+    await page.mouse.click(x, y);
     assert.ok(await page.isDisabled("#undo"));
-    await page.mouse.move(hold.x + hold.width / 2, hold.y + hold.height / 2);
+    await page.mouse.move(x, y);
     await page.mouse.down();
-    await page.mouse.move(hold.x + hold.width / 2 + 20, hold.y + hold.height / 2, { steps: 3 });
+    await page.mouse.move(x + 20, y, { steps: 3 });
     await page.mouse.up();
     assert.ok(await page.isEnabled("#undo"));
   });
@@ -199,13 +199,9 @@ test("a double click removes a point of a curve, and adds one", async () => {
     await page.click("#tab-curve");
     const number = () => page.evaluate(() => window.page.curve.state.points.length / 2);
     const start = await number();
-    const middle = async (selector) => {
-      const box = await page.locator(selector).first().boundingBox();
-      return [box.x + box.width / 2, box.y + box.height / 2];
-    };
-    await page.mouse.dblclick(...(await middle("#drawing .hold[data-kind=point]")));
+    await page.mouse.dblclick(...(await middleOf(page, "#drawing .hold[data-kind=point]")));
     assert.equal(await number(), start - 1);
-    await page.mouse.dblclick(...(await middle("#drawing .edge-hold[data-vertex='3']")));
+    await page.mouse.dblclick(...(await middleOf(page, "#drawing .edge-hold[data-vertex='3']")));
     assert.equal(await number(), start);
     for (let i = 0; i < 2; ++i) await page.click("#undo");
     assert.equal(await number(), start);

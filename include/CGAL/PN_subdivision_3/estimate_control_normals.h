@@ -115,7 +115,8 @@ between the two, its weights, borders, areas, angles, roundness) is computed in 
 \param normals the map to write; if it throws, some normals may have been written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
   and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` with a model of
-  `WritablePropertyMap` whose values are numbers: the roundness is written into it
+  `WritablePropertyMap` whose values are numbers: the roundness is written into it; also
+  `parameters::control_normal_estimate()`, which counts before the argument
 \param estimate which estimate
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border or a point is
@@ -137,8 +138,11 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
     const auto points = Parameters::const_point_map(mesh, np);
     internal::with_mesh_access(mesh, [&](const auto& access) {
       const Level_connectivity level = internal::checked_level(access);
+      Control_normal_estimate chosen = estimate;
+      if constexpr (!std::is_same_v<typename Parameters::Estimate, internal::No_estimate>)
+        chosen = Parameters::estimate(np);
       const auto values = internal::read_values<internal::Estimated_values<FT>>(
-        access, level, points, internal::No_normal_map(), estimate);
+        access, level, points, internal::No_normal_map(), chosen);
       for (Index v = 0; v < level.number_of_vertices(); ++v) {
         const Coordinates<FT, 3>& n = values[v].normal;
         put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));

@@ -119,9 +119,11 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
                   "PN_subdivision_3: a named parameter is given that is not used here");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
-    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
     Limit_report report;
-    if constexpr (internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    if constexpr (internal::check_limit_map<LimitMap, Vertex>() &&
+                  internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+      using Limit = typename boost::property_traits<LimitMap>::value_type;
       const auto points = Parameters::const_point_map(mesh, np);
       const auto normals = Parameters::normal_map(np);
       internal::with_mesh_access(mesh, [&](const auto& access) {
@@ -173,9 +175,11 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
                   "PN_subdivision_3: a named parameter is given that is not used here");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
-    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
     Limit_report report;
-    if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
+    if constexpr (internal::check_limit_map<LimitMap, Face>() &&
+                  internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
+      using Limit = typename boost::property_traits<LimitMap>::value_type;
       internal::with_mesh_access(mesh, [&](const auto& access) {
         report =
           internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {

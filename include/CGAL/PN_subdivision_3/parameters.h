@@ -10,6 +10,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
@@ -24,6 +26,8 @@ struct surface_tolerance_t
 {};
 struct sharp_angle_t
 {};
+struct control_normal_estimate_t
+{};
 
 // the pack `np` with one parameter more
 template <class Tag, class T, class Base>
@@ -35,6 +39,16 @@ template <class Tag, class T>
 Named_function_parameters<T, Tag> with_parameter(const T& value)
 {
   return Named_function_parameters<T, Tag>(value);
+}
+
+// the outermost value of a pack, which is a reference wrapper of the pack's own where it cannot be copied
+template <class T, class Tag, class Base>
+const T& value_of(const Named_function_parameters<T, Tag, Base>& np)
+{
+  if constexpr (std::is_copy_constructible_v<T>)
+    return np.v;
+  else
+    return np.v.get();
 }
 
 } // namespace internal
@@ -142,6 +156,43 @@ template <class FT, class NamedParameters>
 auto sharp_angle(const FT& degrees, const NamedParameters& np)
 {
   return internal::with_parameter<internal::sharp_angle_t>(degrees, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+how control normals are estimated where none are given, in `subdivide()`, `Surface_pieces`, `estimate_control_normals()`, the functions for
+limits and `compare_with_linear()`.
+\param estimate a `Control_normal_estimate`; it counts before that of `with_normal_estimate()`
+*/
+template <class Estimate>
+auto control_normal_estimate(const Estimate& estimate)
+{
+  return internal::with_parameter<internal::control_normal_estimate_t>(estimate);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class Estimate, class NamedParameters>
+auto control_normal_estimate(const Estimate& estimate, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::control_normal_estimate_t>(estimate, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+returns one pack of the parameters of two, this package's and \cgal's in any order. Of a parameter that both have, that of the first one counts.
+\code{.cpp}
+const auto np = parameters::join(CGAL::parameters::number_of_iterations(3), parameters::roundness(0.5));
+\endcode
+*/
+template <class T, class Tag, class Base, class NamedParameters>
+auto join(const Named_function_parameters<T, Tag, Base>& first, const NamedParameters& second)
+{
+  const T& value = internal::value_of(first);
+  if constexpr (std::is_same_v<Base, internal_np::No_property>)
+    return internal::with_parameter<Tag>(value, second);
+  else
+    return internal::with_parameter<Tag>(value,
+                                         parameters::join(static_cast<const Base&>(first), second));
 }
 
 } // namespace parameters

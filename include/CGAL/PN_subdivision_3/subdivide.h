@@ -137,6 +137,11 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamType{a number from 0 to 1; `parameters::roundness()` makes the parameter}
     \cgalParamDefault{as that of `vertex_roundness_map`}
   \cgalParamNEnd
+  \cgalParamNBegin{control_normal_estimate}
+    \cgalParamDescription{how normals are estimated where none are given}
+    \cgalParamType{`Control_normal_estimate`; `parameters::control_normal_estimate()` makes the parameter}
+    \cgalParamDefault{that of the scheme, see `with_normal_estimate()`}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the sharp edges of `mesh`. If the map can be written, the parts of a sharp
                           edge get its value, less the number of rounds if it is a finite number,

@@ -11,7 +11,7 @@
 #include "io/corner_normals.h"
 #include "surface/Wedges.h"
 
-#include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Fallback.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/recognize_surfaces.h>
 
@@ -31,7 +31,6 @@ using Vertex = Surface::Vertex_index;
 using Kind = Recognized_surface::Kind;
 using Patch_map = Surface::Property_map<Face, std::size_t>;
 using Crease_map = Surface::Property_map<Edge, bool>;
-using Corner_map = Surface::Property_map<Vertex, bool>;
 
 Surface without_normals(const Mesh_data& mesh)
 {
@@ -48,27 +47,6 @@ auto with_parameters(const Recognition_plan& plan, const Function& f)
   const auto np =
     PN::parameters::sharp_angle(plan.sharp_angle, PN::parameters::min_facets(plan.min_facets));
   return plan.tolerance ? f(PN::parameters::surface_tolerance(*plan.tolerance, np)) : f(np);
-}
-
-// Corners of unknown segments without a normal get an estimate; inner vertices of these its roundness.
-void estimate_the_rest(Recognized_part& part, Surface& surface, Patch_map segments,
-                       Crease_map creases, Corner_normal_map normals)
-{
-  const Corner_normal_map estimates =
-    surface.add_property_map<Halfedge, Vector_3>("h:estimate", CGAL::NULL_VECTOR).first;
-  const Roundness_map roundness = add_roundness(surface);
-  PN::estimate_corner_normals(surface, creases, estimates,
-                              PN::parameters::vertex_roundness_map(roundness));
-  std::vector<bool> is_unknown(surface.number_of_vertices(), true);
-  for (const Halfedge h : surface.halfedges()) {
-    if (surface.is_border(h)) continue;
-    if (part.is_known(segments[surface.face(h)]))
-      is_unknown[surface.target(h)] = false;
-    else if (normals[h] == CGAL::NULL_VECTOR)
-      normals[h] = estimates[h];
-  }
-  for (const Vertex v : surface.vertices())
-    part.roundness.push_back(is_unknown[v] ? roundness[v] : 1);
 }
 
 // Between known surfaces whose normals are within two degrees at both ends.
@@ -126,17 +104,20 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
   const Corner_normal_map normals =
     surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
-  const Corner_map corners = surface.add_property_map<Vertex, bool>("v:is_corner", false).first;
+  const Roundness_map roundness = add_roundness(surface);
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
-    PN::surface_creases(surface, segments, part.surfaces, creases, np);
-    PN::surface_corners(surface, segments, part.surfaces, corners, np);
-    PN::surface_corner_normals(surface, segments, part.surfaces, normals, np);
+    // creases, and normals for all corners
+    PN::internal::Surface_fallback fallback =
+      PN::internal::never_worse_than_linear(surface, segments, part.surfaces, creases, normals,
+                                            PN::parameters::vertex_roundness_map(roundness, np));
+    part.given_up = fallback.segments_given_up;
+    part.set_back = fallback.wedges_set_back;
+    part.high_faces = std::move(fallback.high_faces);
+    part.corners = std::move(fallback.corners);
   });
-  estimate_the_rest(part, surface, segments, creases, normals);
+  for (const Vertex v : surface.vertices()) part.roundness.push_back(roundness[v]);
   fill(part, surface, segments, creases, normals);
-  for (const Vertex v : surface.vertices())
-    if (corners[v]) part.corners.push_back(v);
   return part;
 }
 

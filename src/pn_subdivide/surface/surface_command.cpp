@@ -18,6 +18,7 @@
 #include "pieces/pieces_command.h"
 #include "surface/Linear_check.h"
 #include "surface/Output_normals.h"
+#include "surface/Planes_from_rims.h"
 #include "surface/Recognized_part.h"
 #include "surface/Surface_table.h"
 #include "surface/attributes.h"
@@ -146,6 +147,7 @@ Plan make_plan(const Surface_options& options)
   if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
   require_options_for_surfaces(options);
+  require_options_for_planes(options);
   plan.creases = Crease_plan::make(options.creases);
   plan.creases.require_schemes(options.creases, options.scheme);
   plan.normals = parse_normals_option(options.linear ? "none" : options.normals.value_or("auto"));
@@ -335,9 +337,13 @@ void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme
   if (!text.empty()) report.warn(plan.input.title("standard input") + ": " + text);
 }
 
-void split_for_output(Surface& surface, const Mesh_file& output, Report& report)
+void split_for_output(Surface& surface, const Mesh_file& output, Attributes& attributes,
+                      Report& report)
 {
-  const std::size_t split = triangulate(surface).split_faces;
+  const Old_elements old(surface);
+  const Triangulation triangulation = triangulate(surface);
+  const std::size_t split = triangulation.split_faces;
+  if (split > 0) old.follow(surface, triangulation, attributes);
   if (split > 0)
     report.note(output.title("standard output") + ": " + std::to_string(split) +
                 (split == 1 ? " face" : " faces") + " split into triangles, as " + output.format +
@@ -399,8 +405,8 @@ std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
 void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
-             std::optional<Surface_table>& table, std::optional<Linear_check>& check,
-             Report& report)
+             const std::optional<Recognized_part>& part, std::optional<Surface_table>& table,
+             std::optional<Linear_check>& check, Report& report)
 {
   const bool must_split = !holds_polygons(plan.output);
   const bool is_creased = creases.any() || creases.border != Border::surface;
@@ -409,7 +415,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   if (plan.output_normals.with_control())
     origin = origin_after(mesh, scheme.scheme, options.levels);
   if (options.levels == 0 && !plan.limit.is_used() && !plan.interpolation && !plan.curvature &&
-      !must_split && !has_tags) {
+      !must_split && !has_tags && !options.planes) {
     mesh.tags = Crease_tags();
     mesh.origin = std::move(origin);
     put_control_normals(mesh, plan.output_normals);
@@ -452,13 +458,19 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   }
   Crease_tags tags;
   if (has_tags) tags = tags_of(surface, *rounds.creases);
-  if (must_split) split_for_output(surface, plan.output, report);
+  if (must_split) split_for_output(surface, plan.output, attributes, report);
+  std::optional<Planes_from_rims> planes;
+  if (options.planes) planes.emplace(surface, *segments_of(attributes), *part);
   mesh = output_mesh(surface, rounds.creases, wedges, plan.output_normals, std::move(control));
   suit_roundness(mesh);
   mesh.attributes = std::move(attributes);
   mesh.tags = std::move(tags);
   mesh.origin = std::move(origin);
   if (curvature) add_curvature(mesh, plan, std::move(*curvature), report);
+  if (planes) {
+    planes->put_into(mesh);
+    planes->report(plan.output.title("standard output"), report);
+  }
 }
 
 // Limits are those of what is smooth or sharp for ever.
@@ -659,7 +671,7 @@ void run_surface_command(const Surface_options& given_options)
       if (part) table.emplace(*part, mesh);
       const std::optional<Chord_rounds> rounds =
         choose_rounds(mesh, plan, part, creases, scheme, options);
-      process(mesh, plan, options, scheme, creases, has_file_normals, table, check, report);
+      process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
       if (table) report_surfaces(*table, rounds, chord, input, report);
       if (check) report.set_check(check->values());
       if (plan.verification) plan.verification->measure(mesh.points);

@@ -188,6 +188,27 @@ Part rounded_bar()
   return part;
 }
 
+// A plate like that but only a little wider than its hole, whose sides are parallel to those of the plate there: rounded, the hole reaches
+// through them.
+Part thin_walled_plate()
+{
+  const auto inner = [](double degrees, double z) { return on_circle(1, degrees, z); };
+  const auto outer = [](double degrees, double z) {
+    const Triple p = on_circle(1, degrees, z);
+    const double largest = (std::max)(std::abs(p[0]), std::abs(p[1]));
+    return Triple{.995 * p[0] / largest, .995 * p[1] / largest, z};
+  };
+  Part part;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 15. * i + 7.5, b = a + 15;
+    part.add({inner(a, 0), inner(b, 0), outer(b, 0), outer(a, 0)});
+    part.add({outer(a, 1), outer(b, 1), inner(b, 1), inner(a, 1)});
+    part.add({outer(a, 0), outer(b, 0), outer(b, 1), outer(a, 1)});
+    part.add({inner(a, 1), inner(b, 1), inner(b, 0), inner(a, 0)});
+  }
+  return part;
+}
+
 // A sphere of radius 2, of 12 meridians and 6 parallels, all of whose points are moved about.
 Part stone()
 {
@@ -214,8 +235,11 @@ class Pn_subdivide_surfaces : public Refined_files
 protected:
   void SetUp() override
   {
-    const std::pair<const char*, Part> parts[] = {
-      {"plate", drilled_plate()}, {"shaft", shaft()}, {"bar", rounded_bar()}, {"stone", stone()}};
+    const std::pair<const char*, Part> parts[] = {{"plate", drilled_plate()},
+                                                  {"thin", thin_walled_plate()},
+                                                  {"shaft", shaft()},
+                                                  {"bar", rounded_bar()},
+                                                  {"stone", stone()}};
     for (auto [name, part] : parts) {
       folder.write(std::string(name) + ".ply", part.ply());
       part.triangulate();
@@ -651,6 +675,125 @@ TEST_F(Pn_subdivide_surfaces, TooManyRoundsAreAFailure)
   EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "old");
 }
 
+// --- planes from their rims ---
+
+// Has every edge two faces that run along it the other way round?
+bool is_watertight(const Mesh_data& mesh)
+{
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    for (auto v = face.begin(); v != face.end(); ++v)
+      if (!sides.insert({*v, v + 1 == face.end() ? *face.begin() : *(v + 1)}).second) return false;
+  }
+  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
+    return sides.count({side.second, side.first}) == 1;
+  });
+}
+
+double volume(const Mesh_data& mesh)
+{
+  double six = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    const Triple& a = mesh.points[*face.begin()];
+    for (auto v = face.begin() + 1; v + 1 != face.end(); ++v) {
+      const Triple &b = mesh.points[*v], &c = mesh.points[*(v + 1)];
+      six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    }
+  }
+  return six / 6;
+}
+
+std::size_t vertices_with_faces(const Mesh_data& mesh)
+{
+  std::set<std::size_t> all;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const auto v : mesh.face(f)) all.insert(v);
+  return all.size();
+}
+
+// A polygon of n vertices with h holes is n - 2 + 2 h triangles.
+TEST_F(Pn_subdivide_surfaces, PlanesAreTrianglesBetweenTheirRims)
+{
+  for (const std::string input : {"plate.ply", "plate_3.ply"})
+    for (const std::string more : {"", " --limit", " --linear"}) {
+      SCOPED_TRACE(input + more);
+      const std::string options = "--sharp surfaces --levels 2" + more + reported();
+      const Mesh_data all = refined(input, "a.ply", options);
+      const Mesh_data mesh = refined(input, "o.ply", options + " --planes rims");
+      EXPECT_TRUE(is_watertight(mesh));
+      EXPECT_NEAR(volume(mesh), volume(all), 1e-9);
+      EXPECT_EQ(vertices_with_faces(mesh), mesh.points.size());
+      const Json json = report();
+      const std::vector<double>& surface = surface_of(mesh);
+      std::map<std::size_t, std::size_t> faces, sums;
+      std::size_t of_cylinder = 0;
+      for (std::size_t f = 0; f < surface.size(); ++f) {
+        const auto s = std::size_t(surface[f]);
+        if (json["surfaces"].at(s)["kind"] == "cylinder") {
+          ++of_cylinder;
+          continue;
+        }
+        ASSERT_EQ(mesh.face(f).size(), 3);
+        ++faces[s];
+        // all of the triangle is in the plane
+        const Triple n = json["surfaces"][s]["direction"], p = json["surfaces"][s]["point"];
+        for (const auto v : mesh.face(f)) {
+          double d = 0;
+          for (std::size_t k = 0; k < 3; ++k) d += n[k] * (mesh.points[v][k] - p[k]);
+          EXPECT_NEAR(d, 0, 1e-9);
+        }
+      }
+      EXPECT_EQ(of_cylinder, (input == "plate.ply" ? 1u : 2u) * 24 * 16);
+      for (const auto& [s, number] : faces) ++sums[number];
+      EXPECT_EQ(sums, (std::map<std::size_t, std::size_t>{{54, 4}, {192, 2}}));
+    }
+}
+
+// What is said of vertices, corners and faces follows, in all formats.
+TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
+{
+  const std::string options = "--sharp surfaces --planes rims --levels 2 ";
+  const Mesh_data obj = refined("plate.ply", "o.obj", options);
+  ASSERT_EQ(obj.corner_normals.size(), obj.number_of_corners());
+  for (std::size_t f = 0; f < obj.number_of_faces(); ++f)
+    for (std::size_t i = 0; i < std::size_t(obj.face(f).size()); ++i) {
+      const Triple &n = obj.corner_normals[obj.first_corner(f) + i],
+                   &p = obj.points[obj.face(f).begin()[i]];
+      bool is_flat = true; // the face in a plane z = 0 or 1
+      for (const auto v : obj.face(f)) is_flat = is_flat && obj.points[v][2] == p[2];
+      EXPECT_NEAR(std::abs(n[2]), is_flat ? 1 : 0, 1e-9);
+    }
+  const Mesh_data stl = refined("plate.ply", "o.stl", options);
+  EXPECT_TRUE(is_watertight(stl));
+  EXPECT_EQ(stl.number_of_faces(), 2u * 192 + 4u * 54 + 2u * 24 * 16);
+  const std::string vtp = written("plate.ply", "o.vtp", options + "--curvature mean --ascii");
+  EXPECT_TRUE(contains(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\""));
+  EXPECT_TRUE(is_watertight(refined("shaft.ply", "o.ply", "--sharp surfaces --planes rims --levels 0")));
+}
+
+TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
+{
+  const std::string options = "--sharp surfaces --levels 2 ";
+  const Outcome outcome = surface("thin.ply", "o.ply", options + "--planes rims");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(contains(outcome.err, "2 planes keep their faces: their rims cross")) << outcome.err;
+  const Mesh_data mesh = read_mesh(folder.file("o.ply"));
+  EXPECT_TRUE(is_watertight(mesh));
+  std::size_t quads_in_planes = 0;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    bool is_flat = true;
+    for (const auto v : mesh.face(f))
+      is_flat = is_flat && mesh.points[v][2] == mesh.points[*mesh.face(f).begin()][2];
+    quads_in_planes += is_flat && mesh.face(f).size() == 4;
+  }
+  EXPECT_EQ(quads_in_planes, 2u * 24 * 16);
+  EXPECT_FALSE(contains(
+    surface("thin.ply", "o.ply", "--sharp surfaces --planes rims --levels 0").err, "keep"));
+}
+
 // --- options ---
 
 TEST_F(Pn_subdivide_surfaces, TheOptionsOfRecognition)
@@ -736,6 +879,15 @@ TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
   refused(sharp + "--sharp-angle -1", {"--sharp-angle -1"});
   refused(sharp + "--surface-labels -", {"--surface-labels"});
   refused(sharp + "--surface-labels '" + folder.file("o.ply") + "'", {"--surface-labels"});
+  const std::vector<std::string> others = {"--output-normals control", "--output-normals both",
+                                           "--check",
+                                           "--write-tags '" + folder.file("t.selection.txt") + "'"};
+  for (const std::string& other : others)
+    refused(sharp + "--planes rims " + other, {"--planes", other.substr(0, other.find(' '))});
+  refused("--planes rims", {"--planes", "--sharp surfaces"});
+  refused("--planes rims --sharp angle:30", {"--planes", "--sharp surfaces"});
+  refused(sharp + "--planes all", {"--planes 'all'"});
+  refused(sharp + "--planes rims --pieces 2", {"--pieces"});
   refused("--levels auto", {"--levels auto", "--chord"});
   refused(sharp + "--levels auto", {"--levels auto", "--chord"});
   refused(sharp + "--chord 1", {"--chord", "--levels auto"});

@@ -20,6 +20,9 @@
 #include <CGAL/boost/graph/Dual.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
@@ -34,6 +37,28 @@ void reject(Mesh& mesh)
   const Mesh& constant = mesh;
   PN::CatmullClark_subdivision(constant);
   // expected: the mesh is const
+
+  PN::CatmullClark_subdivision(mesh, 3);
+  // expected: the last argument is no named parameter: for a number of rounds write
+
+  std::vector<Kernel::Point_3> points_of_soup;
+  std::vector<std::vector<std::size_t>> polygons;
+  PN::CatmullClark_subdivision(points_of_soup, polygons);
+  // expected: a soup becomes a mesh by CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh()
+
+  PN::subdivide<CGAL::Parallel_tag>(mesh, PN::Loop_scheme()); // TBB is not linked
+  // expected: Parallel_tag needs TBB: link CGAL::PN_subdivision_3_TBB
+
+  PN::limit_points(mesh, PN::Loop_scheme(), mesh.points());
+  // expected: the values of the map of limit points are not Limit_point
+
+  PN::limit_points(mesh, PN::Loop_scheme(),
+                   mesh.add_property_map<Edge, PN::Limit_point<Kernel>>("of edges").first);
+  // expected: the map of limit points is no property map of the mesh's vertices
+
+  PN::face_limit_points(mesh, PN::DooSabin_scheme(),
+                        mesh.add_property_map<Mesh::Face_index, Kernel::Point_3>("of faces").first);
+  // expected: the values of the map of limit points are not Limit_point
 
   CGAL::Face_filtered_graph<Mesh> part(mesh);
   PN::CatmullClark_subdivision(part);

@@ -13,11 +13,15 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -367,6 +371,81 @@ TEST(Estimate_control_normals, AreThoseOfASubdivisionWithoutNormals)
   expect_estimate(PN::CatmullClark_scheme(), Control_normal_estimate::coherent);
   for (Control_normal_estimate how : all)
     expect_estimate(PN::with_normal_estimate(PN::CatmullClark_scheme(), how), how);
+}
+
+// the named parameter chooses as the adaptor does, and before it
+TEST(Estimate_control_normals, AreChosenByANamedParameter)
+{
+  using Mesh = CGAL::Surface_mesh<Double::Point_3>;
+  const PN::CatmullClark_scheme scheme;
+  std::vector<std::vector<Triple>> results;
+  for (const Control_normal_estimate how : all) {
+    const auto run = [&](const auto& call) {
+      Mesh mesh;
+      build(mixed_with_border(), mesh);
+      call(mesh);
+      return points(mesh);
+    };
+    const auto np = PN::parameters::control_normal_estimate(how);
+    const auto other = how == Control_normal_estimate::angle ? Control_normal_estimate::reciprocal
+                                                             : Control_normal_estimate::angle;
+    const auto expected =
+      run([&](Mesh& m) { PN::subdivide(m, PN::with_normal_estimate(scheme, how)); });
+    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, scheme, np); }), expected);
+    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, PN::with_normal_estimate(scheme, other), np); }),
+              expected);
+    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, PN::Any_scheme<>(scheme), np); }), expected);
+    results.push_back(expected);
+    EXPECT_EQ(run([&](Mesh& m) { PN::move_to_limit(m, scheme, PN::Limit_options(), np); }),
+              run([&](Mesh& m) { PN::move_to_limit(m, PN::with_normal_estimate(scheme, how)); }));
+    Mesh mesh;
+    build(mixed_with_border(), mesh);
+    auto n = mesh.add_property_map<CGAL::SM_Vertex_index, Double::Vector_3>("n").first;
+    PN::estimate_control_normals(mesh, n, np);
+    EXPECT_EQ(values(mesh, n), estimate<Double>(mixed_with_border(), how));
+  }
+  EXPECT_NE(results[0], results[1]);
+  EXPECT_NE(results[1], results[2]);
+}
+
+// all parameters of both packs are there, in either order; of one that both have the first one counts
+TEST(Named_parameters, AreJoined)
+{
+  using Mesh = CGAL::Surface_mesh<Double::Point_3>;
+  struct Not_copied : PN::Default_visitor
+  {
+    Not_copied() = default;
+    Not_copied(const Not_copied&) = delete;
+    void round_done(unsigned round, std::size_t) { last = round; }
+    unsigned last = 0;
+  };
+  const auto refined = [](const auto& np) {
+    Mesh mesh;
+    build(mixed_with_border(), mesh);
+    PN::subdivide(mesh, PN::CatmullClark_scheme(), np);
+    return points(mesh);
+  };
+  Not_copied visitor;
+  const auto ours = PN::parameters::roundness(
+    0.25, PN::parameters::control_normal_estimate(Control_normal_estimate::angle));
+  const auto cgals = params::number_of_iterations(3).visitor(std::ref(visitor));
+  const auto expected = refined(PN::parameters::roundness(
+    0.25, PN::parameters::control_normal_estimate(Control_normal_estimate::angle,
+                                                  params::number_of_iterations(3))));
+  EXPECT_EQ(refined(PN::parameters::join(ours, cgals)), expected);
+  EXPECT_EQ(visitor.last, 3u);
+  visitor.last = 0;
+  EXPECT_EQ(refined(PN::parameters::join(cgals, ours)), expected);
+  EXPECT_EQ(visitor.last, 3u);
+  EXPECT_EQ(refined(PN::parameters::join(ours, params::default_values())), refined(ours));
+  EXPECT_EQ(refined(PN::parameters::join(params::default_values(), ours)), refined(ours));
+  const auto rounds = [&](unsigned a, unsigned b) {
+    return refined(
+             PN::parameters::join(params::number_of_iterations(a), params::number_of_iterations(b)))
+      .size();
+  };
+  EXPECT_EQ(rounds(2, 1), refined(params::number_of_iterations(2)).size());
+  EXPECT_EQ(rounds(1, 2), refined(params::number_of_iterations(1)).size());
 }
 
 TEST(Estimate_control_normals, AdaptorsOfSchemesNest)

@@ -101,7 +101,7 @@ template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
   static_assert(
-    are_used_v<Creased_limit_parameters, NamedParameters>,
+    are_used_v<Interpolation_parameters, NamedParameters>,
     "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
     "vertex_point_map, vertex_normal_map, vertex_roundness_map, roundness, geom_traits, "
     "edge_is_constrained_map, vertex_is_constrained_map");

@@ -62,12 +62,15 @@ public:
     , border_classes_(scheme)
   {}
 
-  // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit.
-  std::vector<Result> operator()(Level& level, Creases<FT>& creases, unsigned next_round)
+  // `level` has the values of the slots; it is cut open meanwhile. The creases get the tangents of the limit. If
+  // only some vertices are asked for, which are sorted, the other slots have no results.
+  std::vector<Result> operator()(Level& level, Creases<FT>& creases, unsigned next_round,
+                                 const std::vector<Index>* some = nullptr)
   {
-    if (creases.empty()) return evaluation_(level, next_round);
+    if (creases.empty()) return evaluation_(level, next_round, some);
     std::vector<Result> results(creases.number_of_slots);
     Creases<FT> limits = creases;
+    some_ = some;
     std::vector<Index> rest = vertices_of_rings(level.level, creases);
     {
       const Cut cut(level.level, creases);
@@ -80,7 +83,7 @@ public:
     if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
     if (demand_.surface_normals) {
       const Cut cut(level.level, creases);
-      orient_normals(level.level, results, for_chunks_);
+      orient_normals(level, results, for_chunks_, some == nullptr);
     }
     creases = std::move(limits);
     return results;
@@ -115,18 +118,26 @@ private:
   }
 
   // \name Vertices whose limit depends on their ring
-  // all but crease vertices and corners
-  static std::vector<Index> vertices_of_rings(const Level_connectivity& level,
-                                              const Creases<FT>& creases)
+  // all that are asked for but crease vertices and corners
+  std::vector<Index> vertices_of_rings(const Level_connectivity& level,
+                                       const Creases<FT>& creases) const
   {
     std::vector<Index> vertices;
     auto star = creases.stars.begin(); // in the order of the vertices
-    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    const auto add = [&](Index v) {
+      while (star != creases.stars.end() && star->vertex < v) ++star;
       const bool is_star = star != creases.stars.end() && star->vertex == v;
       if (!is_star || creases.rule(*star) == Vertex_rule::dart) vertices.push_back(v);
-      if (is_star) ++star;
-    }
+    };
+    if (some_ != nullptr)
+      for (const Index v : *some_) add(v);
+    else
+      for (Index v = 0; v < level.number_of_vertices(); ++v) add(v);
     return vertices;
+  }
+  bool is_asked_for(const Crease_star& star) const
+  {
+    return some_ == nullptr || std::binary_search(some_->begin(), some_->end(), star.vertex);
   }
 
   // numbers in a part of a refined level, and in the whole level that the limits are asked of
@@ -219,6 +230,7 @@ private:
       const typename Caller_precision<FT>::In_this_thread same(precision);
       for (Index i = begin; i < end; ++i) {
         const Crease_star& star = creases.stars[i];
+        if (!is_asked_for(star)) continue;
         const Vertex_rule rule = creases.rule(star);
         if (rule == Vertex_rule::crease)
           decide(star, [&] { evaluate_crease(level, creases, star, weights, limits, results); });
@@ -290,7 +302,7 @@ private:
   {
     std::vector<Index> slots;
     for (const Crease_star& star : creases.stars)
-      if (creases.rule(star) == Vertex_rule::crease)
+      if (is_asked_for(star) && creases.rule(star) == Vertex_rule::crease)
         for (Index w = 0; w < star.number_of_wedges; ++w) slots.push_back(star.slot(w));
     std::vector<Result> of_slots(slots.size());
     evaluation_.evaluate_settled(level, slots, next_round, 0,
@@ -362,6 +374,7 @@ private:
   Evaluation evaluation_;
   const unsigned any_round_; // with the rules of all later ones
   Limit_classes<Scheme, FT> border_classes_;
+  const std::vector<Index>* some_ = nullptr; // the vertices that are asked for
   // of the border, whether the crease is on its first edge, valence
   std::map<std::tuple<bool, bool, Index>, std::unique_ptr<Dart>> darts_;
 };

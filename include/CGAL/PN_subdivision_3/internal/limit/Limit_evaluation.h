@@ -31,6 +31,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,16 +68,23 @@ public:
     , classes_(scheme)
   {}
 
-  // of all vertices, in the round that is next
-  std::vector<Result> operator()(const Level& level, unsigned next_round)
+  // of all vertices, in the round that is next, or of some, whose results have the places that they have among all
+  std::vector<Result> operator()(const Level& level, unsigned next_round,
+                                 const std::vector<Index>* some = nullptr)
   {
-    std::vector<Index> vertices(level.level.number_of_vertices());
-    std::iota(vertices.begin(), vertices.end(), Index(0));
-    std::vector<Result> results(vertices.size());
-    evaluate(level, vertices, next_round, 0, results.data());
+    std::vector<Result> results(level.level.number_of_vertices());
+    if (some != nullptr) {
+      std::vector<Result> of_some(some->size());
+      evaluate(level, *some, next_round, 0, of_some.data());
+      for (std::size_t i = 0; i < some->size(); ++i) results[(*some)[i]] = std::move(of_some[i]);
+    } else {
+      std::vector<Index> vertices(results.size());
+      std::iota(vertices.begin(), vertices.end(), Index(0));
+      evaluate(level, vertices, next_round, 0, results.data());
+    }
     // where points are not asked for, rings have oriented them
     if (demand_.surface_normals && demand_.points)
-      orient_normals(level.level, results, for_chunks_);
+      orient_normals(level, results, for_chunks_, some == nullptr);
     return results;
   }
 

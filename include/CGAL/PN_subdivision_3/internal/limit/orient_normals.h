@@ -91,12 +91,13 @@ bool is_against_face(const Level_connectivity& level, Level_connectivity::Index 
   });
 }
 
-// The frame of a surface normal is that of the control normal, which may be on the wrong side.
-template <class Results>
-void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks)
+// The frame of a surface normal is that of the control normal, which may be on the wrong side of the faces, whose
+// corners are point(v).
+template <class Results, class Point_of>
+void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks,
+                    const Point_of& point)
 {
   using Index = Level_connectivity::Index;
-  const auto point = [&](Index v) { return to_double_3(point_of(results[v].value)); };
   for_chunks(static_cast<Index>(results.size()), [&](Index begin, Index end) {
     for (Index v = begin; v < end; ++v) {
       auto& result = results[v];
@@ -105,6 +106,21 @@ void orient_normals(const Level_connectivity& level, Results& results, const For
         result.surface_normal = opposite_vector<double, 3>(result.surface_normal);
     }
   });
+}
+// of all limits, or of some, whose neighbors have none: these go by the points of the level
+template <class Level, class Results>
+void orient_normals(const Level& level, Results& results, const For_chunks& for_chunks,
+                    bool are_all)
+{
+  using Index = Level_connectivity::Index;
+  const auto orient = [&](const auto& of) {
+    orient_normals(level.level, results, for_chunks,
+                   [&](Index v) { return to_double_3(point_of(of(v))); });
+  };
+  if (are_all)
+    orient([&](Index v) -> const auto& { return results[v].value; });
+  else
+    orient([&](Index v) -> const auto& { return level.values[v]; });
 }
 
 } // namespace internal

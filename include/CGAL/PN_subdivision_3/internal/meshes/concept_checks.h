@@ -44,10 +44,15 @@ struct Used_parameters
 
 // add here what a function learns to use
 using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
-using Limit_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::vertex_normal_map_t, vertex_roundness_map_t, roundness_t>;
+using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                                         internal_np::vertex_normal_map_t, vertex_roundness_map_t,
+                                         roundness_t, control_normal_estimate_t>;
 using Creased_limit_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
+                  control_normal_estimate_t>;
+using Interpolation_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
                   internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
@@ -58,7 +63,8 @@ using Subdivision_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
                   internal_np::visitor_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
+                  control_normal_estimate_t>;
 
 template <class Used, class NamedParameters>
 constexpr bool are_used_v = true;
@@ -67,14 +73,37 @@ inline constexpr bool are_used_v<Used, Named_function_parameters<T, Tag, Base>> 
   (Used::template contain<Tag> ||
    std::is_same_v<Tag, internal_np::all_default_t>)&&are_used_v<Used, Base>;
 
+template <class T>
+constexpr bool are_named_parameters_v = false;
+template <class T, class Tag, class Base>
+inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
+
+template <class NamedParameters>
+constexpr bool check_named_parameters()
+{
+  static_assert(
+    are_named_parameters_v<NamedParameters>,
+    "PN_subdivision_3: the last argument is no named parameter: for a number of rounds write "
+    "CGAL::parameters::number_of_iterations(3)");
+  return are_named_parameters_v<NamedParameters>;
+}
+
 // \name Meshes
 
+// asked first: of what is no graph, such as a soup, boost::graph_traits is an error
 template <class Mesh, class = void>
+struct Has_add_edge : std::false_type
+{};
+template <class Mesh>
+struct Has_add_edge<Mesh, std::void_t<decltype(add_edge(std::declval<Mesh&>()))>> : std::true_type
+{};
+
+template <class Mesh, bool = Has_add_edge<Mesh>::value, class = void>
 struct Is_mutable_face_graph : std::false_type
 {};
 template <class Mesh>
 struct Is_mutable_face_graph<
-  Mesh,
+  Mesh, true,
   std::void_t<
     decltype(set_target(std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
                         std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
@@ -82,8 +111,7 @@ struct Is_mutable_face_graph<
     decltype(set_next(std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
                       std::declval<typename boost::graph_traits<Mesh>::halfedge_descriptor>(),
                       std::declval<Mesh&>())),
-    decltype(add_edge(std::declval<Mesh&>())), typename boost::graph_traits<Mesh>::face_descriptor>>
-  : std::true_type
+    typename boost::graph_traits<Mesh>::face_descriptor>> : std::true_type
 {};
 
 template <class Mesh>
@@ -92,9 +120,11 @@ constexpr bool check_mutable_mesh()
   constexpr bool is_mutable = !std::is_const_v<Mesh>;
   constexpr bool is_mutable_face_graph = Is_mutable_face_graph<std::remove_const_t<Mesh>>::value;
   static_assert(is_mutable, "PN_subdivision_3: the mesh is const, but it is to be refined");
-  static_assert(is_mutable_face_graph,
-                "PN_subdivision_3: the mesh is no model of MutableFaceGraph: views and filtered "
-                "graphs cannot be refined, copy the mesh (CGAL::copy_face_graph())");
+  static_assert(
+    is_mutable_face_graph,
+    "PN_subdivision_3: the mesh is no model of MutableFaceGraph: views and filtered "
+    "graphs cannot be refined, copy the mesh (CGAL::copy_face_graph()); a soup becomes a mesh by "
+    "CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh()");
   return is_mutable && is_mutable_face_graph;
 }
 
@@ -347,20 +377,31 @@ constexpr bool check_crease_tangents()
 
 // \name Functions
 
-template <class Mesh, class Scheme, class NamedParameters>
-constexpr bool check_subdivision_arguments()
+template <class NamedParameters>
+constexpr bool check_subdivision_parameters()
 {
   constexpr bool are_used = are_used_v<Subdivision_parameters, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "vertex_roundness_map, roundness, geom_traits, visitor");
+                          "vertex_roundness_map, roundness, control_normal_estimate, geom_traits, "
+                          "visitor");
   using Iterations =
     typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
                                                  NamedParameters, unsigned>::type;
   constexpr bool is_integer = std::is_integral_v<std::decay_t<Iterations>>;
   static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
-  if constexpr (are_used && is_integer && check_mutable_mesh<Mesh>()) {
+  return are_used && is_integer;
+}
+
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_subdivision_arguments()
+{
+  if constexpr (!check_mutable_mesh<Mesh>())
+    return false;
+  else if constexpr (!check_named_parameters<NamedParameters>())
+    return false;
+  else if constexpr (check_subdivision_parameters<NamedParameters>()) {
     if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
       using Parameters = Surface_parameters<Mesh, NamedParameters>;
       constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
@@ -379,8 +420,40 @@ constexpr bool check_subdivision_arguments()
                check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                      typename Parameters::Geom_traits>();
     }
+    return false;
+  } else
+    return false;
+}
+
+template <class T, class = void>
+struct Is_limit_point : std::false_type
+{};
+template <class T>
+struct Is_limit_point<
+  T, std::void_t<decltype(std::declval<T>().point), decltype(std::declval<T>().control_normal),
+                 decltype(std::declval<T>().surface_normal)>> : std::true_type
+{};
+
+// the map of limit points of vertices, or of faces
+template <class Map, class Key>
+constexpr bool check_limit_map()
+{
+  if constexpr (!Is_property_map_of<Map, Key>::value) {
+    static_assert(
+      Is_property_map_of<Map, Key>::value,
+      "PN_subdivision_3: the map of limit points is no property map of the mesh's vertices "
+      "(of a dual scheme: of its faces)");
+    return false;
+  } else {
+    constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;
+    static_assert(is_writable, "PN_subdivision_3: the map of limit points cannot be written");
+    constexpr bool has_limits =
+      Is_limit_point<typename boost::property_traits<Map>::value_type>::value;
+    static_assert(
+      has_limits,
+      "PN_subdivision_3: the values of the map of limit points are not Limit_point<Kernel>");
+    return is_writable && has_limits;
   }
-  return false;
 }
 
 // the maps of a function for limits that say what is sharp
@@ -437,10 +510,11 @@ template <class Mesh, class Normal_map, class NamedParameters>
 constexpr bool check_estimation_arguments()
 {
   using Used = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                               vertex_roundness_map_t>;
+                               vertex_roundness_map_t, control_normal_estimate_t>;
   constexpr bool are_used = are_used_v<Used, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, vertex_roundness_map, geom_traits");
+                          "those that are: vertex_point_map, vertex_roundness_map, "
+                          "control_normal_estimate, geom_traits");
   if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
     return false;
   else {

@@ -23,6 +23,11 @@ using Refiner_parameters =
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
                   internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
                   vertex_roundness_map_t, roundness_t>;
+using Pieces_parameters =
+  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
+                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
+                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
+                  vertex_roundness_map_t, roundness_t, control_normal_estimate_t>;
 using Build_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
 
@@ -70,7 +75,7 @@ constexpr bool check_refiner_arguments()
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_pieces_arguments()
 {
-  constexpr bool are_used = are_used_v<Refiner_parameters, NamedParameters>;
+  constexpr bool are_used = are_used_v<Pieces_parameters, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "

@@ -70,6 +70,7 @@ private:
   {
     const Shape& s = r.shape;
     if (s.kind == Kind::cone) return s.angle > radians(0.5) && s.angle < radians(89.5);
+    if (s.kind == Kind::torus && s.radius < 0.02 * s.tube) return false; // a sphere
     return s.radius <= (s.kind == Kind::torus ? 20 : 50) * c_.part.size;
   }
 

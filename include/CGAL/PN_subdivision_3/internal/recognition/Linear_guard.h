@@ -47,8 +47,10 @@ public:
   {
     set_tags();
     is_zero_.assign(level_.number_of_halfedges(), false);
-    if (!has_unknown()) return set_values();
-    check_tags();
+    if (has_unknown())
+      check_tags();
+    else
+      linear_ = heights_.linear(is_crease_, is_corner_);
     check_normals();
   }
 
@@ -86,8 +88,9 @@ private:
     tags_ = std::make_unique<Surface_tags>(level_, part_, surfaces_, patch_, sharp_angle_);
     is_crease_.resize(level_.number_of_edges());
     for (Index e = 0; e < is_crease_.size(); ++e) is_crease_[e] = tags_->is_crease(e);
-    is_corner_.resize(level_.number_of_vertices());
-    for (Index v = 0; v < is_corner_.size(); ++v) is_corner_[v] = tags_->is_corner(v);
+    is_corner_.resize(level_.number_of_vertices(), false);
+    for (Index v = 0; v < is_corner_.size(); ++v)
+      if (tags_->is_corner(v)) is_corner_[v] = true;
   }
 
   // of faces and those that have a vertex in common with them
@@ -179,21 +182,37 @@ private:
   // Point-normal against linear, with the same tags.
   void check_normals()
   {
-    const std::vector<double> around = largest_around(linear_.height);
-    constexpr int most = 6;
+    constexpr int most = 5;
     for (int k = 0; k < most; ++k) {
       set_values();
       const Face_changes changes = heights_.point_normal(creases_, values_);
+      const std::vector<double> around = largest_around(linear_.height);
       high_.clear();
       for (Index f = 0; f < level_.number_of_faces(); ++f)
         if (is_worse(f, changes, around[f])) high_.push_back(f);
-      if (high_.empty() || k + 1 == most) return;
-      bool has_changed = false;
-      for (const Index f : high_) has_changed = set_back(f) || has_changed;
-      if (k >= 2)
-        for (const Index f : high_) has_changed = make_corners(f) || has_changed;
-      if (!has_changed) return;
+      if (high_.empty() || k + 1 == most || !mend(k)) return;
     }
+  }
+  // whether there has been anything to do about what is high
+  bool mend(int k)
+  {
+    bool has_changed = false;
+    std::vector<std::size_t> bent;
+    for (const Index f : high_) {
+      if (set_back(f))
+        has_changed = true;
+      else if (surfaces_[patch_[f]].kind == Kind::plane &&
+               surfaces_[patch_[f]].number_of_faces < 12)
+        bent.push_back(patch_[f]);
+      if (k >= 2 && make_corners(f)) has_changed = true;
+    }
+    if (has_given_up_planes_ || !give_up(bent)) return has_changed;
+    has_given_up_planes_ = true;
+    for (const Index f : high_)
+      if (!is_known(f)) set_back(f);
+    set_tags();
+    linear_ = heights_.linear(is_crease_, is_corner_);
+    return true;
   }
   bool is_worse(Index f, const Face_changes& changes, double linear_around) const
   {
@@ -285,6 +304,7 @@ private:
   std::vector<Vec3> corner_normal_;
   Face_changes linear_;
   std::vector<Index> high_;
+  bool has_given_up_planes_ = false;
   std::size_t given_up_ = 0, set_back_ = 0;
 };
 

@@ -87,13 +87,30 @@ private:
         if (owner_[q] == i) continue;
         all += j.length;
         if (owner_[q] == null && j.angle <= radians(30) &&
-            !is_tangent_along(c_, j, q, r.shape, r.side) && goes_on(q))
+            !is_tangent_along(c_, j, q, r.shape, r.side) && goes_on(q) && !is_continued_by(r, q))
           loose += j.length;
       }
     const double share = all > 0 ? loose / all : 0;
     if (r.inner_vertices >= 12) return share > 0.9;
     const bool is_small = r.turn.positions.size() <= 12 && !r.turn.is_full;
     return share > 0.6 || (share > 0.25 && is_small);
+  }
+  // whether a face of a small patch is on the shape, the others perhaps on the next one
+  bool is_continued_by(const Region& r, Index q) const
+  {
+    const double t = 2 * c_.tolerance();
+    if (c_.patches[q].faces.size() > 8) return false;
+    for (const Index f : c_.patches[q].faces) {
+      bool is_on = true;
+      for (const Index v : c_.part.corners[f]) {
+        const Vec3 n = r.side * r.shape.normal(c_.point(v));
+        is_on = is_on && std::abs(r.shape.distance(c_.point(v))) <= t &&
+                dot(n, c_.part.normal[f]) >=
+                  std::cos(0.55 * r.step() + std::atan(6 * c_.tolerance() / c_.part.altitude[f]));
+      }
+      if (is_on) return true;
+    }
+    return false;
   }
   // to what is not so much larger that it is a plane
   bool goes_on(Index q) const

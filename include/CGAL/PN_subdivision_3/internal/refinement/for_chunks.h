@@ -84,15 +84,18 @@ public:
   template <class Concurrency_tag>
   static For_chunks with(Concurrency_tag)
   {
-    static_assert(
-      std::is_convertible_v<Concurrency_tag, Sequential_tag> || is_parallel_v<Concurrency_tag>,
-      "the concurrency tag is Sequential_tag, Parallel_tag or Parallel_if_available_tag");
+    static_assert(std::is_convertible_v<Concurrency_tag, Sequential_tag> ||
+                    is_parallel_v<Concurrency_tag>,
+                  "PN_subdivision_3: the concurrency tag is Sequential_tag, Parallel_tag or "
+                  "Parallel_if_available_tag");
     For_chunks for_chunks;
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (is_parallel_v<Concurrency_tag>) for_chunks.run_ = &run_in_parallel<>;
 #else
-    static_assert(!is_parallel_v<Concurrency_tag>,
-                  "Parallel_tag is enabled but TBB is unavailable.");
+    static_assert(
+      !is_parallel_v<Concurrency_tag>,
+      "PN_subdivision_3: Parallel_tag needs TBB: link CGAL::PN_subdivision_3_TBB, or take "
+      "Parallel_if_available_tag");
 #endif
     return for_chunks;
   }

@@ -1,0 +1,220 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The library in Node.js and in Chromium, against the command:
+//   node --test test_library.mjs      with PN_LIBRARY, its folder, and PN_SUBDIVIDE, the command, in the environment
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import * as three from "three";
+import { executablePath, hasBrowser } from "./browser.mjs";
+import { largestDifference, readPly } from "./page_actions.mjs";
+
+const library = path.resolve(process.env.PN_LIBRARY);
+const command = path.resolve(process.env.PN_SUBDIVIDE);
+const fromLibrary = (name) => import(pathToFileURL(path.join(library, "library", name)));
+let folder;
+let subdivision;
+before(async () => {
+  folder = await mkdtemp(path.join(tmpdir(), "pn-library-test-"));
+  subdivision = await (await fromLibrary("index.js")).load();
+});
+after(() => rm(folder, { recursive: true }));
+
+// --- meshes ---
+
+const cube = {
+  positions: [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [i & 1, (i >> 1) & 1, i >> 2].map((x) => 2 * x - 1)),
+  faces: [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]],
+};
+const octahedron = {
+  positions: [1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1],
+  faces: [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]],
+};
+/** Uneven normals of length 1. */
+const normals = ({ positions }) => {
+  const result = positions.map((x, i) => x + 0.3 * Math.sin(i));
+  for (let i = 0; i < result.length; i += 3) {
+    const length = Math.hypot(...result.slice(i, i + 3));
+    for (let k = 0; k < 3; ++k) result[i + k] /= length;
+  }
+  return result;
+};
+
+function plyOf({ positions, faces, normals = [], roundness = [] }) {
+  const n = positions.length / 3;
+  const names = ["x", "y", "z", ...(normals.length > 0 ? ["nx", "ny", "nz"] : []), ...(roundness.length > 0 ? ["roundness"] : [])];
+  const rows = Array.from({ length: n }, (_, v) => [...positions.slice(3 * v, 3 * v + 3), ...normals.slice(3 * v, 3 * v + 3),
+    ...roundness.slice(v, v + 1)].join(" "));
+  return ["ply", "format ascii 1.0", "comment control normals", `element vertex ${n}`, ...names.map((name) => `property double ${name}`),
+    `element face ${faces.length}`, "property list uchar int vertex_indices", "end_header", ...rows,
+    ...faces.map((face) => `${face.length} ${face.join(" ")}`), ""].join("\n");
+}
+
+async function ofCommand(mesh, words) {
+  const [input, output] = [path.join(folder, "in.ply"), path.join(folder, "out.ply")];
+  await writeFile(input, plyOf(mesh));
+  execFileSync(command, ["surface", input, output, "--quiet", ...words]);
+  return readPly(await readFile(output));
+}
+
+// --- the tests ---
+
+test("all schemes, linear and point-normal, make what the command makes, in every byte", async () => {
+  const schemes = subdivision.schemes();
+  assert.equal(schemes.length, 10);
+  for (const { name, takesTriangles } of schemes)
+    for (const linear of [false, true]) {
+      const mesh = { ...(takesTriangles ? octahedron : cube) };
+      mesh.normals = normals(mesh);
+      const refined = subdivision.subdivide(mesh, { scheme: name, levels: 3, linear });
+      const theirs = await ofCommand(mesh, ["--scheme", name, "--levels", "3", ...(linear ? ["--linear"] : [])]);
+      assert.equal(refined.faces.degrees.length, theirs.faces);
+      // what transfers curvature takes functions that another C library computes
+      const allowed = name.startsWith("ct-") ? 1e-14 : 0;
+      assert.ok(largestDifference([...refined.positions], theirs.points) <= allowed, name);
+      assert.equal(refined.normals.length, linear ? 0 : refined.positions.length);
+    }
+});
+
+test("estimates, roundness, creases and the limit are those of the command", async () => {
+  const near = (refined, theirs) => assert.ok(largestDifference([...refined.positions], theirs.points) < 1e-14);
+  near(subdivision.subdivide(cube, { levels: 2 }), await ofCommand(cube, ["--levels", "2", "--scheme", "catmull-clark"]));
+  const mesh = { ...cube, normals: normals(cube), roundness: [1, 0, 0.5, 1, 0.2, 0.9, 0, 1] };
+  const catmullClark = ["--scheme", "catmull-clark", "--levels", "2"];
+  const varied = subdivision.subdivide(mesh, { levels: 2 });
+  const theirs = await ofCommand(mesh, [...catmullClark, "--output-normals", "control"]);
+  near(varied, theirs);
+  assert.ok(largestDifference([...varied.roundness], theirs.roundness) < 1e-15);
+  assert.ok(largestDifference([...varied.normals], theirs.normals) < 1e-15);
+  near(subdivision.subdivide(mesh, { levels: 2, roundness: 0.25 }), await ofCommand(mesh, [...catmullClark, "--roundness", "0.25"]));
+  near(subdivision.subdivide(mesh, { levels: 2, roundness: "estimate" }), await ofCommand(mesh, [...catmullClark, "--roundness", "estimate"]));
+  near(subdivision.subdivide(mesh, { levels: 2, limit: true }),
+    await ofCommand(mesh, [...catmullClark, "--limit", "--surface-normals", "--limit-tolerance", "1e-7"]));
+  const selection = path.join(folder, "top.txt");
+  await writeFile(selection, "\n\n4 5 5 7 7 6 6 4\n");
+  near(subdivision.subdivide({ ...cube, creases: [4, 5, 5, 7, 7, 6, 6, 4] }, { levels: 2 }),
+    await ofCommand(cube, [...catmullClark, "--sharp", selection]));
+});
+
+test("two calls with one round are one call with two", () => {
+  const mesh = { ...cube, normals: normals(cube), roundness: [1, 0, 0.5, 1, 0.2, 0.9, 0, 1] };
+  const once = subdivision.subdivide(mesh, { levels: 2 });
+  const first = subdivision.subdivide(mesh, { levels: 1 });
+  const twice = subdivision.subdivide(first, { levels: 1 });
+  // in another order
+  const distanceTo = (p) => Math.min(...Array.from({ length: 98 }, (_, i) =>
+    Math.hypot(...p.map((x, k) => x - twice.positions[3 * i + k]))));
+  for (let i = 0; i < once.positions.length; i += 3) assert.ok(distanceTo([...once.positions.slice(i, i + 3)]) < 1e-14);
+});
+
+test("what is given is left alone, and what is wrong is named", () => {
+  const mesh = { positions: Float64Array.from(cube.positions), faces: cube.faces, normals: Float64Array.from(normals(cube)) };
+  const before = structuredClone(mesh);
+  const first = subdivision.subdivide(mesh, { levels: 2 });
+  const kept = first.positions.slice();
+  subdivision.subdivide(mesh, { levels: 5 }); // memory grows
+  assert.deepEqual(mesh, before);
+  assert.deepEqual(first.positions, kept);
+  const refuses = (wrong, options, expected) =>
+    assert.throws(() => subdivision.subdivide({ ...cube, ...wrong }, options), (error) => error instanceof Error && expected.test(error.message));
+  refuses({}, { scheme: "none" }, /no scheme 'none': it must be one of catmull-clark, /);
+  refuses({}, { scheme: "loop" }, /loop takes triangles only/);
+  refuses({}, { levels: -1 }, /levels/);
+  refuses({}, { roundness: 2 }, /roundness must be from 0 to 1/);
+  refuses({ faces: [[0, 1, 8]] }, {}, /8 is out of range/);
+  refuses({ faces: [[0, 1, 2 ** 32 + 2]] }, {}, /4294967298 is no number of a vertex/);
+  refuses({ faces: [[0, 1, -1]] }, {}, /-1 is no number of a vertex/);
+  refuses({ faces: [[0, 1, 2], [0, 1, 3], [0, 1, 4]] }, {}, /no oriented manifold: .*edge/);
+  refuses({ positions: [...cube.positions.slice(0, -1), NaN] }, {}, /finite|nan/i);
+  refuses({ normals: [1, 2] }, {}, /normals must be three numbers/);
+  refuses({ roundness: [1] }, {}, /8 vertices, and the roundness of 1/);
+});
+
+test("what is drawn has the surface's vertices, those on creases for each side", async () => {
+  const refined = subdivision.subdivide(cube, { levels: 1 });
+  const smooth = refined.geometry;
+  const cut = subdivision.subdivide({ ...cube, creases: [4, 5, 5, 7, 7, 6, 6, 4] }, { levels: 1 }).geometry;
+  assert.equal(smooth.positions.length / 3, 26);
+  assert.equal(cut.positions.length / 3, 26 + 8);
+  assert.equal(smooth.triangles.length, 3 * 2 * 24);
+  const { bufferGeometry } = await fromLibrary("three.js");
+  const geometry = bufferGeometry(three, refined);
+  geometry.computeBoundingBox();
+  assert.equal(geometry.boundingBox.max.x, Math.fround(Math.max(...refined.positions.filter((_, i) => i % 3 === 0))));
+  assert.equal(geometry.index.count, 144);
+});
+
+test("the example subdivides a glTF model", async () => {
+  // an octahedron whose faces share no vertices
+  const corners = octahedron.faces.flat();
+  const positions = Float32Array.from(corners.flatMap((v) => octahedron.positions.slice(3 * v, 3 * v + 3)));
+  const indices = Uint16Array.from(corners.keys());
+  const bytes = Buffer.concat([Buffer.from(positions.buffer), Buffer.from(indices.buffer)]);
+  const model = {
+    asset: { version: "2.0" },
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 24, type: "VEC3" },
+      { bufferView: 1, componentType: 5123, count: 24, type: "SCALAR" },
+    ],
+    bufferViews: [{ buffer: 0, byteLength: 288 }, { buffer: 0, byteOffset: 288, byteLength: 48 }],
+    buffers: [{ uri: `data:application/octet-stream;base64,${bytes.toString("base64")}`, byteLength: bytes.length }],
+  };
+  const [input, output] = [path.join(folder, "model.gltf"), path.join(folder, "model.obj")];
+  await writeFile(input, JSON.stringify(model));
+  const said = execFileSync("node", [path.join(library, "example.mjs"), input, output], { encoding: "utf8" });
+  assert.equal(said, "6 vertices became 66\n");
+  const lines = (await readFile(output, "utf8")).trim().split("\n");
+  assert.equal(lines.filter((line) => line.startsWith("f ")).length, 128);
+  const theirs = await ofCommand(octahedron, ["--scheme", "loop", "--levels", "2"]);
+  const ours = lines.filter((line) => line.startsWith("v ")).flatMap((line) => line.split(" ").slice(1).map(Number));
+  const sorted = (values) => Array.from({ length: values.length / 3 }, (_, i) => values.slice(3 * i, 3 * i + 3).map((x) => (x + 0).toFixed(9)).join()).sort();
+  assert.deepEqual(sorted(ours), sorted(theirs.points));
+});
+
+test("browsers make the same as Node.js", { skip: !hasBrowser }, async () => {
+  const types = { ".js": "text/javascript", ".wasm": "application/wasm", ".html": "text/html" };
+  const server = createServer(async (request, response) => {
+    const name = request.url === "/" ? undefined : path.join(library, path.normalize(request.url));
+    response.setHeader("Content-Type", types[path.extname(name ?? ".html")] ?? "text/plain");
+    response.end(name === undefined ? "<!doctype html>" : await readFile(name).catch(() => ""));
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+  try {
+    const page = await browser.newPage();
+    await page.goto(`http://127.0.0.1:${server.address().port}/`);
+    const mesh = { ...cube, normals: normals(cube) };
+    const theirs = await page.evaluate(async (given) => {
+      const { load } = await import("/library/index.js");
+      return Array.from((await load()).subdivide(given, { levels: 3 }).positions);
+    }, mesh);
+    const ours = [...subdivision.subdivide(mesh, { levels: 3 }).positions];
+    assert.equal(largestDifference(theirs, ours), 0);
+    const ofWorker = await page.evaluate(async (given) => {
+      const { startWorker } = await import("/library/worker.js");
+      const worker = startWorker();
+      const refusal = worker.subdivide(given, { scheme: "loop" }).catch((error) => error.message);
+      const [one, three] = await Promise.all([1, 3].map((levels) => worker.subdivide(given, { levels })));
+      const result = [await refusal, one.positions.length, Array.from(three.positions), three.geometry.triangles.length];
+      worker.terminate();
+      return result;
+    }, mesh);
+    assert.deepEqual(ofWorker, ["loop takes triangles only", 3 * 26, ours, 6 * 384]);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+});

@@ -1,0 +1,141 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What is known of a face of a level: where it comes from, and what the limit points on its parent have told.
+struct Adaptive_face
+{
+  using Index = Level_connectivity::Index;
+
+  Index origin = 0;       // the face of the control mesh
+  bool is_wanted = false; // a part of what is tessellated here, not of a ring around it
+  bool is_split = false;  // not flat enough
+  double measured = 0;    // how far the middles of the parent were from its triangles
+  double discrepancy = 0; // and from where they had been expected
+};
+
+// The part of a level that is refined further: the faces that are wanted, with rings around them; their slots and edges
+// have the numbers of Split_edges, or null.
+template <class Value, class Level_creases>
+struct Adaptive_level
+{
+  using Index = Level_connectivity::Index;
+
+  Valued_level<Value> level; // values are those of the slots
+  Level_creases creases;
+  std::vector<Index> slots, edges;
+  std::vector<Adaptive_face> faces;
+};
+
+// The slots of the corners of a level.
+template <class Level_creases>
+class Slots_of_corners;
+template <>
+class Slots_of_corners<No_creases>
+{
+public:
+  using Index = Level_connectivity::Index;
+  Slots_of_corners(const Level_connectivity& level, No_creases)
+    : level_(level)
+  {}
+  Index operator()(Index h) const { return level_.target(h); }
+
+private:
+  const Level_connectivity& level_;
+};
+template <class FT>
+class Slots_of_corners<Creases<FT>> : public Corner_slots<FT>
+{
+public:
+  using Corner_slots<FT>::Corner_slots;
+};
+
+// Leaves those faces that are marked, and some rings around them.
+template <class FT, class Level>
+class Cut_adaptive_level
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
+    : level_(level)
+  {
+    const Level_connectivity& whole = level.level.level;
+    for (unsigned r = 0; r < rings; ++r) add_ring(whole, kept);
+    const auto number = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), char(1)));
+    if (10 * number > 9 * kept.size()) return; // it would save little
+    const All_candidates candidates(whole, kept);
+    Piece_extraction<All_candidates> extraction(whole, candidates, false);
+    Level part{
+      {std::move(extraction.piece()), {}},
+      std::decay_t<decltype(level.creases)>(static_cast<Index>(extraction.old_vertices().size())),
+      {},
+      {},
+      {}};
+    const auto old_edges = extraction.old_edges();
+    for (const Index e : old_edges) part.edges.push_back(level.edges[e]);
+    for (Index f = 0; f < kept.size(); ++f)
+      if (kept[f] != 0) part.faces.push_back(level.faces[f]);
+    take_slots(part, extraction.old_vertices(), old_edges);
+    level = std::move(part);
+  }
+
+private:
+  template <class Vertices, class Edges>
+  void take_slots(Level& part, const Vertices& old_vertices,
+                  [[maybe_unused]] const Edges& old_edges)
+  {
+    const auto& values = level_.level.values;
+    if constexpr (are_creases_v<std::decay_t<decltype(level_.creases)>>)
+      if (!level_.creases.empty()) {
+        part.creases = creases_of_part(
+          level_.creases, part.level.level, [&](Index e) { return old_edges[e]; },
+          [&](Index v) { return old_vertices[v]; });
+        part.level.values.resize(part.creases.number_of_slots);
+        part.slots.assign(part.creases.number_of_slots, Level_connectivity::null);
+        const Corner_slots<FT> slots(level_.level.level, level_.creases);
+        const auto halfedge = [&](Index h) { return 2 * old_edges[h / 2] + (h & 1u); };
+        take_slot_values(part.level.level, part.creases, halfedge, slots, values,
+                         part.level.values);
+        take_slot_values(part.level.level, part.creases, halfedge, slots, level_.slots, part.slots);
+        return;
+      }
+    for (const Index v : old_vertices) {
+      part.level.values.push_back(values[v]);
+      part.slots.push_back(level_.slots[v]);
+    }
+  }
+
+  Level& level_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_LEVEL_H

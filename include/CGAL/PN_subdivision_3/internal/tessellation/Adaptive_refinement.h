@@ -1,0 +1,394 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/hosts/Edge_split.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_level.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Face_flatness.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+struct Tessellation_demand
+{
+  double tolerance;     // of the triangles
+  unsigned most_rounds; // at least one is done where faces are not triangles or quadrilaterals
+  std::uint64_t most_triangles;
+  Limit_demand limits;
+};
+
+// Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
+// its limit when it is new, so that the cost is that of the vertices of the result. The first round is done
+// everywhere, so that something has been seen of every face.
+template <class Scheme, class FT, class Level_creases>
+class Adaptive_refinement
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Average = Average_of_scheme<Scheme, FT>;
+  using Value = typename Average::Value;
+  using Level = Adaptive_level<Value, Level_creases>;
+
+  Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
+                      const For_chunks& for_chunks)
+    : scheme_(scheme)
+    , demand_(demand)
+    , for_chunks_(for_chunks)
+    , limits_(scheme, demand.limits, for_chunks)
+  {}
+
+  void operator()(Valued_level<Value>&& control, Level_creases&& creases)
+  {
+    Level level = first_level(std::move(control), std::move(creases));
+    for (bool is_done = false; !is_done;) is_done = !refine(level);
+  }
+
+  const Split_edges<FT>& all() const { return all_; }
+  const std::vector<Tessellation_leaf>& leaves() const { return leaves_; }
+  bool is_reached() const { return is_reached_; }
+  unsigned depth() const { return rounds_; }
+
+private:
+  using Host = typename Scheme::Host;
+  using Refiner = Level_refiner<Scheme, Average, Level_creases>;
+  static constexpr bool is_creased = are_creases_v<Level_creases>;
+  using Evaluation =
+    std::conditional_t<is_creased, Creased_limits<Scheme, FT>, Limit_evaluation<Scheme, FT>>;
+  using Result = typename Limit_evaluation<Scheme, FT>::Result;
+  using Results = std::vector<Result>;
+  using Flatness = Face_flatness<FT, Level>;
+  using Slots = Slots_of_corners<Level_creases>;
+  static constexpr Index null = Level_connectivity::null;
+
+  // The sagitta of halves is a fourth; what is known badly may fall more slowly.
+  static constexpr double rest_of_discrepancy = 0.4, rest_of_distance = 0.35;
+  // where a normal is not to be trusted, and the surface not smooth about the vertex
+  static constexpr double distrust = 2;
+
+  // \name Limits
+  Results limits(Level& level, const std::vector<Index>* some)
+  {
+    Results results;
+    if constexpr (is_creased)
+      results = limits_(level.level, level.creases, rounds_ + 1, some);
+    else
+      results = limits_(level.level, rounds_ + 1, some);
+    return results;
+  }
+
+  // is_smooth: whether the surface has a tangent plane wherever there is a normal of it
+  void set_slot(Index slot, const Result& result, bool is_smooth = true)
+  {
+    auto& s = all_.slot(slot);
+    const auto& point = point_of(result.value);
+    check_in_range<FT, 3>(
+      point, [&] { return "the limit point of vertex number " + std::to_string(s.vertex); });
+    all_.set_point(s.vertex, point, to_double_3(point));
+    s.has_surface_normal = result.has_surface_normal && is_smooth;
+    if constexpr (is_pn_v<Scheme>) s.normal = to_double_3(result.value.normal);
+    if (result.has_surface_normal) s.normal = result.surface_normal;
+    if (is_smooth) s.shape_normal = s.normal;
+  }
+
+  // \name Levels
+  Level first_level(Valued_level<Value>&& control, Level_creases&& creases)
+  {
+    Level level{std::move(control), std::move(creases), {}, {}, {}};
+    const Level_connectivity& connectivity = level.level.level;
+    const Results results = limits(level, nullptr);
+    for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
+      level.slots.push_back(all_.add_slot(all_.add_vertex()));
+    for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
+      level.slots.push_back(all_.add_slot(v));
+    const std::vector<unsigned> faces = faces_of_slots(level);
+    for (Index s = 0; s < level.slots.size(); ++s) set_slot(s, results[s], faces[s] != 1);
+    for (Index e = 0; e < connectivity.number_of_edges(); ++e)
+      level.edges.push_back(all_.add_edge());
+    level.faces.resize(connectivity.number_of_faces());
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      level.faces[f].origin = f;
+      level.faces[f].is_wanted = true;
+    }
+    return level;
+  }
+
+  // A single face between two edges of a smooth curve has no angle that a tangent plane could tell.
+  static std::vector<unsigned> faces_of_slots(const Level& level)
+  {
+    const Level_connectivity& connectivity = level.level.level;
+    const Slots slot_of(connectivity, level.creases);
+    std::vector<unsigned> faces(level.slots.size(), 0);
+    for (Index h = 0; h < connectivity.number_of_halfedges(); ++h)
+      if (!connectivity.is_border(h)) ++faces[slot_of(h)];
+    return faces;
+  }
+
+  // one round; false if there is nothing to refine
+  bool refine(Level& level)
+  {
+    const bool is_control = rounds_ == 0;
+    if (!is_control) {
+      if (!select(level, false)) return false;
+      if (rounds_ + 1 >= first_tuned_round(scheme_)) cut(level);
+    }
+    Level next = refined(level);
+    ++rounds_;
+    const std::vector<Index> vertices = new_vertices(level);
+    const Results results = limits(next, is_control ? nullptr : &vertices);
+    measure(level, results);
+    if (is_control && !select(level, true)) {
+      rounds_ = 0;
+      return false;
+    }
+    connect(level, next, results);
+    level = std::move(next);
+    return true;
+  }
+
+  // Decides which faces are split, and stores the others; whether there are any to be split. Of the control level the
+  // limits after the round are known.
+  bool select(Level& level, bool is_control)
+  {
+    const Flatness flatness(level, all_);
+    std::vector<double> errors(level.faces.size(), 0);
+    for_chunks_(static_cast<Index>(level.faces.size()), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f)
+        if (level.faces[f].is_wanted) errors[f] = error(level, flatness, f, is_control);
+    });
+    std::uint64_t number = 0;
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f] <= demand_.tolerance);
+      number += level.faces[f].is_split ? 1 : 0;
+    }
+    constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
+    const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds ||
+                         leaves_.size() * 2 + number * triangles > demand_.most_triangles;
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      Adaptive_face& face = level.faces[f];
+      if (is_last && face.is_split && is_leaf(level, f)) {
+        is_reached_ = false;
+        face.is_split = false;
+        --number;
+      }
+      if (face.is_wanted && !face.is_split) leaves_.push_back(flatness.leaf(f, errors[f]));
+    }
+    return number != 0;
+  }
+
+  static bool is_leaf(const Level& level, Index f)
+  {
+    const Index h = level.level.level.halfedge_of_face(f);
+    return level.level.level.has_degree(h, 3) || level.level.level.has_degree(h, 4);
+  }
+
+  double error(const Level& level, const Flatness& flatness, Index f, bool is_control) const
+  {
+    if (!is_leaf(level, f)) return std::numeric_limits<double>::infinity();
+    const auto estimate = flatness.estimate(f);
+    const Adaptive_face& face = level.faces[f];
+    double e = (is_control ? 1 : rest_of_distance) * face.measured;
+    if (estimate.knows_normals) {
+      const double by_normals =
+        estimate.error + (is_control ? 1 : rest_of_discrepancy) * face.discrepancy;
+      e = is_control ? (std::max)(e, by_normals) : by_normals;
+    } else if (!estimate.trusts_normals)
+      e *= distrust;
+    return (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
+           (std::max)(e, estimate.along_curves);
+  }
+
+  void cut(Level& level) const
+  {
+    Face_marks marks;
+    marks.reserve(level.faces.size());
+    for (const Adaptive_face& face : level.faces) marks.push_back(face.is_split ? 1 : 0);
+    Cut_adaptive_level<FT, Level>(level, std::move(marks), rings(level));
+  }
+  // what a round needs to come out right in the rings that the next one needs, and the limits of the new vertices
+  unsigned rings(const Level& level) const
+  {
+    unsigned rings = limit_neighborhood(scheme_).regular_rings == 0 ? ghost_rings(scheme_) : 0;
+    if (rings == 0) rings = cut_rings(scheme_);
+    return rings + (level.creases.empty() ? 0 : is_pn_v<Scheme> ? 2 : 1);
+  }
+
+  Level refined(const Level& level) const
+  {
+    Refiner refiner(scheme_, Level_connectivity(level.level.level), Level_creases(level.creases),
+                    {level.level.values.begin(), level.level.values.end()}, for_chunks_, rounds_);
+    refiner.refine();
+    Level next{{refiner.level(), {refiner.values().begin(), refiner.values().end()}},
+               refiner.creases(),
+               {},
+               {},
+               {}};
+    return next;
+  }
+
+  // those on the faces that are split
+  std::vector<Index> new_vertices(const Level& level) const
+  {
+    const Level_connectivity& old = level.level.level;
+    const Host host(old, rounds_);
+    std::vector<char> is_on_face(old.number_of_edges(), 0);
+    std::vector<Index> vertices, of_faces;
+    for (Index f = 0; f < old.number_of_faces(); ++f) {
+      if (!level.faces[f].is_split) continue;
+      const Index first = old.halfedge_of_face(f);
+      Index h = first;
+      do {
+        is_on_face[Level_connectivity::edge(h)] = 1;
+        h = old.next(h);
+      } while (h != first);
+      if constexpr (has_face_vertices) of_faces.push_back(host.vertex_of_face(f));
+    }
+    for (Index e = 0; e < is_on_face.size(); ++e)
+      if (is_on_face[e] != 0) vertices.push_back(host.vertex_of_edge(e));
+    vertices.insert(vertices.end(), of_faces.begin(), of_faces.end());
+    return vertices;
+  }
+
+  // \name What the new limit points tell of the faces
+  void measure(Level& level, const Results& results) const
+  {
+    const Level_connectivity& old = level.level.level;
+    const Host host(old, rounds_);
+    const Flatness flatness(level, all_);
+    const auto place = [&](Index v) { return to_double_3(point_of(results[v].value)); };
+    for_chunks_(old.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) {
+        Adaptive_face& face = level.faces[f];
+        if (!face.is_wanted || !is_leaf(level, f) || (rounds_ > 1 && !face.is_split)) continue;
+        typename Flatness::Middles middles;
+        flatness.for_each_edge(f, [&](std::size_t i, Index h) {
+          middles.of_edges[i] = place(host.vertex_of_edge(Level_connectivity::edge(h)));
+        });
+        if constexpr (has_face_vertices) {
+          middles.has_face = true;
+          middles.of_face = place(host.vertex_of_face(f));
+        }
+        const auto measure = flatness.measure(f, middles);
+        face.measured = measure.distance;
+        face.discrepancy = measure.discrepancy;
+      }
+    });
+  }
+
+  // \name From a level to the next one
+  void connect(const Level& level, Level& next, const Results& results)
+  {
+    const Level_connectivity& old = level.level.level;
+    const Host host(old, rounds_);
+    next.slots.assign(next.level.values.size(), null);
+    {
+      const Slots old_slots(old, level.creases), new_slots(next.level.level, next.creases);
+      for (Index f = 0; f < old.number_of_faces(); ++f)
+        if (level.faces[f].is_split)
+          split_face(level, f, host, old_slots, new_slots, results, next);
+    }
+    next.edges.assign(next.level.level.number_of_edges(), null);
+    for (Index e = 0; e < next.edges.size(); ++e) {
+      const Element_parent parent = host.parent_of_edge(e);
+      if (parent.kind != Element_parent::Kind::edge) continue;
+      const Index old_edge = level.edges[parent.index];
+      if (old_edge != null && all_.edge(old_edge).is_split())
+        next.edges[e] = all_.edge(old_edge).halves + parent.ordinal;
+    }
+    next.faces.resize(next.level.level.number_of_faces());
+    for (Index f = 0; f < next.faces.size(); ++f) {
+      const Adaptive_face& parent = level.faces[host.parent_of_face(f).index];
+      if (!parent.is_split) continue;
+      next.faces[f] = parent;
+      next.faces[f].is_split = false;
+      number_edges(next, f);
+    }
+  }
+
+  void number_edges(Level& level, Index f)
+  {
+    const Index first = level.level.level.halfedge_of_face(f);
+    Index h = first;
+    do {
+      Index& e = level.edges[Level_connectivity::edge(h)];
+      if (e == null) e = all_.add_edge();
+      h = level.level.level.next(h);
+    } while (h != first);
+  }
+
+  void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
+                  const Slots& old_slots, const Slots& new_slots, const Results& results,
+                  Level& next)
+  {
+    const Level_connectivity& old = level.level.level;
+    const Edge_split split(old);
+    const auto add_slot = [&](Index new_slot, Index vertex) {
+      Index& slot = next.slots[new_slot];
+      if (slot == null) set_slot(slot = all_.add_slot(vertex), results[new_slot]);
+      return slot;
+    };
+    const Index first = old.halfedge_of_face(f);
+    Index h = first;
+    do {
+      next.slots[new_slots(split.second_half(h))] = level.slots[old_slots(h)];
+      const Index e = Level_connectivity::edge(h), edge = level.edges[e];
+      if (!all_.edge(edge).is_split()) {
+        const Index vertex = all_.add_vertex();
+        std::array<Index, 2> middle{null, null};
+        for (const Index side : {0u, 1u})
+          if (!old.is_border(2 * e + side))
+            middle[side] = add_slot(new_slots(split.first_half(2 * e + side)), vertex);
+        all_.split(edge, middle);
+      }
+      h = old.next(h);
+    } while (h != first);
+    if constexpr (has_face_vertices) add_slot(host.vertex_of_face(f), all_.add_vertex());
+  }
+
+  static constexpr bool has_face_vertices = std::is_same_v<Host, PQQ_host>;
+
+  const Scheme& scheme_;
+  const Tessellation_demand demand_;
+  For_chunks for_chunks_;
+  Evaluation limits_;
+  Split_edges<FT> all_;
+  std::vector<Tessellation_leaf> leaves_;
+  unsigned rounds_ = 0;
+  bool is_reached_ = true;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_ADAPTIVE_REFINEMENT_H

@@ -1,0 +1,269 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_LEAF_TRIANGLES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_LEAF_TRIANGLES_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+struct Tessellation_triangle
+{
+  using Index = Level_connectivity::Index;
+
+  Index origin;                   // the face of the control mesh
+  std::array<Index, 3> slots;     // of the corners
+  std::array<Index, 3> halfedges; // of the result, each from a corner to the next
+};
+
+// Divides leaves into triangles that have all vertices on their sides, as finer neighbors have put them there.
+template <class FT>
+class Leaf_triangles
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // `tolerance` is that of the triangles
+  Leaf_triangles(const Split_edges<FT>& all, double tolerance)
+    : all_(all)
+    , tolerance_(tolerance)
+    , edge_(all.number_of_edges(), Level_connectivity::null)
+  {}
+
+  void add(const Tessellation_leaf& leaf)
+  {
+    polygon_.clear();
+    for (Index i = 0; i < leaf.degree; ++i) {
+      const auto side = side_bit(i), last_side = side_bit(i == 0 ? leaf.degree - 1 : i - 1);
+      auto sides = static_cast<unsigned char>(side | last_side);
+      all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index h) {
+        polygon_.push_back({slot, result_halfedge(h), sides, all_.corner(slot)});
+        sides = side;
+      });
+    }
+    bound_ = (std::max)(bound_, leaf.error);
+    if (polygon_.size() == 4 && leaf.degree == 4)
+      add_quadrilateral(leaf.origin);
+    else
+      clip(leaf.origin);
+  }
+
+  const std::vector<Tessellation_triangle>& triangles() const { return triangles_; }
+  Index number_of_edges() const { return edges_; }
+  // the largest estimated distance of the leaves, and of the triangles by the normals at their corners
+  double bound() const { return bound_; }
+
+private:
+  // a vertex of a leaf, with the half-edge that comes from it, and the sides on which it is
+  struct Place
+  {
+    Index slot, halfedge;
+    unsigned char sides;
+    flatness::Corner corner;
+  };
+
+  static unsigned char side_bit(Index i) { return static_cast<unsigned char>(1u << i); }
+
+  Index result_halfedge(Index h)
+  {
+    Index& e = edge_[h / 2];
+    if (e == Level_connectivity::null) e = edges_++;
+    return 2 * e + h % 2;
+  }
+
+  void add_triangle(Index origin, const Place& a, const Place& b, const Place& c)
+  {
+    triangles_.push_back({origin, {a.slot, b.slot, c.slot}, {a.halfedge, b.halfedge, c.halfedge}});
+  }
+
+  // clips the corner i, so that its predecessor leads to its successor
+  void clip_corner(Index origin, std::size_t i)
+  {
+    Place& before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1];
+    Place after = polygon_[i + 1 == polygon_.size() ? 0 : i + 1];
+    after.halfedge = 2 * edges_++;
+    add_triangle(origin, before, polygon_[i], after);
+    before.halfedge = after.halfedge + 1;
+    polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+
+  static double turns(const Place& a, const Place& b, const Place& c)
+  {
+    return flatness::is_turned(a.corner, b.corner, c.corner) ? 1 : 0;
+  }
+
+  void add_quadrilateral(Index origin)
+  {
+    const auto& p = polygon_;
+    const auto key = [&](std::size_t i) {
+      const Place &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[(i + 3) % 4];
+      return std::make_pair(turns(a, b, c) + turns(a, c, d),
+                            flatness::over_quadrilateral(a.corner, b.corner, c.corner, d.corner) +
+                              tie * flatness::distance(a.corner, c.corner));
+    };
+    clip_corner(origin, key(0) <= key(1) ? 1 : 2);
+    add_triangle(origin, p[0], p[1], p[2]);
+  }
+
+  // A triangle has no three corners on one side, and what is left after it neither. Ears, the flattest and shortest
+  // first, until there are few places; then the best of all divisions.
+  void clip(Index origin)
+  {
+    while (polygon_.size() > most_places) {
+      std::size_t best = polygon_.size();
+      auto best_key = std::make_pair(0., 0.);
+      const auto off = places_off_sides();
+      for (std::size_t i = 0; i < polygon_.size(); ++i) {
+        if (!is_ear(i, off)) continue;
+        const auto key = key_of_ear(i);
+        if (best != polygon_.size() && !(key < best_key)) continue;
+        best = i;
+        best_key = key;
+      }
+      clip_corner(origin, best);
+    }
+    divide(origin);
+  }
+
+  // of each side, how many places are not on it
+  std::array<std::size_t, 4> places_off_sides() const
+  {
+    std::array<std::size_t, 4> off{};
+    for (const Place& p : polygon_)
+      for (unsigned s = 0; s < 4; ++s) off[s] += (p.sides >> s & 1u) == 0 ? 1 : 0;
+    return off;
+  }
+  bool is_ear(std::size_t i, const std::array<std::size_t, 4>& off) const
+  {
+    const auto [before, after] = neighbors(i);
+    if ((before->sides & polygon_[i].sides & after->sides) != 0) return false;
+    for (unsigned s = 0; s < 4; ++s)
+      if (off[s] == 1 && (polygon_[i].sides >> s & 1u) == 0) return false;
+    return true;
+  }
+  std::pair<const Place*, const Place*> neighbors(std::size_t i) const
+  {
+    return {&polygon_[i == 0 ? polygon_.size() - 1 : i - 1],
+            &polygon_[i + 1 == polygon_.size() ? 0 : i + 1]};
+  }
+  std::pair<double, double> key_of_ear(std::size_t i) const
+  {
+    const auto [before, after] = neighbors(i);
+    const flatness::Section section(before->corner, after->corner);
+    return {turns(*before, polygon_[i], *after),
+            section.bulge() + tie * flatness::distance(before->corner, after->corner)};
+  }
+
+  // The division of least cost, part by part: of the places from i to k the best apex of the triangle at i, k.
+  void divide(Index origin)
+  {
+    const std::size_t n = polygon_.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = i + 1; k < n; ++k) {
+        const flatness::Section section(polygon_[i].corner, polygon_[k].corner);
+        chords_[i][k] = {section.sagitta(), section.bulge(),
+                         flatness::distance(polygon_[i].corner, polygon_[k].corner)};
+      }
+    for (std::size_t step = 1; step < n; ++step)
+      for (std::size_t i = 0, k = step; k < n; ++i, ++k) {
+        Part& part = parts_[i][k];
+        part = {step == 1 ? 0 : std::numeric_limits<double>::infinity(), i};
+        for (std::size_t j = i + 1; j < k; ++j) {
+          const double cost = parts_[i][j].cost + parts_[j][k].cost + cost_of(i, j, k);
+          if (cost < part.cost) part = {cost, j};
+        }
+      }
+    add_part(origin, 0, n - 1, polygon_[n - 1].halfedge);
+  }
+
+  double cost_of(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    const Place &a = polygon_[i], &b = polygon_[j], &c = polygon_[k];
+    if ((a.sides & b.sides & c.sides) != 0) return std::numeric_limits<double>::infinity();
+    const Chord &ab = chords_[i][j], &bc = chords_[j][k], &ac = chords_[i][k];
+    const double error =
+      (std::max)(
+        {flatness::over_triangle(std::abs(ab.sagitta), std::abs(bc.sagitta), std::abs(ac.sagitta)),
+         ab.bulge, bc.bulge, ac.bulge}) /
+      tolerance_;
+    constexpr double cost_of_turn = 1024, cost_of_excess = 64, cost_of_length = 1. / 256;
+    const double around = ab.length + bc.length + ac.length;
+    const double longest = (std::max)({ab.length, bc.length, ac.length});
+    const double shape = around > longest ? longest / (around - longest) : 1; // 1/2 to 1
+    const double fourth = error * error * error * error;
+    return fourth * (error > 1 ? cost_of_excess : 1) + cost_of_length * shape +
+           cost_of_turn * turns(a, b, c);
+  }
+
+  // what lies between the places i to k and the half-edge that leads from k to i
+  void add_part(Index origin, std::size_t i, std::size_t k, Index back)
+  {
+    if (k == i + 1) return;
+    const std::size_t j = parts_[i][k].apex;
+    const auto halfedge = [&](std::size_t from, std::size_t to) {
+      return to == from + 1 ? polygon_[from].halfedge : 2 * edges_++;
+    };
+    const Index first = halfedge(i, j), second = halfedge(j, k);
+    triangles_.push_back(
+      {origin, {polygon_[i].slot, polygon_[j].slot, polygon_[k].slot}, {first, second, back}});
+    if (is_known(i) && is_known(j) && is_known(k))
+      bound_ = (std::max)(bound_, tessellation_safety *
+                                    flatness::over_triangle(polygon_[i].corner, polygon_[j].corner,
+                                                            polygon_[k].corner));
+    add_part(origin, i, j, first + 1);
+    add_part(origin, j, k, second + 1);
+  }
+
+  bool is_known(std::size_t i) const { return all_.slot(polygon_[i].slot).has_surface_normal; }
+
+  struct Chord
+  {
+    double sagitta, bulge, length;
+  };
+  struct Part
+  {
+    double cost;
+    std::size_t apex;
+  };
+  static constexpr std::size_t most_places = 16;
+
+  // what the length of a diagonal counts where heights over it are about equal
+  static constexpr double tie = 1. / 1024;
+
+  template <class T>
+  using Table = std::array<std::array<T, most_places>, most_places>;
+
+  const Split_edges<FT>& all_;
+  const double tolerance_;
+  Table<Chord> chords_;
+  Table<Part> parts_;
+  std::vector<Index> edge_; // of the result
+  Index edges_ = 0;
+  double bound_ = 0;
+  std::vector<Place> polygon_;
+  std::vector<Tessellation_triangle> triangles_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_LEAF_TRIANGLES_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_SPLIT_EDGES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_SPLIT_EDGES_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// The vertices and edges of all levels of an adaptive refinement. A vertex has a slot for each of its wedges. A
+// half-edge of edge e is 2 * e or 2 * e + 1, and its halves go the same way.
+template <class FT>
+class Split_edges
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Vector = flatness::Vector;
+  static constexpr Index null = Level_connectivity::null;
+
+  struct Slot
+  {
+    Index vertex;
+    Vector normal;       // unit or zero
+    Vector shape_normal; // by which flatness goes, zero where it is not to be trusted
+    bool has_surface_normal;
+  };
+  struct Edge
+  {
+    std::array<Index, 2> middle{null, null}; // slots, in the faces of the half-edges
+    Index halves = null;                     // the first of the two, at the source of half-edge 2e
+    bool is_split() const { return halves != null; }
+  };
+
+  Index number_of_vertices() const { return static_cast<Index>(points_.size()); }
+  Index number_of_slots() const { return static_cast<Index>(slots_.size()); }
+  Index number_of_edges() const { return static_cast<Index>(edges_.size()); }
+
+  Index add_vertex()
+  {
+    points_.emplace_back();
+    places_.emplace_back();
+    return number_of_vertices() - 1;
+  }
+  Index add_slot(Index vertex)
+  {
+    slots_.push_back({vertex, {}, {}, false});
+    return number_of_slots() - 1;
+  }
+  Index add_edge()
+  {
+    edges_.emplace_back();
+    return number_of_edges() - 1;
+  }
+
+  void set_point(Index vertex, const Coordinates<FT, 3>& point, const Vector& place)
+  {
+    points_[vertex] = point;
+    places_[vertex] = place;
+  }
+  Slot& slot(Index s) { return slots_[s]; }
+  const Slot& slot(Index s) const { return slots_[s]; }
+  const Edge& edge(Index e) const { return edges_[e]; }
+  const Coordinates<FT, 3>& point(Index vertex) const { return points_[vertex]; }
+  flatness::Corner corner(Index s) const
+  {
+    return {places_[slots_[s].vertex], slots_[s].shape_normal};
+  }
+
+  // \pre it is not split
+  void split(Index e, std::array<Index, 2> middle)
+  {
+    const Index halves = add_edge();
+    add_edge();
+    edges_[e].middle = middle;
+    edges_[e].halves = halves;
+  }
+
+  // the halves of a half-edge
+  Index first_half(Index h) const { return 2 * (edges_[h / 2].halves + h % 2) + h % 2; }
+  Index second_half(Index h) const { return 2 * (edges_[h / 2].halves + 1 - h % 2) + h % 2; }
+
+  // Calls f(slot, half-edge) for the parts of a half-edge that are not split, each with the slot from which it comes.
+  template <class Function>
+  void for_each_part(Index slot, Index h, const Function& f) const
+  {
+    const Edge& e = edges_[h / 2];
+    if (!e.is_split()) return f(slot, h);
+    for_each_part(slot, first_half(h), f);
+    for_each_part(e.middle[h % 2], second_half(h), f);
+  }
+
+private:
+  std::vector<Coordinates<FT, 3>> points_;
+  std::vector<Vector> places_; // the points, in double
+  std::vector<Slot> slots_;
+  std::vector<Edge> edges_;
+};
+
+// A face of some level that is not refined further.
+struct Tessellation_leaf
+{
+  using Index = Level_connectivity::Index;
+
+  Index origin;                   // the face of the control mesh
+  Index degree;                   // 3 or 4
+  std::array<Index, 4> slots;     // of the corners
+  std::array<Index, 4> halfedges; // to the next corner
+  double error;                   // estimated
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_SPLIT_EDGES_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
+#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_refinement.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
+template <class Concurrency_tag, class FaceGraph, class NamedParameters>
+class Tessellation
+{
+public:
+  Tessellation(double chord_error, const NamedParameters& np)
+    : chord_error_(chord_error)
+    , np_(np)
+    , for_chunks_(For_chunks::with(Concurrency_tag()))
+  {}
+
+  template <class Report, class OutputMesh, class Access, class Scheme, class Out_access,
+            class Out_parameters>
+  Report operator()(const FaceGraph& control, const Access& access, const Scheme& scheme,
+                    OutputMesh& out, Out_access& out_access, const Out_parameters& np_out) const
+  {
+    require_empty(out_access);
+    Report report;
+    with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
+      refine(access, s, Parameters::const_point_map(control, np_), [&](const auto& refinement) {
+        Leaf_triangles<FT> triangles(refinement.all(), chord_error_ / tessellation_safety);
+        for (const Tessellation_leaf& leaf : refinement.leaves()) triangles.add(leaf);
+        const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
+        using Out = Surface_parameters<OutputMesh, Out_parameters>;
+        build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
+              Out::normal_map(np_out));
+        report.bound = triangles.bound();
+        report.reached = refinement.is_reached();
+        report.number_of_vertices = mesh.level().number_of_vertices();
+        report.number_of_triangles = mesh.level().number_of_faces();
+        report.depth = refinement.depth();
+      });
+    });
+    return report;
+  }
+
+private:
+  using Parameters = Surface_parameters<FaceGraph, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Index = Level_connectivity::Index;
+
+  // calls sink(refinement)
+  template <class Access, class Scheme, class Point_map, class Sink>
+  void refine(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
+  {
+    const auto normals = normal_map<Scheme>();
+    using Normal_map = std::decay_t<decltype(normals)>;
+    const auto edge_map = Parameters::edge_constraint_map(np_);
+    const auto vertex_map = Parameters::vertex_constraint_map(np_);
+    if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
+      require_crease_rules(scheme, access, normals, edge_map, vertex_map);
+      Valued_level<typename Average_of_scheme<Scheme, FT>::Value> control;
+      control.level = checked_level(access);
+      check_scheme<Scheme, Element_names>(scheme, control.level, access);
+      const Mesh_creases_of_call<Scheme, FT, Access, Normal_map,
+                                 typename Parameters::Edge_constraint_map,
+                                 typename Parameters::Vertex_constraint_map>
+        of_mesh(scheme, access, control.level, edge_map, vertex_map);
+      auto creases = of_mesh.creases(control.level);
+      require_sharp_for_ever<FT>(access, creases, 0);
+      of_mesh.read_tangents(creases);
+      control.values = of_mesh.values(control.level, points, normals, creases);
+      const Tessellation_demand demand = this->demand(box_size(control));
+      Adaptive_refinement<Scheme, FT, decltype(creases)> refinement(scheme, demand, for_chunks_);
+      refinement(std::move(control), std::move(creases));
+      sink(refinement);
+    }
+  }
+
+  // a linear scheme has no use for normals
+  template <class Scheme>
+  auto normal_map() const
+  {
+    if constexpr (is_pn_v<Scheme>)
+      return Parameters::normal_map(np_);
+    else
+      return No_normal_map();
+  }
+
+  Tessellation_demand demand(double box) const
+  {
+    Tessellation_demand demand;
+    demand.tolerance = chord_error_;
+    constexpr bool is_given =
+      !std::is_same_v<typename internal_np::Lookup_named_param_def<
+                        internal_np::number_of_iterations_t, NamedParameters, No_roundness>::type,
+                      No_roundness>;
+    demand.most_rounds = is_given ? Parameters::number_of_iterations(np_) : 12;
+    demand.most_triangles = std::uint64_t(1) << 31;
+    Limit_options options;
+    options.surface_normals = true;
+    options.normal_tolerance = 1e-4;
+    demand.limits = limit_demand<FT>(options, box);
+    demand.limits.tolerance = (std::min)(demand.limits.tolerance, chord_error_ / 1024);
+    return demand;
+  }
+
+  template <class Access>
+  static void require_empty(const Access& access)
+  {
+    const Level_size size = access.size();
+    if (size.vertices != 0 || size.edges != 0 || size.faces != 0)
+      throw std::invalid_argument("PN_subdivision_3: the mesh of the tessellation has vertices "
+                                  "already: it must be empty");
+  }
+
+  template <class Access, class Point_map, class Normal_map>
+  static void build(const Split_edges<FT>& all, const Tessellation_mesh<FT>& mesh, Access& access,
+                    Point_map point_map, Normal_map normal_map)
+  {
+    using Writers = Normal_writers<Access, Normal_map>;
+    using Point = typename boost::property_traits<Point_map>::value_type;
+    std::vector<Point> points;
+    points.reserve(all.number_of_vertices());
+    for (Index v = 0; v < all.number_of_vertices(); ++v) {
+      const auto& p = all.point(v);
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+    build_mesh(access, mesh.level(), point_map, points, Writers::vertex_map(normal_map),
+               vertex_normals<typename Writers::Vertex_map>(mesh), [&] {
+                 if constexpr (Writers::Corner_writer::takes_corners)
+                   mesh.for_each_corner([&](Index h, const flatness::Vector& n) {
+                     using Normal = typename boost::property_traits<Normal_map>::value_type;
+                     put(normal_map, access.halfedge_at(h), Normal(n[0], n[1], n[2]));
+                   });
+               });
+  }
+
+  template <class Normal_map>
+  static auto vertex_normals([[maybe_unused]] const Tessellation_mesh<FT>& mesh)
+  {
+    if constexpr (std::is_same_v<Normal_map, No_normal_map>)
+      return std::vector<char>();
+    else {
+      std::vector<typename boost::property_traits<Normal_map>::value_type> normals;
+      for (const flatness::Vector& n : mesh.normals()) normals.emplace_back(n[0], n[1], n[2]);
+      return normals;
+    }
+  }
+
+  double chord_error_;
+  const NamedParameters& np_;
+  For_chunks for_chunks_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H

@@ -1,0 +1,147 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_TESSELLATE_H
+#define CGAL_PN_SUBDIVISION_3_TESSELLATE_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
+#include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+
+/// \ingroup PkgPNSubdivision3Limit
+/// What `tessellate()` has reached.
+struct Tessellation_result
+{
+  /// the largest estimated distance between the triangles and the limit surface, in the unit of the coordinates; it is
+  /// not a bound that is proved.
+  double bound = 0;
+  /// whether `bound` is within what was asked for everywhere.
+  bool reached = true;
+  /// the number of vertices of the result.
+  std::size_t number_of_vertices = 0;
+  /// the number of its triangles.
+  std::size_t number_of_triangles = 0;
+  /// the most rounds of refinement that were done about a vertex.
+  unsigned depth = 0;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+approximates the limit surface of a mesh by triangles, to a tolerance: where the surface is flat they are large, where it
+is curved they are as small as it takes, and there are no cracks between them.
+
+The vertices of the result are limit points, as `limit_points()` has them, with normals of the surface. The mesh is
+refined round by round, but only the faces that are not flat enough, with the rings of faces around them that their
+rounds read, so that time and memory are those of the result. Each vertex gets its limit when it is new, once. An edge
+is split alike for the faces on both sides; where one of them is refined further, the other one's triangles have
+the vertices on it as corners.
+
+<b>The error.</b> How far the surface is from the triangles of a face is estimated before they are refined, from the
+limit points \f$ p_i \f$ and surface normals \f$ n_i \f$ at its corners: the height of the surface over the middle of a
+chord is that of the point-normal average (`PN_average`) of its ends,
+\f[ s_{ij} = \tfrac14\,(\tau_j-\tau_i)\cdot(p_j-p_i), \qquad \tau_i=\frac{n_i+n}{1+n_i\cdot n}, \quad
+n=\frac{n_i+n_j}{|n_i+n_j|}, \f]
+exact on spheres and cylinders and of fourth order elsewhere, and that of a surface of second order over a triangle is at
+most
+\f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$ |s_{ij}| \f$. When a face is
+split, the new limit points tell how far they are from where they had been expected; 0.4 of this is added to the
+estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.35 of
+the distance that was measured on the parent stands for the estimate; a fourth is what remains of it on smooth
+surfaces. On the control mesh itself a round is made of all faces, and the estimate is the measured distance.
+Edges on creases and borders have to be as close to their curve, which an eighth of the second differences of the points of
+the level tells. All is multiplied by 1.05. It is an estimate, and not a proof.
+
+<b>Creases and borders</b> are those of `subdivide_to_limit()`: what is sharp has to be so for ever. A plane stays as
+coarse as the control mesh is, apart from faces with more than four corners, which are split once.
+
+\tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or `Parallel_if_available_tag`. The result is
+  the same, bit for bit.
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam Scheme a model of `PNSubdivisionScheme_3` that splits edges and faces as Catmull-Clark or Loop do
+\tparam OutputMesh a model of `MutableFaceGraph`
+
+\param control an oriented 2-manifold with border; vertices without edges remain as they are
+\param scheme the scheme
+\param chord_error the largest distance between triangles and surface, in the unit of the coordinates
+\param out an empty mesh, which becomes the result; the vertices of the control mesh come first
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the control mesh: `vertex_point_map`,
+  `vertex_normal_map` with the control normals (without it they are estimated), `vertex_roundness_map` or `roundness`,
+  `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, and
+  `number_of_iterations`, the most rounds that are done about any vertex, 12 by default. The maps are read only
+\param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" of the result: `vertex_point_map`, and
+  `vertex_normal_map`, which gets the unit normals of the surface, or of half-edges those of the corners, which differ along
+  creases (a map of vertices then has their mean). Where the surface has none it gets the limit of the control
+  normals
+
+\returns what was reached. With as many rounds as are allowed, or more than \f$ 2^{31} \f$ triangles, faces that are not
+  flat enough stay as they are: the result is complete, and `Tessellation_result::reached` is false
+
+\throws std::invalid_argument if `chord_error` is not positive and finite, if the scheme does not split edges, if `out` is
+  not empty, and as `limit_points()` does
+\throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do; `out` stays
+  empty
+*/
+template <class Concurrency_tag = Sequential_tag, class FaceGraph, class Scheme, class OutputMesh,
+          class NamedParameters = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, double chord_error,
+                               OutputMesh& out,
+                               const NamedParameters& np = parameters::default_values(),
+                               const NamedParametersOut& np_out = parameters::default_values())
+{
+  if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_host<Tessellation_result,
+                             internal::Surface_call<FaceGraph, NamedParameters>>(
+      scheme, [&](const auto& s) {
+        return tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out);
+      });
+  else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
+                     !std::is_same_v<typename Scheme::Host, PTQ_host>)
+    throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
+                                " does not split edges in halves, by which a tessellation is "
+                                "refined: take Catmull-Clark or Loop, or another scheme that "
+                                "splits faces as they do");
+  else {
+    Tessellation_result result;
+    if (!(chord_error > 0) || !std::isfinite(chord_error))
+      throw std::invalid_argument("PN_subdivision_3: the chord error is " +
+                                  std::to_string(chord_error) + ": it must be positive and finite");
+    if constexpr (internal::check_pieces_arguments<FaceGraph, Scheme, NamedParameters>() &&
+                  internal::check_build_arguments<OutputMesh, NamedParametersOut, true>()) {
+      internal::with_mesh_access(control, [&](const auto& access) {
+        internal::with_mesh_access(out, [&](auto& out_access) {
+          const internal::Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(
+            chord_error, np);
+          result = tessellation.template operator()<Tessellation_result, OutputMesh>(
+            control, access, scheme, out, out_access, np_out);
+        });
+      });
+    }
+    return result;
+  }
+}
+
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_TESSELLATE_H
