@@ -80,6 +80,19 @@ inline Part open_slot()
   return b.take();
 }
 
+// The flat's corners are on the cylinder.
+inline Part shaft_with_flat(int n, double chord)
+{
+  Random random(11);
+  Part_builder b("shaft with a flat", random);
+  const int facets = static_cast<int>(std::lround(n * (360 - chord) / 360));
+  const Chain outline = Chain(1, 0).arc(0, 0, 360 - chord, steps(facets)).line_to(1, 0).close();
+  const auto side = b.sweep(outline, Chain(0, 0).line_to(0, 2));
+  b.cap({side.start});
+  b.cap({side.end});
+  return b.take();
+}
+
 // The disc at its end is tangent to the fillet.
 inline Part rounded_stub(int n, int quarter)
 {

@@ -11,6 +11,8 @@
 #include "Named_parts.h"
 #include "Part_marks.h"
 
+#include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
+
 #include <gtest/gtest.h>
 
 using namespace synthetic_parts;
@@ -165,6 +167,51 @@ TEST(Recognize_surfaces, tolerance)
   EXPECT_EQ(
     recognition_of(mesh, CGAL::parameters::default_values()).count(Recognized_kind::cylinder), 0u);
   EXPECT_EQ(counts_with(part, PN::parameters::surface_tolerance(4e-5)), (Counts{2, 1, 0, 0, 0}));
+}
+
+// What the coordinates of a file may be off by.
+TEST(Recognize_surfaces, rounding_of_files)
+{
+  using CGAL::PN_subdivision_3::internal::recognition::file_rounding;
+  std::vector<double> x;
+  for (int i = 1; i < 400; ++i) x.push_back(30 * std::sin(1. * i));
+  const double largest = *std::max_element(x.begin(), x.end());
+  const auto in_file = [&](const char* format) {
+    std::vector<double> y;
+    for (double c : x) {
+      char text[40];
+      std::snprintf(text, sizeof text, format, c);
+      y.push_back(std::strtod(text, nullptr));
+    }
+    return y;
+  };
+  EXPECT_NEAR(file_rounding(x) / std::ldexp(largest, -50), 1, 1e-3);
+  EXPECT_EQ(file_rounding(in_file("%.6g")), 0.5e-4);
+  EXPECT_EQ(file_rounding(in_file("%.9g")), 0.5e-7);
+  EXPECT_EQ(file_rounding(in_file("%.3f")), 0.5e-3); // 30 and three digits: five
+  EXPECT_NEAR(file_rounding(in_file("%.7f")) / 0.5e-7, 1, 1e-9);
+  std::vector<double> singles;
+  for (double c : x) singles.push_back(static_cast<double>(static_cast<float>(c)));
+  EXPECT_NEAR(file_rounding(singles) / std::ldexp(largest, -24), 1, 1e-3);
+  singles.push_back(-64); // the largest counts, whatever its sign
+  EXPECT_EQ(file_rounding(singles), std::ldexp(64., -24));
+}
+
+// A file of floats is taken at its word, too: what is off by more than its rounding allows is no cylinder.
+TEST(Recognize_surfaces, tolerance_of_floats)
+{
+  for (const double error : {0., 4e-6}) {
+    Part part = regular_prism(20);
+    for (std::size_t v = 0; v < part.points.size(); ++v) {
+      const double s = 1 + error * std::sin(7. * static_cast<double>(v));
+      part.points[v] = {s * part.points[v][0], s * part.points[v][1], part.points[v][2]};
+    }
+    write_as(part, File::single);
+    bool has_whole = false;
+    for (const Recognized_surface& r : recognition_of(part).surfaces)
+      has_whole = has_whole || (r.kind == Recognized_kind::cylinder && r.number_of_faces == 40);
+    EXPECT_EQ(has_whole, error == 0);
+  }
 }
 
 // A cylinder that is no cylinder: its side is unknown, with creases inside where it bends by more than the angle.

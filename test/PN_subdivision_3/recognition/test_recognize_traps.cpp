@@ -75,6 +75,12 @@ TEST(Recognize_traps, open_nut_trap)
   expect_right(open_slot());
 }
 
+TEST(Recognize_traps, flat_of_a_shaft)
+{
+  for (int n : {18, 24, 36})
+    for (double chord : {60., 80.}) expect_right(shaft_with_flat(n, chord));
+}
+
 TEST(Recognize_traps, disc_that_is_tangent_to_a_torus)
 {
   for (int n : {12, 24}) expect_right(rounded_stub(n, n / 4));
