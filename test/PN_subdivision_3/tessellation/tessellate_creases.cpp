@@ -60,7 +60,7 @@ void expect_part(const std::string& name, Part part, double eps)
 
 TEST(Tessellate, Parts)
 {
-  for (const double eps : {0.05}) {
+  for (const double eps : {0.05, 0.01}) {
     expect_part("capped cylinder", crease_shapes::capped_cylinder(crease_shapes::uneven(7)), eps);
     expect_part("half ball", crease_shapes::half_ball(), eps);
     expect_part("lens", crease_shapes::lens(), eps);
@@ -71,7 +71,7 @@ TEST(Tessellate, Parts)
 }
 TEST(Tessellate, PartsWithBorders)
 {
-  for (const double eps : {0.05}) {
+  for (const double eps : {0.05, 0.01}) {
     expect_part("plate with hole", crease_shapes::plate_with_hole(), eps);
     expect_part("ball cap", crease_shapes::ball_cap(), eps);
     expect_part("octant", crease_shapes::octant(), eps);

@@ -100,9 +100,11 @@ private:
   Results limits(Level& level, const std::vector<Index>* some)
   {
     Results results;
-    if constexpr (is_creased)
-      results = limits_(level.level, level.creases, rounds_ + 1, some);
-    else
+    if constexpr (is_creased) {
+      Level_creases creases =
+        level.creases; // gets the tangents of the limit, with which no round goes on
+      results = limits_(level.level, creases, rounds_ + 1, some);
+    } else
       results = limits_(level.level, rounds_ + 1, some);
     return results;
   }
