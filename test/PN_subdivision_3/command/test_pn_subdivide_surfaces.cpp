@@ -216,7 +216,7 @@ Part stone()
   const auto point = [](int i, int j) {
     const double a = 30. * (i % 12), b = 30. * j - 90;
     const Triple p = on_circle(std::cos(b * pi / 180), a, std::sin(b * pi / 180));
-    const double r = 2 + .3 * std::sin(3 * p[0] + 5 * p[1]) + .2 * std::cos(4 * p[2] + 2 * p[0]);
+    const double r = 2 + .1 * std::sin(3 * p[0] + 5 * p[1]) + .1 * std::cos(4 * p[2] + 2 * p[0]);
     return Triple{r * p[0], r * p[1], r * p[2]};
   };
   for (int i = 0; i < 12; ++i)
