@@ -102,11 +102,11 @@ public:
         continue;
       }
       const std::size_t v = get(index_, target(h, mesh_));
-      Point far = nodes_[v], near = nodes_[v], at = old[v];
-      mask_.border_node(h, far, near, at);
+      Point first = nodes_[v], second = nodes_[v], at = old[v];
+      mask_.border_node(h, first, second, at);
       nodes_[v] = at;
-      nodes_.push_back(near);
-      nodes_.push_back(far);
+      nodes_.push_back(second);
+      nodes_.push_back(first);
     }
     std::size_t i = 0;
     for (Vertex v : vertices(mesh_)) {

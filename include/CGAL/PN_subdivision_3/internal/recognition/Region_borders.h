@@ -94,15 +94,15 @@ private:
     return result;
   }
 
-  bool is_part_of(const Region& small, const Region& large) const
+  bool is_part_of(const Region& smaller, const Region& larger) const
   {
-    if (small.shape.kind != large.shape.kind) return false;
-    for (const Index v : small.vertices) {
+    if (smaller.shape.kind != larger.shape.kind) return false;
+    for (const Index v : smaller.vertices) {
       const Vec3& x = c_.point(v);
-      if (!(std::abs(large.shape.distance(x)) <= 2 * c_.tolerance())) return false;
-      const Vec3 m = small.shape.normal(x), n = large.shape.normal(x);
+      if (!(std::abs(larger.shape.distance(x)) <= 2 * c_.tolerance())) return false;
+      const Vec3 m = smaller.shape.normal(x), n = larger.shape.normal(x);
       if (dot(m, m) > 0 && dot(n, n) > 0 &&
-          angle_between(small.side * m, large.side * n) > radians(8))
+          angle_between(smaller.side * m, larger.side * n) > radians(8))
         return false;
     }
     return true;

@@ -87,27 +87,27 @@ private:
   {
     for (Index p = 0; p < c_.patches.size(); ++p) {
       if (!is_free(p) || borders_.is_prism(p) || c_.patches[p].faces.size() < 2) continue;
-      std::vector<Index> near;
+      std::vector<Index> owners;
       for (const Index number : c_.patches[p].joints) {
         const Index owner = borders_.owners()[c_.patches.joints[number].other(p)];
-        if (owner != null) near.push_back(owner);
+        if (owner != null) owners.push_back(owner);
       }
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
+      std::sort(owners.begin(), owners.end());
+      owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
       std::vector<Index> chosen;
       for (const Index f : c_.patches[p].faces) {
-        chosen.push_back(region_of_face(f, near));
+        chosen.push_back(region_of_face(f, owners));
         if (chosen.back() == null) break;
       }
       if (chosen.back() == null) continue;
       for (std::size_t i = 0; i < chosen.size(); ++i) label_[c_.patches[p].faces[i]] = chosen[i];
     }
   }
-  Index region_of_face(Index f, const std::vector<Index>& near) const
+  Index region_of_face(Index f, const std::vector<Index>& owners) const
   {
     Index best = null;
     double least = 0;
-    for (const Index region : near) {
+    for (const Index region : owners) {
       if (!borders_.may_be_facet(region, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
                                  2 * c_.tolerance()))
         continue;
