@@ -78,7 +78,10 @@ TYPED_TEST(Pieces_of_scheme, NeedsAllOfItsRings)
       EXPECT_EQ(number_of_defects(control, TypeParam(), 3, pieces, rings), 0u);
       with_one_less += number_of_defects(control, TypeParam(), 3, pieces, rings - 1);
     }
-  EXPECT_GT(with_one_less, 0u);
+  // new vertices between those of one face need no ring, but 0 says that none is known
+  constexpr bool needs_none = std::is_same_v<TypeParam, PN::Midpoint_scheme> ||
+                              std::is_same_v<TypeParam, PN::Bilinear_scheme>;
+  EXPECT_EQ(with_one_less == 0, needs_none);
 }
 
 TEST(Pieces, OfLinearSchemes)
