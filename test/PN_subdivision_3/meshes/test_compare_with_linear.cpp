@@ -408,16 +408,19 @@ TEST(Compare_with_linear, OpenMeshesAndFlatOnesHaveNoVolume)
   EXPECT_TRUE(std::isnan(open.control_volume));
   EXPECT_TRUE(std::isnan(open.volume_ratio));
   EXPECT_FALSE(open.is_swollen());
-  // a pillow of two squares in a plane that no axis is in
-  Mesh flat =
-    make_mesh({{0, 0, 0}, {1, 0, 0.3}, {1.1, 1, 1}, {0.1, 1, 0.7}}, {{0, 1, 2, 3}, {3, 2, 1, 0}});
-  for (const double far : {0., 1e5}) {
-    const auto c = compare(transformed(flat, 1, Vector_3(far, far, far)), PN::linear(scheme), 1);
-    EXPECT_TRUE(c.is_closed);
-    EXPECT_EQ(c.control_volume, 0);
-    EXPECT_TRUE(std::isnan(c.volume_ratio));
-    EXPECT_FALSE(c.is_swollen());
-  }
+  // pillows of two squares in a plane that no axis is in; of one that is cut volumes cancel but for rounding
+  const std::vector<Point_3> corners = {
+    {0, 0, 0}, {1, 0, 0.3}, {1.1, 1, 1}, {0.1, 1, 0.7}, {0.41, 0.37, 0.3709}};
+  for (const Mesh& flat :
+       {make_mesh({corners.begin(), corners.end() - 1}, {{0, 1, 2, 3}, {3, 2, 1, 0}}),
+        make_mesh(corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}})})
+    for (const double far : {0., 1e5}) {
+      const auto c = compare(transformed(flat, 1, Vector_3(far, far, far)), PN::linear(scheme), 1);
+      EXPECT_TRUE(c.is_closed);
+      EXPECT_EQ(c.control_volume, 0);
+      EXPECT_TRUE(std::isnan(c.volume_ratio));
+      EXPECT_FALSE(c.is_swollen());
+    }
   EXPECT_FALSE(compare(Mesh(), scheme, 2).is_closed);
   Mesh points;
   points.add_vertex(Point_3(1, 2, 3));
