@@ -15,6 +15,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>
 
@@ -215,6 +216,16 @@ TYPED_TEST(Triangulate_planes, OtherSurfacesAndNoFaces)
   EXPECT_TRUE(PN::triangulate_planes(none, map, surfaces).empty());
   surfaces[0].kind = Kind::plane;
   EXPECT_TRUE(PN::triangulate_planes(none, map, surfaces).empty());
+  using Point = typename boost::property_traits<
+    typename boost::property_map<TypeParam, CGAL::vertex_point_t>::type>::value_type;
+  TypeParam triangle;
+  CGAL::make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), triangle);
+  for (const Face f : faces(triangle)) patches[f] = 0;
+  EXPECT_EQ(PN::triangulate_planes(triangle, map, surfaces).size(), 1u);
+  for (const Kind other : {Kind::unknown, Kind::cylinder, Kind::sphere}) {
+    surfaces[0].kind = other;
+    EXPECT_TRUE(PN::triangulate_planes(triangle, map, surfaces).empty());
+  }
   Soup soup;
   soup.add_grid(0, 0, 1, 2, [](auto, auto) { return 7; });
   EXPECT_THROW(outcome<TypeParam>(soup), std::invalid_argument);
