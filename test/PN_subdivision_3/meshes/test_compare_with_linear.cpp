@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -329,6 +330,37 @@ TEST(Compare_with_linear, EverySchemeIsComparedWithItsOwnTwin)
     const auto any = PN::any_scheme<double>(scheme.name());
     expect_same(compare(mesh, any, 2), compare(mesh, scheme, 2), 0);
   });
+}
+
+// Edges of a cube whose tangents lean: the comparison is that of what subdivide() makes of them.
+TEST(Compare_with_linear, TangentsThatAreGivenAreTaken)
+{
+  Mesh mesh = cube();
+  auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", true).first;
+  auto tangents = mesh.add_property_map<Mesh::Halfedge_index, Vector_3>("h:t").first;
+  for (const auto h : mesh.halfedges()) {
+    const Vector_3 along = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+    const Vector_3 t = along + 0.4 * (mesh.point(mesh.source(h)) - CGAL::ORIGIN);
+    tangents[h] = t / std::sqrt(t.squared_length());
+  }
+  const Mesh control = mesh;
+  const auto np = CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp);
+  const PN::CatmullClark_scheme scheme;
+  const auto given =
+    PN::compare_with_linear(control, PN::with_crease_tangents(scheme, tangents), np);
+  Mesh linear = mesh, result = mesh;
+  const auto refine = [&](Mesh& m, const auto& s) {
+    auto map = m.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;
+    PN::subdivide(m, s, CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(map));
+  };
+  refine(linear, PN::linear(scheme));
+  auto map = result.add_property_map<Mesh::Halfedge_index, Vector_3>("h:t").first;
+  refine(result, PN::with_crease_tangents(scheme, map));
+  const auto expected = PN::compare_results_with_linear(control, result, linear);
+  EXPECT_NEAR(given.volume_ratio, expected.volume_ratio, 1e-12);
+  EXPECT_NEAR(given.largest_distance, expected.largest_distance, 1e-12);
+  EXPECT_GT(
+    std::abs(given.volume_ratio - PN::compare_with_linear(control, scheme, np).volume_ratio), 1e-3);
 }
 
 // The ball through the corners of the cube has the volume 4/3 pi 3 sqrt(3) for 8: pi sqrt(3) / 2.
