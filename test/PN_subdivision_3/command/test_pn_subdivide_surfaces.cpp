@@ -771,7 +771,8 @@ TEST_F(Pn_subdivide_surfaces, PlanesFromRimsKeepWhatIsSaidOfThem)
   EXPECT_EQ(stl.number_of_faces(), 2u * 192 + 4u * 54 + 2u * 24 * 16);
   const std::string vtp = written("plate.ply", "o.vtp", options + "--curvature mean --ascii");
   EXPECT_TRUE(contains(vtp, "NumberOfPoints=\"" + std::to_string(obj.points.size()) + "\""));
-  EXPECT_TRUE(is_watertight(refined("shaft.ply", "o.ply", "--sharp surfaces --planes rims --levels 0")));
+  EXPECT_TRUE(
+    is_watertight(refined("shaft.ply", "o.ply", "--sharp surfaces --planes rims --levels 0")));
 }
 
 TEST_F(Pn_subdivide_surfaces, PlanesWhoseRimsCrossKeepTheirFaces)
