@@ -9,6 +9,7 @@
 #include "io/soup_check.h"
 
 #include "io/Error.h"
+#include "io/plural.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -97,11 +98,6 @@ Soup_defects::Vertices find_pinched(const Mesh_data& mesh, const std::vector<Sid
   result.first =
     static_cast<Index>(std::find(pinched.begin(), pinched.end(), true) - pinched.begin());
   return result;
-}
-
-std::string plural(std::size_t n, const std::string& one, const std::string& many)
-{
-  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 std::string first_of(const Soup_defects::Edges& edges)

@@ -9,6 +9,7 @@
 #include "io/soup_repair.h"
 
 #include "io/orient_outwards.h"
+#include "io/plural.h"
 #include "io/soup_check.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -198,11 +199,6 @@ void orient(Mesh_data& mesh, Soup_repair& repair, std::vector<bool>& is_reversed
                                                      CGAL::parameters::visitor(visitor));
   mesh.clear_faces();
   for (const auto& face : faces) mesh.add_face(face);
-}
-
-std::string plural(std::size_t n, const char* one, const char* many)
-{
-  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "surface/Planes_from_rims.h"
 
 #include "io/Error.h"
+#include "io/plural.h"
 #include "surface/surface_command.h"
 
 #include <CGAL/PN_subdivision_3/triangulate_planes.h>
@@ -24,11 +25,6 @@ namespace pn_subdivide {
 namespace {
 
 using Index = Mesh_data::Index;
-
-std::string plural(std::size_t n, const std::string& one)
-{
-  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
-}
 
 void refuse(bool is_given, const std::string& option, const std::string& why)
 {
@@ -187,11 +183,11 @@ void Planes_from_rims::put_into(Mesh_data& mesh) const
 
 void Planes_from_rims::report(const std::string& output, Report& report) const
 {
-  report.note(output + ": " + plural(replaced_planes_, "plane") + " of " +
-              plural(replaced_faces_, "face") + " made of " +
-              plural(triangles_.size(), "triangle") + " between their rims");
+  report.note(output + ": " + plural(replaced_planes_, "plane", "planes") + " of " +
+              plural(replaced_faces_, "face", "faces") + " made of " +
+              plural(triangles_.size(), "triangle", "triangles") + " between their rims");
   if (kept_planes_ > 0)
-    report.warn(output + ": " + plural(kept_planes_, "plane") +
+    report.warn(output + ": " + plural(kept_planes_, "plane", "planes") +
                 (kept_planes_ == 1 ? " keeps its faces: its" : " keep their faces: their") +
                 " rims cross or touch each other");
 }

@@ -136,8 +136,7 @@ void put_surface_normals(Mesh_data& mesh, const Recognized_part& part, bool wher
         of_file[h] = of_vertices[surface.target(h)];
   }
   remove_normals(surface);
-  const Normal_map zero = add_normals(surface); // of vertices without faces
-  (void)zero;
+  add_normals(surface); // zero, of vertices without faces
   const Corner_normal_map normals = add_corner_normals(surface);
   for (const Halfedge h : surface.halfedges())
     normals[h] = of_file[h] == CGAL::NULL_VECTOR ? part.normals[h] : of_file[h];
