@@ -10,12 +10,14 @@
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -218,6 +220,41 @@ TEST(Round_interpolation, RefusesWhatIsOutOfRange)
       EXPECT_NE(std::string(e.what()).find("of vertex 3 is 1.75"), std::string::npos) << e.what();
     }
   for (auto v : mesh.vertices()) EXPECT_EQ(mesh.point(v), before.point(v));
+}
+
+// roundness of the mesh's own numbers, which no conversion makes a double
+TEST(Round_interpolation, TakesExactNumbers)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Exact::Point_3>;
+  Surface_mesh mesh = meshes_of(true)[0];
+  Mesh exact;
+  std::vector<Mesh::Vertex_index> of;
+  const auto normals = exact.add_property_map<Mesh::Vertex_index, Exact::Vector_3>("n").first;
+  const auto roundness = exact.add_property_map<Mesh::Vertex_index, Exact::FT>("w").first;
+  for (auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    const auto& n = normal_map(mesh)[v];
+    of.push_back(exact.add_vertex(Exact::Point_3(p.x(), p.y(), p.z())));
+    normals[of.back()] = Exact::Vector_3(n.x(), n.y(), n.z());
+    roundness[of.back()] = roundness_map(mesh)[v];
+  }
+  for (auto f : mesh.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(of[v.idx()]);
+    exact.add_face(corners);
+  }
+  PN::Limit_interpolation_options<> options;
+  options.mode = Mode::limit_points;
+  interpolate(mesh, PN::Loop_scheme(), Mode::limit_points);
+  PN::interpolate_limit_points(
+    exact, PN::Loop_scheme(), options,
+    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(normals)));
+  for (auto v : mesh.vertices()) {
+    const auto& p = exact.point(of[v.idx()]);
+    const Kernel::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    EXPECT_LT(CGAL::squared_distance(mesh.point(v), q), 1e-24);
+  }
 }
 
 } // namespace

@@ -22,6 +22,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -133,14 +134,16 @@ void check_interpolation_options(const Options& options)
       "limit_points");
 }
 
-// The roundness that is given, of vertices of a mesh; nothing where it is 1 everywhere.
-template <class Parameters, class Access, class NamedParameters>
+// The roundness that is given, of vertices of a mesh; nothing where none is.
+template <class FT, class Parameters, class Access, class NamedParameters>
 std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t n,
                                                const NamedParameters& np)
 {
-  Given_roundness<double> given = read_roundness<double, Parameters>(access, np);
-  if (given.of_all) given.of_vertices.assign(n, *given.of_all);
-  return std::move(given.of_vertices);
+  const Given_roundness<FT> given = read_roundness<FT, Parameters>(access, np);
+  if (given.of_all) return std::vector<double>(n, CGAL::to_double(*given.of_all));
+  std::vector<double> roundness;
+  for (const FT& w : given.of_vertices) roundness.push_back(CGAL::to_double(w));
+  return roundness;
 }
 
 // Points, normals and roundness of a mesh, and what is around the vertices; refuses what is sharp.
@@ -160,7 +163,8 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   Interpolation_data<3> data = read_points_and_normals<FT>(
     access, scheme, level, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
   data.takes_normals = is_pn_v<Scheme>;
-  data.roundness = read_roundness_of_vertices<Parameters>(access, level.number_of_vertices(), np);
+  data.roundness =
+    read_roundness_of_vertices<FT, Parameters>(access, level.number_of_vertices(), np);
   set_surroundings(level, data);
   return data;
 }
