@@ -11,7 +11,7 @@
 # limits of its control normals and by the normals of the surface; and tessellation.png, triangles to a tolerance beside
 # uniform rounds.
 #
-#   scripts/make_limit_pictures.sh [PN_SUBDIVIDE [FOLDER [TESSELLATE_TO_TOLERANCE]]]
+#   scripts/make_limit_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
 source "$(dirname "$0")/figure_setup.sh"
 
@@ -27,16 +27,15 @@ scripts/render.py --output "$folder/surface_normals.png" --columns 2 --tile 420 
                   --shading smooth --view=35,20 --caption "control normals" \
                   --caption "surface normals" "$work"/{control,surface}.ply
 
-tessellate=${3:-build/release/examples/PN_subdivision_3/tessellate_to_tolerance}
-draw() { # name, mesh, percent of the diagonal, rounds
-  "$tessellate" "data/meshes/$2" "$3" "$work/$1.ply"
-  "$command" surface "data/meshes/$2" "$work/$1_uniform.ply" --levels "$4" --scheme catmull-clark \
-             --normals estimate --sharp angle:30 --limit --quiet
+draw() { # name, mesh, part of the diagonal, rounds
+  local options=(--scheme catmull-clark --normals estimate --sharp angle:30 --quiet)
+  "$command" surface "data/meshes/$2" "$work/$1.ply" --chord "$3" "${options[@]}"
+  "$command" surface "data/meshes/$2" "$work/$1_uniform.ply" --levels "$4" --limit "${options[@]}"
 }
 
-draw sphere cube_on_sphere.ply 0.22 4
-draw head head.obj 0.1 3
-draw housing parts/bearing_housing.obj 0.05 2
+draw sphere cube_on_sphere.ply 0.22% 4
+draw head head.obj 0.1% 3
+draw housing parts/bearing_housing.obj 0.05% 2
 
 scripts/render.py --output "$folder/tessellation.png" --columns 3 --tile 420 --shading flat --edges \
                   --view=35,30 --caption "sphere, to 0.2 %" --caption "head, to 0.1 %" \

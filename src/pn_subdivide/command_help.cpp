@@ -30,18 +30,17 @@ const std::vector<Option_group>& option_groups()
 {
   static const std::vector<Option_group> groups = {
     {"Common options",
-     {"--levels", "--scheme", "--closed", "--sharp", "--normals", "--roundness", "--linear",
-      "--limit", "--threads", "--quiet", "--help"}},
+     {"--levels", "--chord", "--scheme", "--closed", "--sharp", "--normals", "--roundness",
+      "--linear", "--limit", "--threads", "--quiet", "--help"}},
     {"Sharp edges, borders and ends", {"--sharpness", "--border", "--write-tags", "--end"}},
     {"Surfaces of CAD parts",
-     {"--min-facets", "--surface-tolerance", "--sharp-angle", "--chord", "--planes",
-      "--surface-labels"}},
+     {"--min-facets", "--surface-tolerance", "--sharp-angle", "--planes", "--surface-labels"}},
     {"What is read",
      {"--triangulate", "--repair", "--merge-points", "--merge-distance", "--drop-attributes"}},
     {"What is written",
      {"--output-normals", "--surface-normals", "--curve-normals", "--curvature", "--texture-rule",
       "--ascii", "--format", "--comb"}},
-    {"Limits and interpolation", {"--limit-tolerance", "--interpolate"}},
+    {"Limits and interpolation", {"--chord-bound", "--limit-tolerance", "--interpolate"}},
     {"Schemes", {"--normal-scheme", "--tension", "--cap", "--first-round", "--tuned-valences"}},
     {"Piece by piece", {"--memory", "--pieces", "--resume"}},
     {"Checks and reports", {"--check", "--strict", "--report", "--verify", "--tolerance"}}};

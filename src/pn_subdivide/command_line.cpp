@@ -85,8 +85,11 @@ void add_surface_levels(CLI::App& command, Surface_options& options)
     ->transform(CLI::Validator(check, ""))
     ->default_str("1");
   command.add_option("--chord", options.chord,
-                     "With --levels auto --sharp surfaces: how far edges of the result may be from "
-                     "their surfaces: a length, or P% of the box's diagonal");
+                     "How far the limit surface may be from the triangles of the result, which are "
+                     "large where it is flat: a length, or P% of the box's diagonal; with --levels "
+                     "auto all faces are refined alike");
+  command.add_option("--chord-bound", options.chord_bound,
+                     "How that is known: estimated (default) or proven");
 }
 
 void add_linear(CLI::App& command, bool& linear)

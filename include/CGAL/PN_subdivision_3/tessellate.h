@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_TESSELLATE_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
@@ -18,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -34,6 +36,10 @@ struct Tessellation_result
   /// the largest estimated distance between the triangles and the limit surface, in the unit of the coordinates; it is
   /// not a bound that is proved.
   double bound = 0;
+  /// the number of the control face where `bound` is, in the order of `faces(control)`.
+  std::size_t worst_face = 0;
+  /// where that is, about.
+  std::array<double, 3> worst_place{};
   /// whether `bound` is within what was asked for everywhere.
   bool reached = true;
   /// the number of vertices of the result.
@@ -43,6 +49,49 @@ struct Tessellation_result
   /// the most rounds of refinement that were done about a vertex.
   unsigned depth = 0;
 };
+
+namespace internal {
+
+// tessellate(), with a table or null
+template <class Concurrency_tag, class FaceGraph, class Scheme, class OutputMesh,
+          class NamedParameters, class NamedParametersOut>
+Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, double chord_error,
+                               OutputMesh& out, const NamedParameters& np,
+                               const NamedParametersOut& np_out, Attribute_table* table)
+{
+  if constexpr (Is_any<Scheme>::value)
+    return on_host<Tessellation_result, Surface_call<FaceGraph, NamedParameters>>(
+      scheme, [&](const auto& s) {
+        return internal::tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out,
+                                                     table);
+      });
+  else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
+                     !std::is_same_v<typename Scheme::Host, PTQ_host>)
+    throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
+                                " does not split edges in halves, by which a tessellation is "
+                                "refined: take Catmull-Clark or Loop, or another scheme that "
+                                "splits faces as they do");
+  else {
+    Tessellation_result result;
+    if (!(chord_error > 0) || !std::isfinite(chord_error))
+      throw std::invalid_argument("PN_subdivision_3: the chord error is " +
+                                  std::to_string(chord_error) + ": it must be positive and finite");
+    if constexpr (check_pieces_arguments<FaceGraph, Scheme, NamedParameters>() &&
+                  check_build_arguments<OutputMesh, NamedParametersOut, true>()) {
+      with_mesh_access(control, [&](const auto& access) {
+        with_mesh_access(out, [&](auto& out_access) {
+          const Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(chord_error,
+                                                                                       np, table);
+          result = tessellation.template operator()<Tessellation_result, OutputMesh>(
+            control, access, scheme, out, out_access, np_out);
+        });
+      });
+    }
+    return result;
+  }
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Limit
@@ -109,36 +158,31 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
                                const NamedParameters& np = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_host<Tessellation_result,
-                             internal::Surface_call<FaceGraph, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out);
-      });
-  else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
-                     !std::is_same_v<typename Scheme::Host, PTQ_host>)
-    throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
-                                " does not split edges in halves, by which a tessellation is "
-                                "refined: take Catmull-Clark or Loop, or another scheme that "
-                                "splits faces as they do");
-  else {
-    Tessellation_result result;
-    if (!(chord_error > 0) || !std::isfinite(chord_error))
-      throw std::invalid_argument("PN_subdivision_3: the chord error is " +
-                                  std::to_string(chord_error) + ": it must be positive and finite");
-    if constexpr (internal::check_pieces_arguments<FaceGraph, Scheme, NamedParameters>() &&
-                  internal::check_build_arguments<OutputMesh, NamedParametersOut, true>()) {
-      internal::with_mesh_access(control, [&](const auto& access) {
-        internal::with_mesh_access(out, [&](auto& out_access) {
-          const internal::Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(
-            chord_error, np);
-          result = tessellation.template operator()<Tessellation_result, OutputMesh>(
-            control, access, scheme, out, out_access, np_out);
-        });
-      });
-    }
-    return result;
-  }
+  return internal::tessellate<Concurrency_tag>(control, scheme, chord_error, out, np, np_out,
+                                               nullptr);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Limit
+
+does the same and carries attributes from the control mesh to the result.
+
+\param attributes what is carried: numbers of vertices become their limits by the linear scheme, which is where the
+  points go, too; numbers of corners are linear inside the control faces, as `Corner_rule::all` has them, and no other rule is
+  known; `Attribute_table::face_parents` are the control faces that the triangles lie in. The arrays are read and replaced by those of
+  the result
+
+\throws std::invalid_argument besides if an array does not fit, if there are attributes of edges, or of corners by another rule; the
+  arrays are then as they were
+*/
+template <class Concurrency_tag = Sequential_tag, class FaceGraph, class Scheme, class OutputMesh,
+          class NamedParameters, class NamedParametersOut>
+Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, double chord_error,
+                               OutputMesh& out, const NamedParameters& np,
+                               const NamedParametersOut& np_out, Attribute_table& attributes)
+{
+  return internal::tessellate<Concurrency_tag>(control, scheme, chord_error, out, np, np_out,
+                                               &attributes);
 }
 
 } // namespace PN_subdivision_3

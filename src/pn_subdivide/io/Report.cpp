@@ -106,6 +106,7 @@ void Report::write_file(const Result& result) const
   for (const Row& values : surfaces_) json["surfaces"].push_back(row(values));
   json["high_faces"] = high_faces_;
   json["chord"] = object(chord_);
+  json["tessellation"] = row(tessellation_);
   try {
     Output_file file(*options_.file);
     // what is no UTF-8 in a file's name is replaced

@@ -67,7 +67,8 @@ Output_normals Output_normals::make(const Surface_options& options, const Mesh_f
   if (normals.choice == Choice::automatic && !holds_normals(output)) normals.choice = Choice::none;
   const bool is_default = normals.choice == Choice::automatic || normals.choice == Choice::both;
   const bool has_control_normals = !options.linear && options.normals != "none";
-  if (normals.choice == Choice::surface ||
+  const bool is_adaptive = options.chord && !options.auto_levels;
+  if (normals.choice == Choice::surface || (is_default && is_adaptive) ||
       (is_default && options.limit.points && has_control_normals))
     normals.kind = Normal_kind::of_surface;
   else if (is_default && options.levels > 0)

@@ -9,14 +9,20 @@
 #include "surface/chord_rounds.h"
 
 #include "io/Error.h"
+#include "io/near_miss.h"
+#include "surface/limit_surface.h"
 #include "surface/refine_surface.h"
 #include "surface/surface_command.h"
 
+#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,16 +95,14 @@ unsigned rounds_of_surfaces(const Mesh_data& mesh, const Recognized_part& part, 
   return k;
 }
 
-// What is farthest in the unknown segments from the middles of the edges when these are split once more.
-class Unknown_segments
+// A surface that is refined round by round.
+class Refined_surface
 {
 public:
-  Unknown_segments(const Mesh_data& mesh, const Recognized_part& part, const Creases& creases,
-                   const Scheme_choice& scheme, unsigned threads)
+  Refined_surface(const Mesh_data& mesh, const Creases& creases, const Scheme_choice& scheme,
+                  unsigned threads)
     : surface_(make_surface(mesh))
-    , part_(part)
     , scheme_(scheme)
-    , segments_(part.segments)
   {
     rounds_.levels = 1;
     rounds_.threads = threads;
@@ -108,23 +112,67 @@ public:
       rounds_.creases = add_creases(surface_, creases, true);
   }
 
-  std::size_t number_of_faces() const { return surface_.number_of_faces(); }
+  const Surface& surface() const { return surface_; }
+  // Of each face the number of the one that it was before.
+  std::vector<std::uint32_t> refine()
+  {
+    table_ = {};
+    table_.has_face_parents = true;
+    refine_surface(surface_, scheme_, rounds_);
+    if (!wedges_.empty()) put_corner_normals(surface_, std::exchange(wedges_, {}));
+    return std::move(table_.face_parents);
+  }
+  std::vector<Point_3> points() const
+  {
+    std::vector<Point_3> result;
+    for (const Vertex v : surface_.vertices()) result.push_back(surface_.point(v));
+    return result;
+  }
+  // of the vertices, after so many rounds
+  std::vector<Point_3> limits(unsigned rounds) const
+  {
+    Surface copy = surface_;
+    Limit_choice choice;
+    choice.points = true;
+    if (const auto creases = creases_of(copy, rounds_.creases))
+      set_limits(copy, scheme_, choice, *creases, rounds, rounds_.threads);
+    else
+      set_limits(copy, scheme_, choice, rounds, rounds_.threads);
+    std::vector<Point_3> result;
+    for (const Vertex v : copy.vertices()) result.push_back(copy.point(v));
+    return result;
+  }
+
+private:
+  Surface surface_;
+  const Scheme_choice& scheme_;
+  Refinement rounds_;
+  Wedge_list wedges_;
+  CGAL::PN_subdivision_3::Attribute_table table_;
+};
+
+// What is farthest in the unknown segments from the middles of the edges when these are split once more.
+class Unknown_segments
+{
+public:
+  Unknown_segments(Refined_surface&& surface, const Recognized_part& part)
+    : refined_(std::move(surface))
+    , part_(part)
+    , segments_(part.segments)
+  {}
+
+  std::size_t number_of_faces() const { return refined_.surface().number_of_faces(); }
 
   // Refines.
   double next_distance()
   {
-    std::vector<Point_3> old;
-    for (const Vertex v : surface_.vertices()) old.push_back(surface_.point(v));
-    table_ = {};
-    table_.has_face_parents = true;
-    if (!wedges_.empty()) put_corner_normals(surface_, std::exchange(wedges_, {}));
-    refine_surface(surface_, scheme_, rounds_);
+    const std::vector<Point_3> old = refined_.points();
     std::vector<std::size_t> segments;
-    for (const auto parent : table_.face_parents)
+    for (const auto parent : refined_.refine())
       segments.push_back(segments_[static_cast<std::size_t>(parent)]);
     segments_ = std::move(segments);
     double largest = 0;
-    for (const Vertex v : surface_.vertices())
+    for (const Vertex v : refined_.surface().vertices())
       if (std::size_t(v) >= old.size()) largest = (std::max)(largest, from_middle(v, old));
     return largest;
   }
@@ -133,25 +181,125 @@ private:
   // Points of edges, and no others, have two old neighbors.
   double from_middle(Vertex v, const std::vector<Point_3>& old) const
   {
+    const Surface& surface = refined_.surface();
     std::vector<Vertex> ends;
     bool is_unknown = false;
-    for (const auto h : CGAL::halfedges_around_target(surface_.halfedge(v), surface_)) {
-      if (std::size_t(surface_.source(h)) < old.size()) ends.push_back(surface_.source(h));
+    for (const auto h : CGAL::halfedges_around_target(surface.halfedge(v), surface)) {
+      if (std::size_t(surface.source(h)) < old.size()) ends.push_back(surface.source(h));
       is_unknown =
-        is_unknown || (!surface_.is_border(h) && !part_.is_known(segments_[surface_.face(h)]));
+        is_unknown || (!surface.is_border(h) && !part_.is_known(segments_[surface.face(h)]));
     }
     if (!is_unknown || ends.size() != 2) return 0;
     const Point_3 middle = CGAL::midpoint(old[ends[0]], old[ends[1]]);
-    return std::sqrt(CGAL::squared_distance(surface_.point(v), middle));
+    return std::sqrt(CGAL::squared_distance(surface.point(v), middle));
   }
 
-  Surface surface_;
+  Refined_surface refined_;
   const Recognized_part& part_;
-  const Scheme_choice& scheme_;
   std::vector<std::size_t> segments_;
-  Refinement rounds_;
-  Wedge_list wedges_;
-  CGAL::PN_subdivision_3::Attribute_table table_;
+};
+
+// How far the limit surface is from the faces of a level: measured at its vertices and at the middles of edges and faces,
+// and between these as with a surface of second order.
+class Distance_from_limit
+{
+public:
+  // `before`: the level, `points` as they are written; a round later it is `after`, with the limits there
+  Distance_from_limit(const Surface& before, const std::vector<Point_3>& points,
+                      const Surface& after, const std::vector<std::uint32_t>& parents,
+                      const std::vector<Point_3>& limits)
+    : before_(before)
+    , points_(points)
+    , limits_(limits)
+    , of_edge_(before.number_of_edges())
+    , of_face_(before.number_of_faces())
+  {
+    for (const Surface::Face_index f : after.faces()) find_middles(after, f, parents[f]);
+  }
+
+  double operator()() const
+  {
+    double largest = 0;
+    for (const Surface::Face_index f : before_.faces()) largest = (std::max)(largest, over(f));
+    for (const Vertex v : before_.vertices())
+      if (!before_.is_isolated(v)) largest = (std::max)(largest, from_faces(v, limits_[v]));
+    return largest;
+  }
+
+private:
+  using Triangle_3 = Kernel::Triangle_3;
+
+  // The next vertex after an old one is on the edge, and of a quadrilateral the one opposite in the face.
+  void find_middles(const Surface& after, Surface::Face_index f, std::uint32_t parent)
+  {
+    for (const auto h : halfedges_around_face(after.halfedge(f), after)) {
+      if (std::size_t(after.target(h)) >= points_.size()) continue;
+      const Surface::Face_index old(parent);
+      for (const auto g : halfedges_around_face(before_.halfedge(old), before_))
+        if (before_.source(g) == after.target(h))
+          of_edge_[before_.edge(g)] = after.target(after.next(h));
+      if (after.degree(f) == 4) of_face_[old] = after.target(after.next(after.next(h)));
+    }
+  }
+
+  double distance(const Point_3& p, Vertex a, Vertex b, Vertex c) const
+  {
+    const Point_3 &p0 = points_[a], &p1 = points_[b], &p2 = points_[c];
+    if (CGAL::cross_product(p1 - p0, p2 - p0).squared_length() > 0)
+      return std::sqrt(CGAL::squared_distance(p, Triangle_3(p0, p1, p2)));
+    return std::sqrt((std::min)(CGAL::squared_distance(p, Kernel::Segment_3(p0, p1)),
+                                CGAL::squared_distance(p, Kernel::Segment_3(p0, p2))));
+  }
+  // from a fan of triangles
+  double from_face(Surface::Face_index f, const Point_3& p, std::size_t first) const
+  {
+    std::vector<Vertex> v;
+    for (const auto h : halfedges_around_face(before_.halfedge(f), before_))
+      v.push_back(before_.target(h));
+    double least = std::numeric_limits<double>::infinity();
+    const std::size_t n = v.size();
+    for (std::size_t i = 1; i + 1 < n; ++i)
+      least = (std::min)(least, distance(p, v[first], v[(first + i) % n], v[(first + i + 1) % n]));
+    return least;
+  }
+  double from_edge(Surface::Edge_index e) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto h : {before_.halfedge(e, 0), before_.halfedge(e, 1)})
+      if (!before_.is_border(h))
+        least = (std::min)(least, from_face(before_.face(h), limits_[of_edge_[e]], 0));
+    return least;
+  }
+  double from_faces(Vertex v, const Point_3& p) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto h : CGAL::halfedges_around_target(before_.halfedge(v), before_))
+      if (!before_.is_border(h)) least = (std::min)(least, from_face(before_.face(h), p, 0));
+    return least;
+  }
+
+  // Both diagonals of quadrilaterals, since nobody knows which will be taken.
+  double over(Surface::Face_index f) const
+  {
+    using CGAL::PN_subdivision_3::internal::flatness::over_triangle;
+    std::vector<double> sides;
+    for (const auto h : halfedges_around_face(before_.halfedge(f), before_))
+      sides.push_back(from_edge(before_.edge(h)));
+    if (sides.size() == 3) return over_triangle(sides[0], sides[1], sides[2]);
+    const Point_3& middle = limits_[of_face_[f]];
+    const double over_middle = (std::max)(from_face(f, middle, 0), from_face(f, middle, 1));
+    double largest = over_middle;
+    for (const double side : sides) largest = (std::max)(largest, side);
+    if (sides.size() != 4) return largest;
+    for (const std::size_t i : {0u, 1u})
+      largest = (std::max)({largest, over_triangle(sides[i], sides[i + 1], over_middle),
+                            over_triangle(sides[i + 2], sides[(i + 3) % 4], over_middle)});
+    return largest;
+  }
+
+  const Surface& before_;
+  const std::vector<Point_3>&points_, &limits_;
+  std::vector<Vertex> of_edge_, of_face_;
 };
 
 bool has_unknown_faces(const Recognized_part& part)
@@ -186,27 +334,45 @@ double faces_after(const Mesh_data& mesh, const Scheme_choice& scheme, unsigned 
            : std::ldexp(static_cast<double>(mesh.number_of_corners()), 2 * (k - 1));
 }
 
+void require_faces(const Mesh_data& mesh, const Scheme_choice& scheme, unsigned rounds,
+                   double chord)
+{
+  if (faces_after(mesh, scheme, rounds) > most_faces)
+    refuse(chord, "2^31 faces, in " + std::to_string(rounds) + " rounds");
+}
+
+void require_chord_bound(const Surface_options& options)
+{
+  if (!options.chord_bound) return;
+  const std::string& bound = *options.chord_bound;
+  if (bound != "estimated" && bound != "proven")
+    throw Usage_error("--chord-bound '" + bound + "': expected estimated or proven" +
+                      did_you_mean(bound, {"estimated", "proven"}));
+  if (!options.chord) throw Usage_error("--chord-bound needs --chord");
+  if (bound == "proven")
+    throw Error("--chord-bound proven: no proven bound is known to this program yet; take "
+                "--chord-bound estimated");
+}
+
 } // namespace
 
 std::optional<Box_length> parse_chord(const Surface_options& options)
 {
-  if (options.chord) {
-    const Box_length chord = parse_box_length(*options.chord, "--chord");
-    if (!(chord.value > 0))
-      throw Usage_error("--chord " + *options.chord + ": it must be positive");
-    const std::string& scheme = options.scheme.scheme;
-    if (scheme == "sqrt3" || scheme == "doo-sabin")
-      throw Usage_error("--chord and --scheme " + scheme +
-                        " exclude each other: a round of that scheme halves no edge");
-    if (options.has_levels && !options.auto_levels)
-      throw Usage_error("--chord and --levels " + std::to_string(options.levels) +
-                        " exclude each other: take --levels auto");
-    if (!options.auto_levels) throw Usage_error("--chord needs --levels auto");
-    if (!wants_surfaces(options.creases)) throw Usage_error("--chord needs --sharp surfaces");
-    return chord;
+  require_chord_bound(options);
+  if (!options.chord) {
+    if (options.auto_levels) throw Usage_error("--levels auto needs --chord");
+    return std::nullopt;
   }
-  if (options.auto_levels) throw Usage_error("--levels auto needs --chord");
-  return std::nullopt;
+  const Box_length chord = parse_box_length(*options.chord, "--chord");
+  if (!(chord.value > 0)) throw Usage_error("--chord " + *options.chord + ": it must be positive");
+  const std::string& scheme = options.scheme.scheme;
+  if (scheme == "sqrt3" || scheme == "doo-sabin")
+    throw Usage_error("--chord and --scheme " + scheme +
+                      " exclude each other: a round of that scheme halves no edge");
+  if (options.has_levels && !options.auto_levels)
+    throw Usage_error("--chord and --levels " + std::to_string(options.levels) +
+                      " exclude each other: leave --levels out, or take --levels auto");
+  return chord;
 }
 
 Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Recognized_part& part,
@@ -216,15 +382,43 @@ Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Recognized_part& part
   Chord_rounds result;
   result.rounds = rounds_of_surfaces(mesh, part, chord);
   if (has_unknown_faces(part)) {
-    Unknown_segments unknown(mesh, part, creases, scheme, threads);
+    Unknown_segments unknown(Refined_surface(mesh, creases, scheme, threads), part);
     const Chord_rounds of_unknown = rounds_of_unknown(unknown, chord);
     result.estimate = std::ldexp(of_unknown.estimate,
                                  -2 * ((std::max)(0, int(result.rounds) - int(of_unknown.rounds))));
     result.rounds = (std::max)(result.rounds, of_unknown.rounds);
   }
-  if (faces_after(mesh, scheme, result.rounds) > most_faces)
-    refuse(chord, "2^31 faces, in " + std::to_string(result.rounds) + " rounds");
+  require_faces(mesh, scheme, result.rounds, chord);
   return result;
+}
+
+Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Creases& creases,
+                              const Scheme_choice& scheme, double chord, bool at_limits,
+                              unsigned threads)
+{
+  constexpr std::size_t most_faces_measured = 1000000;
+  Refined_surface refined(mesh, creases, scheme, threads);
+  unsigned first = 0; // limits are known only of edges that are smooth or sharp for ever
+  for (const double s : creases.edges)
+    if (!std::isinf(s)) first = (std::max)(first, static_cast<unsigned>(std::ceil(s)));
+  double error = std::numeric_limits<double>::infinity(), factor = 0.25;
+  for (unsigned k = 0;; ++k) {
+    if (k > most_rounds) refuse(chord, std::to_string(most_rounds) + " rounds");
+    require_faces(mesh, scheme, k, chord);
+    const double before = error;
+    if (refined.surface().number_of_faces() <= most_faces_measured) {
+      const Surface level = refined.surface();
+      const std::vector<Point_3> points =
+        at_limits && k >= first ? refined.limits(k) : refined.points();
+      const auto parents = refined.refine();
+      if (k + 1 < first) continue;
+      error =
+        Distance_from_limit(level, points, refined.surface(), parents, refined.limits(k + 1))();
+      if (before > 0 && std::isfinite(before)) factor = (std::max)(0.25, error / before);
+    } else
+      error *= factor;
+    if (error <= chord && k >= (at_limits ? first : 0)) return {k, error};
+  }
 }
 
 } // namespace pn_subdivide

@@ -18,19 +18,25 @@
 
 namespace pn_subdivide {
 
-// --levels auto --chord EPS: throws Usage_error if these do not go with each other and the rest.
+// --chord EPS and --chord-bound: throws Usage_error if they do not go with --levels and the rest.
 std::optional<Box_length> parse_chord(const Surface_options& options);
 
 // The rounds of a part after which no edge is farther from its surface than `chord`.
 struct Chord_rounds
 {
   unsigned rounds = 0;
-  double estimate = 0; // of what is left where no surface is known
+  double estimate = 0; // of what is left where no surface is known, or what was measured
 };
 
 // `mesh`: with its control normals. Throws Error if it takes too many rounds or faces.
 Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Recognized_part& part,
                               const Creases& creases, const Scheme_choice& scheme, double chord,
+                              unsigned threads);
+
+// The same of any surface: the least number of rounds after which this is measured to be no farther from its limit.
+// at_limits: whether vertices will be put on it.
+Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Creases& creases,
+                              const Scheme_choice& scheme, double chord, bool at_limits,
                               unsigned threads);
 
 } // namespace pn_subdivide

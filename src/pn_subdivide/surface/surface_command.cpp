@@ -33,6 +33,7 @@
 #include "surface/refine_surface.h"
 #include "surface/roundness.h"
 #include "surface/surface_labels.h"
+#include "surface/tessellate_surface.h"
 #include "surface/verification.h"
 #include "surface/vertex_curvature.h"
 
@@ -62,6 +63,7 @@ struct Plan
   std::optional<Verification> verification;
   Texture_rule texture_rule;
   unsigned threads;
+  bool is_adaptive = false; // tessellated within `chord`
 };
 
 void require_consistent_check(const Surface_options& options)
@@ -99,11 +101,15 @@ void require_consistent(const Surface_options& options)
 
 Texture_rule texture_rule(const Surface_options& options)
 {
-  if (!options.texture_rule) return Texture_rule::corners_plus1;
+  if (!options.texture_rule)
+    return options.chord && !options.auto_levels ? Texture_rule::all : Texture_rule::corners_plus1;
   const Texture_rule rule = parse_texture_rule(*options.texture_rule);
   if (options.drop_attributes)
     throw Usage_error("--texture-rule and --drop-attributes exclude each other: no texture "
                       "coordinates are read");
+  if (options.chord && !options.auto_levels && rule != Texture_rule::all)
+    throw Usage_error("--chord and --texture-rule " + *options.texture_rule +
+                      " exclude each other: take all, which is linear inside the control faces");
   if (!options.scheme.scheme.empty())
     require_texture_rule(rule, *options.texture_rule, options.scheme.scheme);
   return rule;
@@ -141,8 +147,10 @@ Plan make_plan(const Surface_options& options)
             texture_rule(options),
             1};
   require_consistent(options);
+  require_options_for_tessellation(options, plan.output);
+  plan.is_adaptive = plan.chord && !options.auto_levels;
   plan.output_normals = Output_normals::make(options, plan.output);
-  plan.limit = limit_choice(options, plan.output_normals);
+  if (!plan.is_adaptive) plan.limit = limit_choice(options, plan.output_normals);
   if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
   if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
@@ -402,8 +410,23 @@ std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface
   return number == 0 ? "" : ", " + turning_edges_text(number) + ": --sharp angle:40";
 }
 
+// Triangles within --chord; the rounds become those that were done.
+void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
+                const Scheme_choice& scheme, Refinement& rounds, double chord, Report& report)
+{
+  if (!rounds.attributes->corners.empty() && !options.texture_rule)
+    report.remark(plan.input.title("standard input") +
+                  ": beside --chord texture coordinates are linear inside the control faces, as "
+                  "--texture-rule all has them");
+  const Tessellation result =
+    tessellate_surface(surface, scheme, rounds.creases, chord, plan.threads, *rounds.attributes);
+  options.levels = result.depth;
+  rounds.creases.reset(); // of the control mesh
+  report_tessellation(result, chord, plan.output.title("standard output"), report);
+}
+
 // What the mesh becomes: refined, with curvatures, and with faces that the output can hold.
-void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
+void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
              const Scheme_choice& scheme, const Creases& creases, bool has_file_normals,
              const std::optional<Recognized_part>& part, std::optional<Surface_table>& table,
              std::optional<Linear_check>& check, Report& report)
@@ -411,6 +434,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   const bool must_split = !holds_polygons(plan.output);
   const bool is_creased = creases.any() || creases.border != Border::surface;
   const bool has_tags = is_creased && are_tags_written(options, plan.output_normals);
+  const double chord = plan.is_adaptive ? plan.chord->of(mesh) : 0;
   Mesh_origin origin;
   if (plan.output_normals.with_control())
     origin = origin_after(mesh, scheme.scheme, options.levels);
@@ -424,7 +448,7 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   Surface surface = make_surface(mesh);
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
-  announce_long_work(surface, options, scheme, report);
+  if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
   if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
@@ -437,7 +461,10 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
     carried.suit(surface, scheme.scheme, plan.input.title("standard input"), report);
     rounds.attributes = &carried.table();
-    refine_surface(surface, scheme, rounds);
+    if (plan.is_adaptive)
+      tessellate(surface, plan, options, scheme, rounds, chord, report);
+    else
+      refine_surface(surface, scheme, rounds);
     attributes = carried.take(surface);
   }
   Kept_normals control;
@@ -474,13 +501,17 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
 }
 
 // Limits are those of what is smooth or sharp for ever.
-void require_limit_of_creases(const Creases& creases, const Limit_choice& limit, unsigned levels)
+void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
 {
-  if (!limit.is_used() || creases.number_of_edges == 0) return;
+  const Limit_choice& limit = plan.limit;
+  if ((!limit.is_used() && !plan.is_adaptive) || creases.number_of_edges == 0) return;
   double sharpness = 0; // the largest that is not for ever
   for (const double s : creases.edges)
     if (!std::isinf(s)) sharpness = (std::max)(sharpness, s);
-  if (sharpness <= levels) return;
+  if (sharpness <= (plan.is_adaptive ? 0 : levels)) return;
+  if (plan.is_adaptive)
+    throw Usage_error("--chord: limits are known only of edges that are smooth or sharp for ever; "
+                      "take --sharpness inf, or --levels auto");
   throw Usage_error(std::string(limit.points ? "--limit" : limit.normals_option) +
                     ": limits are known only of edges that are smooth or sharp for ever; with this "
                     "--sharpness take --levels " +
@@ -521,8 +552,9 @@ std::string rounds_of(const Plan& plan, const Surface_options& options, const Sc
                       bool has_normals)
 {
   const bool is_linear = !has_normals || plan.normals.source == Normals_option::Source::none;
-  return std::to_string(options.levels) + (options.levels == 1 ? " round of " : " rounds of ") +
-         (is_linear ? "linear " : "") + scheme.scheme;
+  return (plan.is_adaptive ? "up to " : "") + std::to_string(options.levels) +
+         (options.levels == 1 ? " round of " : " rounds of ") + (is_linear ? "linear " : "") +
+         scheme.scheme;
 }
 
 std::string time_of(const Report& report)
@@ -566,9 +598,11 @@ std::optional<Chord_rounds> choose_rounds(const Mesh_data& mesh, Plan& plan,
                                           const Creases& creases, const Scheme_choice& scheme,
                                           Surface_options& options)
 {
-  if (!plan.chord) return std::nullopt;
+  if (!plan.chord || plan.is_adaptive) return std::nullopt;
+  const double chord = plan.chord->of(mesh);
   const Chord_rounds rounds =
-    rounds_for_chord(mesh, *part, creases, scheme, plan.chord->of(mesh), plan.threads);
+    part ? rounds_for_chord(mesh, *part, creases, scheme, chord, plan.threads)
+         : rounds_for_chord(mesh, creases, scheme, chord, plan.limit.points, plan.threads);
   options.levels = rounds.rounds;
   plan.output_normals = Output_normals::make(options, plan.output);
   return rounds;
@@ -594,6 +628,15 @@ void report_surfaces(const Surface_table& table, const std::optional<Chord_round
                   measured, chord);
     report.warn(input + text);
   }
+}
+
+void report_rounds(const Chord_rounds& rounds, double chord, Report& report)
+{
+  char text[200];
+  std::snprintf(text, sizeof text, "chord: %u rounds for %.6g, measured %.3g", rounds.rounds, chord,
+                rounds.estimate);
+  report.note(text);
+  report.set_chord({{"asked", chord}, {"measured", rounds.estimate}});
 }
 
 void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
@@ -653,7 +696,7 @@ void run_surface_command(const Surface_options& given_options)
     const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
     if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
-    require_limit_of_creases(creases, plan.limit, options.levels);
+    require_limit_of_creases(creases, plan, options.levels);
     require_interpolation_without_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals);
     const bool has_file_normals = mesh.has_normals();
@@ -663,14 +706,15 @@ void run_surface_command(const Surface_options& given_options)
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
     turning = turning_edges(mesh, plan, options, scheme, creases);
+    const double chord = plan.chord ? plan.chord->of(mesh) : 0;
+    const std::optional<Chord_rounds> rounds =
+      choose_rounds(mesh, plan, part, creases, scheme, options);
+    if (rounds && !part) report_rounds(*rounds, chord, report);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
                                plan.output_normals);
     else {
-      const double chord = plan.chord ? plan.chord->of(mesh) : 0;
       if (part) table.emplace(*part, mesh);
-      const std::optional<Chord_rounds> rounds =
-        choose_rounds(mesh, plan, part, creases, scheme, options);
       process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
       if (table) report_surfaces(*table, rounds, chord, input, report);
       if (check) report.set_check(check->values());

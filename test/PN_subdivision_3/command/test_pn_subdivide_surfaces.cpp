@@ -891,9 +891,7 @@ TEST_F(Pn_subdivide_surfaces, WhatExcludesEachOther)
   refused(sharp + "--planes rims --pieces 2", {"--pieces"});
   refused("--levels auto", {"--levels auto", "--chord"});
   refused(sharp + "--levels auto", {"--levels auto", "--chord"});
-  refused(sharp + "--chord 1", {"--chord", "--levels auto"});
   refused(sharp + "--chord 1 --levels 3", {"--chord", "--levels 3"});
-  refused("--chord 1 --levels auto", {"--chord", "--sharp surfaces"});
   refused(sharp + "--levels auto --chord 0", {"--chord 0"});
   refused(sharp + "--levels auto --chord -1%", {"--chord -1%"});
   for (const std::string scheme : {"sqrt3", "doo-sabin"})

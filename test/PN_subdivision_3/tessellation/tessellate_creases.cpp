@@ -77,20 +77,31 @@ TEST(Tessellate, PartsWithBorders)
     expect_part("octant", crease_shapes::octant(), eps);
   }
 }
-TEST(Tessellate, PlanesStayCoarse)
+// as a rim, not as an area
+void expect_growth_of_rim(Part part)
 {
-  Part part = crease_shapes::plate_with_hole();
+  part.place();
   const auto data = part.control();
   tagged_meshes::Tagged<Mesh> control(data);
   std::vector<std::size_t> numbers;
   for (const double eps : {0.01, 0.0025, 0.000625}) {
     Mesh out;
     PN::tessellate(control.mesh, PN::with_border(PN::CatmullClark_scheme(), data.border), eps, out,
-                   params::vertex_normal_map(control.normals));
+                   params::vertex_normal_map(control.normals)
+                     .edge_is_constrained_map(control.sharp)
+                     .vertex_is_constrained_map(control.corners));
+    expect_conforming(out, control.mesh);
     numbers.push_back(out.number_of_faces());
   }
-  // as a rim, not as an area
   EXPECT_LE(double(numbers[2] - numbers[1]), 2.6 * double(numbers[1] - numbers[0]));
+}
+TEST(Tessellate, PlanesStayCoarse)
+{
+  expect_growth_of_rim(crease_shapes::plate_with_hole());
+}
+TEST(Tessellate, RulingsStayUndivided)
+{
+  expect_growth_of_rim(crease_shapes::capped_cylinder(crease_shapes::uneven(7)));
 }
 
 } // namespace

@@ -23,6 +23,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
@@ -175,6 +180,17 @@ TEST(Tessellate, ACubeHasTwelveTriangles)
   }
 }
 
+TEST(Tessellate, ACornerOnAStraightSideGetsADiagonal)
+{
+  Control_mesh quad{"quadrilateral", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
+  quad.normals.assign(4, {0, 0, 1});
+  Surface_mesh out, control = to_surface_mesh(quad);
+  PN::tessellate(control, PN::with_border(PN::CatmullClark_scheme(), PN::Border::fixed), 0.1, out,
+                 params::vertex_normal_map(normal_map(control)));
+  EXPECT_EQ(out.number_of_faces(), 2U);
+  expect_conforming(out, control);
+}
+
 // \name Linear schemes, against CGAL
 
 template <class Scheme, class Subdivide>
@@ -319,6 +335,132 @@ TEST(Tessellate, ThreadsChangeNothing)
   EXPECT_EQ(triangles(one), triangles(other));
 }
 
+// \name Attributes
+
+// The limit masks of valence 3 on quadrilaterals: Halstead, Kass, DeRose (SIGGRAPH 1993), (n^2 v + 4 e + f) / (n (n + 5)).
+TEST(Tessellate, AttributesOfVerticesAreTheirLinearLimits)
+{
+  Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube()));
+  for (const double scale : {1., 1e9, 1e-9}) {
+    PN::Attribute_table table;
+    table.vertices = {{2, {}, PN::Corner_rule::smooth}, {2, {}, PN::Corner_rule::smooth}};
+    const auto value = [&](auto v) { return scale * double((7 * std::size_t(v)) % 5); };
+    for (auto v : control.vertices()) {
+      table.vertices[0].values.insert(table.vertices[0].values.end(), {value(v), 3 * scale});
+      table.vertices[1].values.insert(table.vertices[1].values.end(), {-value(v), 0});
+    }
+    Surface_mesh out;
+    PN::tessellate(control, PN::CatmullClark_scheme(), 0.02, out,
+                   params::vertex_normal_map(normal_map(control)), params::default_values(), table);
+    ASSERT_EQ(table.vertices[0].values.size(), 2 * out.number_of_vertices());
+    for (auto v : control.vertices()) {
+      double sum = 9 * value(v);
+      for (auto h : control.halfedges_around_target(control.halfedge(v)))
+        sum += 4 * value(control.source(h)) + value(control.target(control.next(control.next(h))));
+      EXPECT_NEAR(table.vertices[0].values[2 * v], sum / 24, 1e-8 * scale);
+      EXPECT_NEAR(table.vertices[1].values[2 * v], -sum / 24, 1e-8 * scale);
+    }
+    for (auto v : out.vertices()) {
+      EXPECT_NEAR(table.vertices[0].values[2 * v + 1], 3 * scale, 1e-14 * scale);
+      EXPECT_EQ(table.vertices[1].values[2 * v + 1], 0);
+    }
+  }
+}
+
+// Over a uniform grid the coordinates x, y of a point of the linear surface are its parameters, unless edges are sharp.
+void expect_parameters(Cells cells)
+{
+  Control_mesh grid = test_meshes::grid(3, 3, false, false, cells);
+  for (std::size_t i = 0; i < grid.points.size(); ++i) {
+    const auto at = [&](std::size_t n) { return double((n * i) % 7) / 7; };
+    grid.points[i] = {double(i % 4), double(i / 4), at(3)};
+  }
+  grid.normals.assign(grid.points.size(), {0, 0, 0});
+  Surface_mesh control = to_surface_mesh(grid);
+  for (const bool is_creased : {false, true}) {
+    const auto sharp = control.add_property_map<Surface_mesh::Edge_index, bool>("e:s", false).first;
+    for (auto e : control.edges()) sharp[e] = is_creased && std::size_t(e) % 4 == 0;
+    PN::Attribute_table table;
+    table.has_face_parents = true;
+    table.vertices = {{1, {}, PN::Corner_rule::smooth}};
+    for (auto v : control.vertices())
+      table.vertices[0].values.push_back(control.point(v).x() + 10 * control.point(v).y());
+    table.corners = {{1, {}, PN::Corner_rule::all}, {2, {}, PN::Corner_rule::all}};
+    for (auto h : control.halfedges()) {
+      const auto f = control.is_border(h) ? 0 : std::size_t(control.face(h));
+      const Point& p = control.point(control.target(h));
+      table.corners[0].values.push_back(1000. * double(f) + p.x());
+      table.corners[1].values.insert(table.corners[1].values.end(), {p.x(), p.y()});
+    }
+    Surface_mesh out;
+    const auto refine = [&](const auto& scheme) {
+      PN::tessellate(control, PN::linear(PN::with_border(scheme, PN::Border::corners)), 0.01, out,
+                     params::edge_is_constrained_map(sharp), params::default_values(), table);
+    };
+    if (cells == Cells::triangles)
+      refine(PN::Loop_scheme());
+    else
+      refine(PN::CatmullClark_scheme());
+    ASSERT_EQ(table.face_parents.size(), out.number_of_faces());
+    ASSERT_EQ(table.vertices[0].values.size(), out.number_of_vertices());
+    ASSERT_EQ(table.corners[1].values.size(), 2 * out.number_of_halfedges());
+    std::set<std::uint32_t> parents;
+    std::map<Surface_mesh::Vertex_index, std::pair<double, double>> places;
+    for (auto v : out.vertices())
+      EXPECT_NEAR(table.vertices[0].values[v], out.point(v).x() + 10 * out.point(v).y(), 1e-12);
+    for (auto h : out.halfedges()) {
+      if (out.is_border(h)) continue;
+      const auto parent = table.face_parents[out.face(h)];
+      parents.insert(parent);
+      const double x = table.corners[1].values[2 * std::size_t(h)],
+                   y = table.corners[1].values[2 * std::size_t(h) + 1];
+      EXPECT_NEAR(table.corners[0].values[h], 1000. * parent + x, 1e-8);
+      const Point& p = out.point(out.target(h));
+      if (cells == Cells::quads && !is_creased) {
+        EXPECT_NEAR(x, p.x(), 1e-12);
+        EXPECT_NEAR(y, p.y(), 1e-12);
+      }
+      // of a vertex between faces the same in all of them
+      const auto [of_vertex, is_new] = places.insert({out.target(h), {x, y}});
+      EXPECT_EQ(of_vertex->second, std::make_pair(x, y));
+    }
+    EXPECT_EQ(parents.size(), control.number_of_faces());
+  }
+}
+TEST(Tessellate, AttributesOfCornersAreParameters)
+{
+  expect_parameters(Cells::quads);
+  expect_parameters(Cells::triangles);
+}
+TEST(Tessellate, RefusedAttributesStayAsTheyAre)
+{
+  const Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube()));
+  const auto expect = [&](PN::Attribute_table table, const std::string& part) {
+    Surface_mesh out;
+    const std::size_t sizes[] = {table.vertices.size(), table.corners.size(), table.edges.size()};
+    try {
+      PN::tessellate(control, PN::CatmullClark_scheme(), 0.1, out, params::default_values(),
+                     params::default_values(), table);
+      FAIL() << part;
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(out.number_of_vertices(), 0U);
+    EXPECT_EQ(table.vertices.size(), sizes[0]);
+    EXPECT_EQ(table.corners.size(), sizes[1]);
+    EXPECT_EQ(table.edges.size(), sizes[2]);
+  };
+  PN::Attribute_table table;
+  table.vertices = {{1, std::vector<double>(7, 0), PN::Corner_rule::smooth}};
+  expect(table, "of vertices has 7 values");
+  table.vertices.clear();
+  table.corners = {{1, std::vector<double>(24, 0), PN::Corner_rule::smooth}};
+  expect(table, "Corner_rule::all");
+  table.corners.clear();
+  table.edges = {{1, std::vector<double>(12, 0), PN::Corner_rule::smooth}};
+  expect(table, "edges");
+}
+
 // \name Refused input
 
 template <class Scheme>
@@ -373,6 +515,11 @@ TEST(Tessellate, TellsWhatIsNotReached)
       PN::tessellate(in, PN::CatmullClark_scheme(), 1e-4, out,
                      params::number_of_iterations(rounds).vertex_normal_map(normal_map(in)));
     EXPECT_FALSE(result.reached);
+    EXPECT_LT(result.worst_face, control.number_of_faces());
+    const double away =
+      std::hypot(result.worst_place[0], result.worst_place[1], result.worst_place[2]);
+    EXPECT_LT(away, 1);
+    EXPECT_GT(away, 0.5);
     EXPECT_EQ(result.depth, rounds);
     EXPECT_EQ(result.number_of_triangles, std::size_t(12) << 2 * rounds);
     const double error = distance_from_unit_sphere(triangles(out));

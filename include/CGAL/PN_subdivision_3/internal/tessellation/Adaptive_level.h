@@ -35,6 +35,7 @@ struct Adaptive_face
   Index origin = 0;       // the face of the control mesh
   bool is_wanted = false; // a part of what is tessellated here, not of a ring around it
   bool is_split = false;  // not flat enough
+  Index node = Level_connectivity::null;
   double measured = 0;    // how far the middles of the parent were from its triangles
   double discrepancy = 0; // and from where they had been expected
 };
@@ -45,11 +46,16 @@ template <class Value, class Level_creases>
 struct Adaptive_level
 {
   using Index = Level_connectivity::Index;
+  using Slot_value = Value;
 
   Valued_level<Value> level; // values are those of the slots
   Level_creases creases;
   std::vector<Index> slots, edges;
   std::vector<Adaptive_face> faces;
+  std::vector<std::vector<Value>>
+    planes{}; // attributes of vertices, three a plane, as points of the slots without normals
+  std::vector<std::vector<double>>
+    corners{}; // attributes of the corners of each face that is wanted
 };
 
 // The slots of the corners of a level.
@@ -81,6 +87,7 @@ class Cut_adaptive_level
 {
 public:
   using Index = Level_connectivity::Index;
+  using Value = typename Level::Slot_value;
 
   Cut_adaptive_level(Level& level, Face_marks kept, unsigned rings)
     : level_(level)
@@ -96,11 +103,16 @@ public:
       std::decay_t<decltype(level.creases)>(static_cast<Index>(extraction.old_vertices().size())),
       {},
       {},
+      {},
+      std::vector<std::vector<Value>>(level.planes.size()),
       {}};
     const auto old_edges = extraction.old_edges();
     for (const Index e : old_edges) part.edges.push_back(level.edges[e]);
     for (Index f = 0; f < kept.size(); ++f)
-      if (kept[f] != 0) part.faces.push_back(level.faces[f]);
+      if (kept[f] != 0) {
+        part.faces.push_back(level.faces[f]);
+        if (!level.corners.empty()) part.corners.push_back(std::move(level.corners[f]));
+      }
     take_slots(part, extraction.old_vertices(), old_edges);
     level = std::move(part);
   }
@@ -116,18 +128,23 @@ private:
         part.creases = creases_of_part(
           level_.creases, part.level.level, [&](Index e) { return old_edges[e]; },
           [&](Index v) { return old_vertices[v]; });
-        part.level.values.resize(part.creases.number_of_slots);
         part.slots.assign(part.creases.number_of_slots, Level_connectivity::null);
         const Corner_slots<FT> slots(level_.level.level, level_.creases);
         const auto halfedge = [&](Index h) { return 2 * old_edges[h / 2] + (h & 1u); };
-        take_slot_values(part.level.level, part.creases, halfedge, slots, values,
-                         part.level.values);
+        const auto take = [&](const auto& from, auto& to) {
+          to.resize(part.creases.number_of_slots);
+          take_slot_values(part.level.level, part.creases, halfedge, slots, from, to);
+        };
+        take(values, part.level.values);
+        for (std::size_t p = 0; p < part.planes.size(); ++p) take(level_.planes[p], part.planes[p]);
         take_slot_values(part.level.level, part.creases, halfedge, slots, level_.slots, part.slots);
         return;
       }
     for (const Index v : old_vertices) {
       part.level.values.push_back(values[v]);
       part.slots.push_back(level_.slots[v]);
+      for (std::size_t p = 0; p < part.planes.size(); ++p)
+        part.planes[p].push_back(level_.planes[p][v]);
     }
   }
 

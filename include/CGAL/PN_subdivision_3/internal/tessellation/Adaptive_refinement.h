@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -65,17 +66,49 @@ public:
     : scheme_(scheme)
     , demand_(demand)
     , for_chunks_(for_chunks)
-    , limits_(scheme, demand.limits, for_chunks)
+    , plane_demand_{demand.limits.tolerance, 0, demand.limits.max_depth}
+    , limits_(scheme, demand_.limits, for_chunks)
+    , of_planes_(scheme, plane_demand_, for_chunks)
   {}
 
-  void operator()(Valued_level<Value>&& control, Level_creases&& creases)
+  // What is carried besides the points, `dimension` numbers for each vertex of the control mesh and `of_corners` for each
+  // half-edge.
+  struct Attributes
   {
-    Level level = first_level(std::move(control), std::move(creases));
+    std::size_t of_vertices = 0, of_corners = 0;
+    std::vector<double> vertices, corners;
+  };
+
+  void operator()(Valued_level<Value>&& control, Level_creases&& creases,
+                  const Attributes& attributes = Attributes())
+  {
+    Level level = first_level(std::move(control), std::move(creases), attributes);
     for (bool is_done = false; !is_done;) is_done = !refine(level);
   }
 
+  Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
-  const std::vector<Tessellation_leaf>& leaves() const { return leaves_; }
+  std::vector<Tessellation_node>& nodes() { return nodes_; }
+  const std::vector<Tessellation_node>& nodes() const { return nodes_; }
+  // of each node, if there are any
+  const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
+  // vertices behind those of the control mesh that are not used go
+  void remove_unused(std::vector<bool>&& used)
+  {
+    std::fill_n(used.begin(), number_of_control_vertices_, true);
+    for (auto& limits : plane_limits_) {
+      std::size_t kept = 0;
+      for (std::size_t v = 0; v < used.size(); ++v)
+        if (used[v]) limits[kept++] = limits[v];
+      limits.resize(kept);
+    }
+    all_.keep_vertices(used);
+  }
+  // a number of a vertex of the result
+  double attribute(Index vertex, std::size_t i) const
+  {
+    return std::ldexp(CGAL::to_double(plane_limits_[i / 3][vertex][i % 3]), -exponents_[i]);
+  }
   bool is_reached() const { return is_reached_; }
   unsigned depth() const { return rounds_; }
 
@@ -91,8 +124,14 @@ private:
   using Slots = Slots_of_corners<Level_creases>;
   static constexpr Index null = Level_connectivity::null;
 
+  struct Face_error
+  {
+    double error = 0;
+    std::array<double, 2> over_diagonals{};
+  };
+
   // The sagitta of halves is a fourth; what is known badly may fall more slowly.
-  static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45;
+  static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
   // where a normal is not to be trusted, and the surface not smooth about the vertex
   static constexpr double distrust = 2;
 
@@ -124,9 +163,12 @@ private:
   }
 
   // \name Levels
-  Level first_level(Valued_level<Value>&& control, Level_creases&& creases)
+  Level first_level(Valued_level<Value>&& control, Level_creases&& creases,
+                    const Attributes& attributes)
   {
     Level level{std::move(control), std::move(creases), {}, {}, {}};
+    number_of_control_vertices_ = level.level.level.number_of_vertices();
+    read(attributes, level);
     const Level_connectivity& connectivity = level.level.level;
     const Results results = limits(level, nullptr);
     for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
@@ -142,7 +184,79 @@ private:
       level.faces[f].origin = f;
       level.faces[f].is_wanted = true;
     }
+    for (std::size_t p = 0; p < level.planes.size(); ++p) {
+      const Results of_plane = plane_limits(level, p, nullptr);
+      for (Index v = 0; v < connectivity.number_of_vertices(); ++v) set_plane(p, v, of_plane[v]);
+    }
     return level;
+  }
+
+  // Columns are scaled by powers of 2 to the size of the points, whose tolerance they then have.
+  void read(const Attributes& attributes, Level& level)
+  {
+    const auto& connectivity = level.level.level;
+    const std::size_t n = attributes.of_vertices, m = attributes.of_corners;
+    const double size = demand_.limits.tolerance * 0x1p30;
+    std::vector<Index> vertices;
+    for (Index v = 0; v < connectivity.number_of_vertices(); ++v) vertices.push_back(v);
+    for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
+      vertices.push_back(v);
+    level.planes.resize((n + 2) / 3);
+    plane_limits_.resize(level.planes.size());
+    for (auto& plane : level.planes) plane = std::vector<Value>(vertices.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      double largest = 0;
+      for (std::size_t k = i; k < attributes.vertices.size(); k += n)
+        largest = (std::max)(largest, std::abs(attributes.vertices[k]));
+      exponents_.push_back(largest > 0 && std::isfinite(largest) && size > 0
+                             ? std::ilogb(size) - std::ilogb(largest)
+                             : 0);
+      for (std::size_t s = 0; s < vertices.size(); ++s)
+        point_of(level.planes[i / 3][s])[i % 3] =
+          FT(std::ldexp(attributes.vertices[vertices[s] * n + i], exponents_[i]));
+    }
+    if (m == 0) return;
+    level.corners.resize(connectivity.number_of_faces());
+    for (Index f = 0; f < level.corners.size(); ++f)
+      for_each_halfedge(connectivity, f, [&](Index h) {
+        const auto from = attributes.corners.begin() + std::ptrdiff_t(h * m);
+        level.corners[f].insert(level.corners[f].end(), from, from + std::ptrdiff_t(m));
+      });
+    of_corners_ = m;
+  }
+
+  template <class Function>
+  static void for_each_halfedge(const Level_connectivity& level, Index f, const Function& function)
+  {
+    const Index first = level.halfedge_of_face(f);
+    Index h = first;
+    do {
+      function(h);
+      h = level.next(h);
+    } while (h != first);
+  }
+
+  // The curves of creases are those of the points alone.
+  static Level_creases without_tangents(Level_creases creases)
+  {
+    if constexpr (is_creased)
+      for (auto& e : creases.edges) e.tangent_from = {};
+    return creases;
+  }
+  Results plane_limits(const Level& level, std::size_t plane, const std::vector<Index>* some)
+  {
+    Valued_level<Value> values{level.level.level, level.planes[plane]};
+    if constexpr (is_creased) {
+      Level_creases creases = without_tangents(level.creases);
+      return of_planes_(values, creases, rounds_ + 1, some);
+    } else
+      return of_planes_(values, rounds_ + 1, some);
+  }
+  void set_plane(std::size_t plane, Index vertex, const Result& result)
+  {
+    auto& limits = plane_limits_[plane];
+    if (limits.size() <= vertex) limits.resize(vertex + 1);
+    limits[vertex] = point_of(result.value);
   }
 
   // A single face between two edges of a smooth curve has no angle that a tangent plane could tell.
@@ -173,7 +287,10 @@ private:
       rounds_ = 0;
       return false;
     }
-    connect(level, next, results);
+    std::vector<Results> of_planes;
+    for (std::size_t p = 0; p < next.planes.size(); ++p)
+      of_planes.push_back(plane_limits(next, p, is_control ? nullptr : &vertices));
+    connect(level, next, results, of_planes);
     level = std::move(next);
     return true;
   }
@@ -183,19 +300,19 @@ private:
   bool select(Level& level, bool is_control)
   {
     const Flatness flatness(level, all_);
-    std::vector<double> errors(level.faces.size(), 0);
+    std::vector<Face_error> errors(level.faces.size());
     for_chunks_(static_cast<Index>(level.faces.size()), [&](Index begin, Index end) {
       for (Index f = begin; f < end; ++f)
         if (level.faces[f].is_wanted) errors[f] = error(level, flatness, f, is_control);
     });
     std::uint64_t number = 0;
     for (Index f = 0; f < level.faces.size(); ++f) {
-      level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f] <= demand_.tolerance);
+      level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f].error <= demand_.tolerance);
       number += level.faces[f].is_split ? 1 : 0;
     }
     constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
     const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds ||
-                         leaves_.size() * 2 + number * triangles > demand_.most_triangles;
+                         number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
     for (Index f = 0; f < level.faces.size(); ++f) {
       Adaptive_face& face = level.faces[f];
       if (is_last && face.is_split && is_leaf(level, f)) {
@@ -203,9 +320,30 @@ private:
         face.is_split = false;
         --number;
       }
-      if (face.is_wanted && !face.is_split) leaves_.push_back(flatness.leaf(f, errors[f]));
+      if (face.is_wanted) add_node(level, flatness, f, errors[f]);
     }
     return number != 0;
+  }
+
+  void add_node(Level& level, const Flatness& flatness, Index f, const Face_error& error)
+  {
+    Adaptive_face& face = level.faces[f];
+    const Index parent = face.node;
+    face.node = static_cast<Index>(nodes_.size());
+    nodes_.emplace_back();
+    Tessellation_node& node = nodes_.back();
+    node.is_leaf = !face.is_split;
+    number_of_leaves_ += node.is_leaf ? 1 : 0;
+    if (!is_leaf(level, f))
+      for_each_halfedge(level.level.level, f,
+                        [&](Index h) { all_.pin(level.edges[Level_connectivity::edge(h)]); });
+    else
+      node.leaf = flatness.leaf(f, error.error, error.over_diagonals);
+    if (!level.corners.empty()) corners_of_nodes_.push_back(level.corners[f]);
+    if (parent == null) return;
+    auto& children = nodes_[parent].children;
+    const auto place = std::find(children.begin(), children.end(), null);
+    if (nodes_[parent].leaf.degree != 0) *place = face.node;
   }
 
   static bool is_leaf(const Level& level, Index f)
@@ -214,9 +352,9 @@ private:
     return level.level.level.has_degree(h, 3) || level.level.level.has_degree(h, 4);
   }
 
-  double error(const Level& level, const Flatness& flatness, Index f, bool is_control) const
+  Face_error error(const Level& level, const Flatness& flatness, Index f, bool is_control) const
   {
-    if (!is_leaf(level, f)) return std::numeric_limits<double>::infinity();
+    if (!is_leaf(level, f)) return {std::numeric_limits<double>::infinity(), {}};
     const auto estimate = flatness.estimate(f);
     const Adaptive_face& face = level.faces[f];
     double e = (is_control ? 1 : rest_of_distance) * face.measured;
@@ -226,8 +364,12 @@ private:
       e = is_control ? (std::max)(e, by_normals) : by_normals;
     } else if (!estimate.trusts_normals)
       e *= distrust;
-    return (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
-           (std::max)(e, estimate.along_curves);
+    else if (!is_control) // those of the control data may be off, but tell which way it goes
+      e = (std::max)(least_rest * face.measured,
+                     (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
+    return {(estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
+              (std::max)(e, estimate.along_curves),
+            estimate.over_diagonals};
   }
 
   void cut(Level& level) const
@@ -250,11 +392,18 @@ private:
     Refiner refiner(scheme_, Level_connectivity(level.level.level), Level_creases(level.creases),
                     {level.level.values.begin(), level.level.values.end()}, for_chunks_, rounds_);
     refiner.refine();
-    Level next{{refiner.level(), {refiner.values().begin(), refiner.values().end()}},
-               refiner.creases(),
+    Level next{{refiner.take_level(), {refiner.values().begin(), refiner.values().end()}},
+               refiner.take_creases(),
                {},
                {},
                {}};
+    for (const auto& plane : level.planes) {
+      Refiner of_plane(scheme_, Level_connectivity(level.level.level),
+                       without_tangents(level.creases), {plane.begin(), plane.end()}, for_chunks_,
+                       rounds_);
+      of_plane.refine();
+      next.planes.emplace_back(of_plane.values().begin(), of_plane.values().end());
+    }
     return next;
   }
 
@@ -308,7 +457,8 @@ private:
   }
 
   // \name From a level to the next one
-  void connect(const Level& level, Level& next, const Results& results)
+  void connect(const Level& level, Level& next, const Results& results,
+               const std::vector<Results>& of_planes)
   {
     const Level_connectivity& old = level.level.level;
     const Host host(old, rounds_);
@@ -317,7 +467,7 @@ private:
       const Slots old_slots(old, level.creases), new_slots(next.level.level, next.creases);
       for (Index f = 0; f < old.number_of_faces(); ++f)
         if (level.faces[f].is_split)
-          split_face(level, f, host, old_slots, new_slots, results, next);
+          split_face(level, f, host, old_slots, new_slots, results, of_planes, next);
     }
     next.edges.assign(next.level.level.number_of_edges(), null);
     for (Index e = 0; e < next.edges.size(); ++e) {
@@ -335,6 +485,43 @@ private:
       next.faces[f].is_split = false;
       number_edges(next, f);
     }
+    if (!level.corners.empty()) split_corners(level, host, next);
+  }
+
+  // Corners that are new are in the middle, of an edge or of the face.
+  void split_corners(const Level& level, const Host& host, Level& next) const
+  {
+    const Level_connectivity &old = level.level.level, &refined = next.level.level;
+    next.corners.resize(next.faces.size());
+    for (Index f = 0; f < next.faces.size(); ++f) {
+      const Index parent = host.parent_of_face(f).index;
+      if (!level.faces[parent].is_split) continue;
+      const std::vector<double>& values = level.corners[parent];
+      for_each_halfedge(refined, f, [&](Index h) {
+        append_middle(old, parent, values, host.parent_of_vertex(refined.target(h)),
+                      next.corners[f]);
+      });
+    }
+  }
+  void append_middle(const Level_connectivity& old, Index parent, const std::vector<double>& values,
+                     const Element_parent& origin, std::vector<double>& to) const
+  {
+    using Kind = Element_parent::Kind;
+    std::vector<std::size_t> corners;
+    std::size_t i = 0, n = values.size() / of_corners_;
+    for_each_halfedge(old, parent, [&](Index h) {
+      const bool is_end = origin.kind == Kind::edge && Level_connectivity::edge(h) == origin.index;
+      if (origin.kind == Kind::face ||
+          (origin.kind == Kind::vertex && old.target(h) == origin.index))
+        corners.push_back(i);
+      if (is_end) corners.insert(corners.end(), {i, (i + n - 1) % n});
+      ++i;
+    });
+    for (std::size_t k = 0; k < of_corners_; ++k) {
+      double sum = 0;
+      for (const std::size_t c : corners) sum += values[c * of_corners_ + k];
+      to.push_back(sum / double(corners.size()));
+    }
   }
 
   void number_edges(Level& level, Index f)
@@ -350,13 +537,16 @@ private:
 
   void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
                   const Slots& old_slots, const Slots& new_slots, const Results& results,
-                  Level& next)
+                  const std::vector<Results>& of_planes, Level& next)
   {
     const Level_connectivity& old = level.level.level;
     const Edge_split split(old);
     const auto add_slot = [&](Index new_slot, Index vertex) {
       Index& slot = next.slots[new_slot];
-      if (slot == null) set_slot(slot = all_.add_slot(vertex), results[new_slot]);
+      if (slot != null) return slot;
+      set_slot(slot = all_.add_slot(vertex), results[new_slot]);
+      for (std::size_t p = 0; p < of_planes.size(); ++p)
+        set_plane(p, vertex, of_planes[p][new_slot]);
       return slot;
     };
     const Index first = old.halfedge_of_face(f);
@@ -382,9 +572,16 @@ private:
   const Scheme& scheme_;
   const Tessellation_demand demand_;
   For_chunks for_chunks_;
-  Evaluation limits_;
+  const Limit_demand plane_demand_;
+  Evaluation limits_, of_planes_;
+  std::vector<std::vector<Coordinates<FT, 3>>> plane_limits_;
+  std::vector<int> exponents_; // of the scales of attributes
+  std::size_t of_corners_ = 0;
+  std::vector<std::vector<double>> corners_of_nodes_;
   Split_edges<FT> all_;
-  std::vector<Tessellation_leaf> leaves_;
+  std::vector<Tessellation_node> nodes_;
+  std::uint64_t number_of_leaves_ = 0;
+  std::ptrdiff_t number_of_control_vertices_ = 0;
   unsigned rounds_ = 0;
   bool is_reached_ = true;
 };

@@ -144,18 +144,42 @@ inline double over_triangle(double a, double b, double c)
   return (std::max)(over_side, 4 * a * b * c / (x + y + z));
 }
 
-inline double over_triangle(const Corner& a, const Corner& b, const Corner& c)
+// How high a surface is over a chord: in the middle, and where it is highest.
+struct Height
 {
-  const Section ab(a, b), bc(b, c), ca(c, a);
-  return (std::max)(
-    {over_triangle(std::abs(ab.sagitta()), std::abs(bc.sagitta()), std::abs(ca.sagitta())),
-     ab.bulge(), bc.bulge(), ca.bulge()});
+  double middle, largest;
+};
+inline Height height(const Section& section)
+{
+  return {std::abs(section.sagitta()), section.bulge()};
 }
 
-// over both triangles, with the diagonal from a to c
-inline double over_quadrilateral(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
+inline double over_triangle(const Height& a, const Height& b, const Height& c)
 {
-  return (std::max)(over_triangle(a, b, c), over_triangle(a, c, d));
+  return (std::max)({over_triangle(a.middle, b.middle, c.middle), a.largest, b.largest, c.largest});
+}
+inline double over_triangle(const Corner& a, const Corner& b, const Corner& c)
+{
+  return over_triangle(height(Section(a, b)), height(Section(b, c)), height(Section(c, a)));
+}
+
+// over both triangles, with the diagonal from a to c, and with that from b to d
+inline std::array<double, 2> over_quadrilateral(const Corner& a, const Corner& b, const Corner& c,
+                                                const Corner& d)
+{
+  const Height ab = height(Section(a, b)), bc = height(Section(b, c)), cd = height(Section(c, d)),
+               da = height(Section(d, a)), ac = height(Section(a, c)), bd = height(Section(b, d));
+  return {(std::max)(over_triangle(ab, bc, ac), over_triangle(cd, da, ac)),
+          (std::max)(over_triangle(bc, cd, bd), over_triangle(da, ab, bd))};
+}
+
+// Whether its area is less than a part of the square of the longest side.
+inline bool is_thin(const Corner& a, const Corner& b, const Corner& c, double part)
+{
+  const Vector ab = minus(b.point, a.point), ac = minus(c.point, a.point),
+               bc = minus(c.point, b.point), area = cross<double>(ab, ac);
+  const double longest = (std::max)({product(ab, ab), product(ac, ac), product(bc, bc)});
+  return !(length(area) > part * longest);
 }
 
 // Whether the triangle is turned over, as its corners see it.

@@ -42,34 +42,44 @@ public:
   using Index = Level_connectivity::Index;
 
   // `tolerance` is that of the triangles
-  Leaf_triangles(const Split_edges<FT>& all, double tolerance)
+  Leaf_triangles(const Split_edges<FT>& all, double tolerance, std::size_t dimension = 0)
     : all_(all)
     , tolerance_(tolerance)
+    , dimension_(dimension)
     , edge_(all.number_of_edges(), Level_connectivity::null)
   {}
 
-  void add(const Tessellation_leaf& leaf)
+  // corner_values: `dimension` numbers for each corner
+  void add(const Tessellation_leaf& leaf, const double* corner_values = nullptr)
   {
     polygon_.clear();
+    corners_ = corner_values;
+    degree_ = leaf.degree;
     for (Index i = 0; i < leaf.degree; ++i) {
       const auto side = side_bit(i), last_side = side_bit(i == 0 ? leaf.degree - 1 : i - 1);
       auto sides = static_cast<unsigned char>(side | last_side);
-      all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index h) {
-        polygon_.push_back({slot, result_halfedge(h), sides, all_.corner(slot)});
+      all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index h, double t) {
+        polygon_.push_back({slot, result_halfedge(h), sides, i + t, all_.corner(slot)});
         sides = side;
       });
     }
-    bound_ = (std::max)(bound_, leaf.error);
+    note_error(leaf.origin, leaf.error, 0, polygon_.size() / 2);
     if (polygon_.size() == 4 && leaf.degree == 4)
-      add_quadrilateral(leaf.origin);
+      add_quadrilateral(leaf);
     else
       clip(leaf.origin);
   }
 
+  void clear() { triangles_.clear(); }
   const std::vector<Tessellation_triangle>& triangles() const { return triangles_; }
+  // `dimension` for each corner of each triangle
+  const std::vector<double>& corner_values() const { return corner_values_; }
   Index number_of_edges() const { return edges_; }
   // the largest estimated distance of the leaves, and of the triangles by the normals at their corners
-  double bound() const { return bound_; }
+  double bound() const { return worst_.error; }
+  // the face of the control mesh where it is, and about where
+  Index worst_face() const { return worst_.origin; }
+  const flatness::Vector& worst_place() const { return worst_.place; }
 
 private:
   // a vertex of a leaf, with the half-edge that comes from it, and the sides on which it is
@@ -77,6 +87,7 @@ private:
   {
     Index slot, halfedge;
     unsigned char sides;
+    double at; // the number of the corner, and the part of the side that it is behind that
     flatness::Corner corner;
   };
 
@@ -92,6 +103,19 @@ private:
   void add_triangle(Index origin, const Place& a, const Place& b, const Place& c)
   {
     triangles_.push_back({origin, {a.slot, b.slot, c.slot}, {a.halfedge, b.halfedge, c.halfedge}});
+    add_corner_values(a, b, c);
+  }
+
+  void add_corner_values(const Place& a, const Place& b, const Place& c)
+  {
+    for (const Place* p : {&a, &b, &c}) {
+      const auto i = static_cast<std::size_t>(p->at);
+      const double t = p->at - double(i);
+      const double *from = corners_ + i * dimension_,
+                   *to = corners_ + (i + 1) % degree_ * dimension_;
+      for (std::size_t k = 0; k < dimension_; ++k)
+        corner_values_.push_back(t == 0 ? from[k] : from[k] + t * (to[k] - from[k]));
+    }
   }
 
   // clips the corner i, so that its predecessor leads to its successor
@@ -105,22 +129,32 @@ private:
     polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
-  static double turns(const Place& a, const Place& b, const Place& c)
+  // between the places i and k
+  void note_error(Index origin, double error, std::size_t i, std::size_t k)
   {
-    return flatness::is_turned(a.corner, b.corner, c.corner) ? 1 : 0;
+    if (error > worst_.error)
+      worst_ = {origin, error,
+                flatness::between(polygon_[i].corner.point, polygon_[k].corner.point, 0.5)};
   }
 
-  void add_quadrilateral(Index origin)
+  static double turns(const Place& a, const Place& b, const Place& c)
+  {
+    return flatness::is_turned(a.corner, b.corner, c.corner) ||
+               flatness::is_thin(a.corner, b.corner, c.corner, 1e-7)
+             ? 1
+             : 0;
+  }
+
+  void add_quadrilateral(const Tessellation_leaf& leaf)
   {
     const auto& p = polygon_;
     const auto key = [&](std::size_t i) {
       const Place &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[(i + 3) % 4];
       return std::make_pair(turns(a, b, c) + turns(a, c, d),
-                            flatness::over_quadrilateral(a.corner, b.corner, c.corner, d.corner) +
-                              tie * flatness::distance(a.corner, c.corner));
+                            leaf.over_diagonals[i] + tie * flatness::distance(a.corner, c.corner));
     };
-    clip_corner(origin, key(0) <= key(1) ? 1 : 2);
-    add_triangle(origin, p[0], p[1], p[2]);
+    clip_corner(leaf.origin, key(0) <= key(1) ? 1 : 2);
+    add_triangle(leaf.origin, p[0], p[1], p[2]);
   }
 
   // A triangle has no three corners on one side, and what is left after it neither. Ears, the flattest and shortest
@@ -179,7 +213,7 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = i + 1; k < n; ++k) {
         const flatness::Section section(polygon_[i].corner, polygon_[k].corner);
-        chords_[i][k] = {section.sagitta(), section.bulge(),
+        chords_[i][k] = {flatness::height(section),
                          flatness::distance(polygon_[i].corner, polygon_[k].corner)};
       }
     for (std::size_t step = 1; step < n; ++step)
@@ -199,11 +233,7 @@ private:
     const Place &a = polygon_[i], &b = polygon_[j], &c = polygon_[k];
     if ((a.sides & b.sides & c.sides) != 0) return std::numeric_limits<double>::infinity();
     const Chord &ab = chords_[i][j], &bc = chords_[j][k], &ac = chords_[i][k];
-    const double error =
-      (std::max)(
-        {flatness::over_triangle(std::abs(ab.sagitta), std::abs(bc.sagitta), std::abs(ac.sagitta)),
-         ab.bulge, bc.bulge, ac.bulge}) /
-      tolerance_;
+    const double error = flatness::over_triangle(ab.height, bc.height, ac.height) / tolerance_;
     constexpr double cost_of_turn = 1024, cost_of_excess = 64, cost_of_length = 1. / 256;
     const double around = ab.length + bc.length + ac.length;
     const double longest = (std::max)({ab.length, bc.length, ac.length});
@@ -224,19 +254,29 @@ private:
     const Index first = halfedge(i, j), second = halfedge(j, k);
     triangles_.push_back(
       {origin, {polygon_[i].slot, polygon_[j].slot, polygon_[k].slot}, {first, second, back}});
+    add_corner_values(polygon_[i], polygon_[j], polygon_[k]);
     if (is_known(i) && is_known(j) && is_known(k))
-      bound_ = (std::max)(bound_, tessellation_safety *
-                                    flatness::over_triangle(polygon_[i].corner, polygon_[j].corner,
-                                                            polygon_[k].corner));
+      note_error(origin,
+                 tessellation_safety * flatness::over_triangle(polygon_[i].corner,
+                                                               polygon_[j].corner,
+                                                               polygon_[k].corner),
+                 i, k);
     add_part(origin, i, j, first + 1);
     add_part(origin, j, k, second + 1);
   }
 
   bool is_known(std::size_t i) const { return all_.slot(polygon_[i].slot).has_surface_normal; }
 
+  struct Worst
+  {
+    Index origin = 0;
+    double error = 0;
+    flatness::Vector place{};
+  };
   struct Chord
   {
-    double sagitta, bulge, length;
+    flatness::Height height;
+    double length;
   };
   struct Part
   {
@@ -253,11 +293,15 @@ private:
 
   const Split_edges<FT>& all_;
   const double tolerance_;
+  const std::size_t dimension_;
+  const double* corners_ = nullptr;
+  std::size_t degree_ = 0;
+  std::vector<double> corner_values_;
   Table<Chord> chords_;
   Table<Part> parts_;
   std::vector<Index> edge_; // of the result
   Index edges_ = 0;
-  double bound_ = 0;
+  Worst worst_;
   std::vector<Place> polygon_;
   std::vector<Tessellation_triangle> triangles_;
 };

@@ -40,7 +40,10 @@ public:
   {
     std::array<Index, 2> middle{null, null}; // slots, in the faces of the half-edges
     Index halves = null;                     // the first of the two, at the source of half-edge 2e
+    bool is_hidden = false; // the split is: all vertices are on a line, and no face needs them
+    bool is_pinned = false; // the split stays seen
     bool is_split() const { return halves != null; }
+    bool is_seen_split() const { return is_split() && !is_hidden; }
   };
 
   Index number_of_vertices() const { return static_cast<Index>(points_.size()); }
@@ -78,6 +81,23 @@ public:
     return {places_[slots_[s].vertex], slots_[s].shape_normal};
   }
 
+  // Those that are not used go; the others are renumbered in their order.
+  void keep_vertices(const std::vector<bool>& used)
+  {
+    std::vector<Index> number(used.size(), null);
+    Index kept = 0;
+    for (Index v = 0; v < used.size(); ++v)
+      if (used[v]) {
+        points_[kept] = points_[v];
+        places_[kept] = places_[v];
+        number[v] = kept++;
+      }
+    points_.resize(kept);
+    places_.resize(kept);
+    for (Slot& s : slots_)
+      if (s.vertex != null) s.vertex = number[s.vertex];
+  }
+
   // \pre it is not split
   void split(Index e, std::array<Index, 2> middle)
   {
@@ -87,18 +107,23 @@ public:
     edges_[e].halves = halves;
   }
 
+  void pin(Index e) { edges_[e].is_pinned = true; }
+  void hide(Index e, bool is_hidden) { edges_[e].is_hidden = is_hidden; }
+
   // the halves of a half-edge
   Index first_half(Index h) const { return 2 * (edges_[h / 2].halves + h % 2) + h % 2; }
   Index second_half(Index h) const { return 2 * (edges_[h / 2].halves + 1 - h % 2) + h % 2; }
 
-  // Calls f(slot, half-edge) for the parts of a half-edge that are not split, each with the slot from which it comes.
+  // Calls f(slot, half-edge, t) for the parts of a half-edge that are not split, each with the slot from which it comes,
+  // and where this is between the ends, 0 and 1.
   template <class Function>
-  void for_each_part(Index slot, Index h, const Function& f) const
+  void for_each_part(Index slot, Index h, const Function& f, double from = 0, double to = 1) const
   {
     const Edge& e = edges_[h / 2];
-    if (!e.is_split()) return f(slot, h);
-    for_each_part(slot, first_half(h), f);
-    for_each_part(e.middle[h % 2], second_half(h), f);
+    if (!e.is_seen_split()) return f(slot, h, from);
+    const double middle = (from + to) / 2;
+    for_each_part(slot, first_half(h), f, from, middle);
+    for_each_part(e.middle[h % 2], second_half(h), f, middle, to);
   }
 
 private:
@@ -118,6 +143,22 @@ struct Tessellation_leaf
   std::array<Index, 4> slots;     // of the corners
   std::array<Index, 4> halfedges; // to the next corner
   double error;                   // estimated
+  std::array<double, 2>
+    over_diagonals; // of a quadrilateral: from its first corner, and from its second
+};
+
+// A face of some level, with those that it was split into.
+struct Tessellation_node
+{
+  using Index = Level_connectivity::Index;
+
+  Tessellation_leaf leaf;
+  std::array<Index, 4> children{null, null, null, null}; // none if there are more
+  bool is_leaf = false;
+
+  bool has_children() const { return children[0] != null; }
+
+  static constexpr Index null = Level_connectivity::null;
 };
 
 } // namespace internal

@@ -9,7 +9,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_TESSELLATION_H
 
+#include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
@@ -23,6 +25,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_refinement.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Merged_leaves.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -42,9 +45,10 @@ template <class Concurrency_tag, class FaceGraph, class NamedParameters>
 class Tessellation
 {
 public:
-  Tessellation(double chord_error, const NamedParameters& np)
+  Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table)
     : chord_error_(chord_error)
     , np_(np)
+    , table_(table)
     , for_chunks_(For_chunks::with(Concurrency_tag()))
   {}
 
@@ -56,15 +60,31 @@ public:
     require_empty(out_access);
     Report report;
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
-      refine(access, s, Parameters::const_point_map(control, np_), [&](const auto& refinement) {
-        Leaf_triangles<FT> triangles(refinement.all(), chord_error_ / tessellation_safety);
-        for (const Tessellation_leaf& leaf : refinement.leaves()) triangles.add(leaf);
+      refine(access, s, Parameters::const_point_map(control, np_), [&](auto& refinement) {
+        Merged_leaves<FT>(refinement.all(), refinement.nodes(),
+                          chord_error_ / tessellation_safety)();
+        Leaf_triangles<FT> triangles(refinement.all(), chord_error_ / tessellation_safety,
+                                     dimension_of_corners());
+        const auto& corners = refinement.corners_of_nodes();
+        for (std::size_t i = 0; i < refinement.nodes().size(); ++i)
+          if (refinement.nodes()[i].is_leaf)
+            triangles.add(refinement.nodes()[i].leaf,
+                          corners.empty() ? nullptr : corners[i].data());
+        std::vector<bool> used(refinement.all().number_of_vertices(), false);
+        for (const Tessellation_triangle& t : triangles.triangles())
+          for (const Index s : t.slots) used[refinement.all().slot(s).vertex] = true;
+        refinement.remove_unused(std::move(used));
         const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
         using Out = Surface_parameters<OutputMesh, Out_parameters>;
+        Attribute_table carried;
+        if (table_ != nullptr) carried = attributes(refinement, triangles);
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
+        if (table_ != nullptr) *table_ = std::move(carried);
         report.bound = triangles.bound();
-        report.reached = refinement.is_reached();
+        report.worst_face = triangles.worst_face();
+        report.worst_place = triangles.worst_place();
+        report.reached = refinement.is_reached() && report.bound <= chord_error_;
         report.number_of_vertices = mesh.level().number_of_vertices();
         report.number_of_triangles = mesh.level().number_of_faces();
         report.depth = refinement.depth();
@@ -100,8 +120,10 @@ private:
       of_mesh.read_tangents(creases);
       control.values = of_mesh.values(control.level, points, normals, creases);
       const Tessellation_demand demand = this->demand(box_size(control));
-      Adaptive_refinement<Scheme, FT, decltype(creases)> refinement(scheme, demand, for_chunks_);
-      refinement(std::move(control), std::move(creases));
+      using Refinement = Adaptive_refinement<Scheme, FT, decltype(creases)>;
+      const auto attributes = read_attributes<typename Refinement::Attributes>(control.level);
+      Refinement refinement(scheme, demand, for_chunks_);
+      refinement(std::move(control), std::move(creases), attributes);
       sink(refinement);
     }
   }
@@ -177,8 +199,91 @@ private:
     }
   }
 
+  std::size_t dimension_of_corners() const
+  {
+    std::size_t n = 0;
+    if (table_ != nullptr)
+      for (const Attribute_array& array : table_->corners) n += array.dimension;
+    return n;
+  }
+
+  // those of an element next to each other
+  static std::vector<double> joined(const std::vector<Attribute_array>& arrays,
+                                    std::size_t elements, const char* kind, std::size_t& dimension)
+  {
+    dimension = 0;
+    for (const Attribute_array& array : arrays) {
+      check_array(array, elements, kind);
+      dimension += array.dimension;
+    }
+    std::vector<double> values(dimension * elements);
+    std::size_t first = 0;
+    for (const Attribute_array& array : arrays) {
+      for (std::size_t i = 0; i < elements; ++i)
+        std::copy_n(array.values.begin() + std::ptrdiff_t(i * array.dimension), array.dimension,
+                    values.begin() + std::ptrdiff_t(i * dimension + first));
+      first += array.dimension;
+    }
+    return values;
+  }
+
+  template <class Attributes>
+  Attributes read_attributes(const Level_connectivity& level) const
+  {
+    Attributes result;
+    if (table_ == nullptr) return result;
+    if (!table_->edges.empty())
+      throw std::invalid_argument("PN_subdivision_3: there is an attribute of edges, but the edges "
+                                  "of a tessellation are no parts of those of the control mesh");
+    for (const Attribute_array& array : table_->corners)
+      if (array.rule != Corner_rule::all)
+        throw std::invalid_argument("PN_subdivision_3: tessellations carry attributes of corners "
+                                    "by Corner_rule::all only, which is linear inside the faces");
+    result.vertices =
+      joined(table_->vertices, level.number_of_vertices(), "vertices", result.of_vertices);
+    result.corners = joined(table_->corners, level.number_of_halfedges(), "corners (half-edges)",
+                            result.of_corners);
+    return result;
+  }
+
+  // the arrays of the result; half-edges have the numbers that the level of the triangles gives them
+  template <class Refinement>
+  Attribute_table attributes(const Refinement& refinement,
+                             const Leaf_triangles<FT>& triangles) const
+  {
+    Attribute_table result;
+    result.has_face_parents = table_->has_face_parents;
+    if (result.has_face_parents)
+      for (const Tessellation_triangle& t : triangles.triangles())
+        result.face_parents.push_back(t.origin);
+    std::size_t first = 0;
+    for (const Attribute_array& array : table_->vertices) {
+      result.vertices.push_back({array.dimension, {}, array.rule});
+      for (Index v = 0; v < refinement.all().number_of_vertices(); ++v)
+        for (std::size_t k = 0; k < array.dimension; ++k)
+          result.vertices.back().values.push_back(refinement.attribute(v, first + k));
+      first += array.dimension;
+    }
+    first = 0;
+    const std::size_t all = dimension_of_corners();
+    for (const Attribute_array& array : table_->corners) {
+      const std::size_t n = array.dimension;
+      result.corners.push_back(
+        {n, std::vector<double>(2 * n * triangles.number_of_edges()), array.rule});
+      std::size_t corner = 0;
+      for (const Tessellation_triangle& t : triangles.triangles())
+        for (std::size_t i = 0; i < 3; ++i, ++corner) // the half-edge before leads to it
+          std::copy_n(triangles.corner_values().begin() + std::ptrdiff_t(corner * all + first), n,
+                      result.corners.back().values.begin() +
+                        std::ptrdiff_t(n * t.halfedges[i == 0 ? 2 : i - 1]));
+      first += n;
+    }
+    return result;
+  }
+
   double chord_error_;
   const NamedParameters& np_;
+  Attribute_table* table_; // or null
   For_chunks for_chunks_;
 };
 

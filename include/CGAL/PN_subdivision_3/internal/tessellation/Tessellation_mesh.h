@@ -63,6 +63,7 @@ public:
     std::vector<unsigned> wedges(sums.size(), 0);
     for (Index s = 0; s < all_.number_of_slots(); ++s) {
       const auto& slot = all_.slot(s);
+      if (slot.vertex == null) continue;
       add_multiple<double, 3>(sums[slot.vertex], 1, slot.normal);
       ++wedges[slot.vertex];
     }

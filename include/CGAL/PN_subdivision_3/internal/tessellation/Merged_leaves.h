@@ -1,0 +1,158 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_MERGED_LEAVES_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_MERGED_LEAVES_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Takes splits back that did not have to be, since faces are split both ways although the surface is bent one way
+// only: a face becomes a leaf again, with the vertices on its sides, where its triangles are flat enough without those
+// inside. Sides that are straight lose theirs, if no face beyond needs them.
+template <class FT>
+class Merged_leaves
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  // `tolerance` is that of the triangles
+  Merged_leaves(Split_edges<FT>& all, std::vector<Tessellation_node>& nodes, double tolerance)
+    : all_(all)
+    , nodes_(nodes)
+    , tolerance_(tolerance)
+    , users_(all.number_of_edges(), 0)
+    , trial_(all, tolerance)
+  {
+    for (Index e = 0; e < users_.size(); ++e) users_[e] = all.edge(e).is_pinned ? 1 : 0;
+    for (const Tessellation_node& node : nodes_)
+      if (!node.is_leaf)
+        for (Index i = 0; i < node.leaf.degree; ++i) ++users_[node.leaf.halfedges[i] / 2];
+  }
+
+  // children come after their parents
+  void operator()()
+  {
+    for (std::size_t n = nodes_.size(); n-- > 0;)
+      if (may_merge(nodes_[n])) merge(nodes_[n]);
+  }
+
+private:
+  static constexpr Index null = Level_connectivity::null;
+  // of the tolerance: what counts as straight
+  static constexpr double straight = 1. / 1024;
+
+  bool may_merge(const Tessellation_node& node) const
+  {
+    if (node.is_leaf || !node.has_children()) return false;
+    return std::all_of(node.children.begin(), node.children.end(),
+                       [&](Index c) { return c == null || nodes_[c].is_leaf; });
+  }
+
+  void merge(Tessellation_node& node)
+  {
+    std::vector<Index> straight_edges;
+    for (Index i = 0; i < node.leaf.degree; ++i)
+      if (is_straight(node.leaf, i)) straight_edges.push_back(node.leaf.halfedges[i] / 2);
+    for (const Index e : straight_edges) all_.hide(e, true);
+    const double error = error_of(node);
+    const bool is_flat = error <= tolerance_;
+    if (is_flat) {
+      node.is_leaf = true;
+      node.leaf.error = tessellation_safety * error;
+      for (const Index c : node.children)
+        if (c != null) nodes_[c].is_leaf = false;
+      for (Index i = 0; i < node.leaf.degree; ++i) --users_[node.leaf.halfedges[i] / 2];
+    }
+    for (const Index e : straight_edges) all_.hide(e, is_flat && users_[e] == 0);
+  }
+
+  bool is_straight(const Tessellation_leaf& leaf, Index i) const
+  {
+    const flatness::Vector &a = all_.corner(leaf.slots[i]).point,
+                           &b = all_.corner(leaf.slots[(i + 1) % leaf.degree]).point;
+    bool result = all_.edge(leaf.halfedges[i] / 2).is_seen_split();
+    all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index, double) {
+      result = result &&
+               flatness::distance_from_line(all_.corner(slot).point, a, b) <= straight * tolerance_;
+    });
+    return result;
+  }
+
+  // of the triangles of a leaf, by the normals and by the vertices that its children have besides
+  double error_of(const Tessellation_node& node)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    trial_.clear();
+    trial_.add(node.leaf);
+    double error = 0;
+    for (const Tessellation_triangle& t : trial_.triangles()) {
+      const auto a = all_.corner(t.slots[0]), b = all_.corner(t.slots[1]),
+                 c = all_.corner(t.slots[2]);
+      for (const auto& corner : {a, b, c})
+        if (corner.normal == flatness::Vector{}) return infinity;
+      if (flatness::is_turned(a, b, c) || flatness::is_thin(a, b, c, 1e-4)) return infinity;
+      error = (std::max)(error, flatness::over_triangle(a, b, c));
+      if (error > tolerance_) return infinity;
+    }
+    std::set<Index> seen;
+    for (const Tessellation_triangle& t : trial_.triangles())
+      for (const Index s : t.slots) seen.insert(all_.slot(s).vertex);
+    for (const Index child : node.children)
+      if (child != null)
+        for (Index i = 0; i < nodes_[child].leaf.degree; ++i)
+          all_.for_each_part(nodes_[child].leaf.slots[i], nodes_[child].leaf.halfedges[i],
+                             [&](Index slot, Index, double) {
+                               if (seen.insert(all_.slot(slot).vertex).second)
+                                 error = (std::max)(error, distance(all_.corner(slot).point));
+                             });
+    return error;
+  }
+
+  // from the triangles on trial
+  double distance(const flatness::Vector& p) const
+  {
+    using Kernel = Simple_cartesian<double>;
+    const auto point = [](const flatness::Vector& q) { return Kernel::Point_3(q[0], q[1], q[2]); };
+    double least = std::numeric_limits<double>::infinity();
+    for (const Tessellation_triangle& t : trial_.triangles())
+      least = (std::min)(
+        least,
+        CGAL::squared_distance(point(p), Kernel::Triangle_3(point(all_.corner(t.slots[0]).point),
+                                                            point(all_.corner(t.slots[1]).point),
+                                                            point(all_.corner(t.slots[2]).point))));
+    return std::sqrt(least);
+  }
+
+  Split_edges<FT>& all_;
+  std::vector<Tessellation_node>& nodes_;
+  const double tolerance_;
+  std::vector<unsigned char> users_; // faces that are split, of each edge
+  Leaf_triangles<FT> trial_;
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_TESSELLATION_MERGED_LEAVES_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#include "surface/tessellate_surface.h"
+
+#include "io/Error.h"
+#include "pieces/pieces_command.h"
+#include "surface/Scheme.h"
+#include "surface/surface_command.h"
+
+#include <CGAL/PN_subdivision_3/tessellate.h>
+
+#include <cstdio>
+#include <utility>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+namespace pn_subdivide {
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using Tag = CGAL::Parallel_if_available_tag;
+using PN::Attribute_table;
+using Result = PN::Tessellation_result;
+
+// With maps of the result's normals, of vertices or of corners.
+template <class S, class NamedParameters>
+Result with_scheme_and_maps(const Surface& surface, const S& scheme, double chord, Surface& result,
+                            bool has_corners, const NamedParameters& np,
+                            Attribute_table& attributes)
+{
+  const Normal_map normals = add_normals(result);
+  if (!has_corners)
+    return PN::tessellate<Tag>(surface, scheme, chord, result, np,
+                               CGAL::parameters::vertex_normal_map(normals), attributes);
+  return PN::tessellate<Tag>(surface, scheme, chord, result, np,
+                             CGAL::parameters::vertex_normal_map(add_corner_normals(result)),
+                             attributes);
+}
+
+Result with_creases(Surface& surface, const Scheme_choice& choice, const Crease_maps& creases,
+                    double chord, Surface& result, Attribute_table& attributes)
+{
+  const auto sharp = CGAL::parameters::edge_is_constrained_map(creases.edges)
+                       .vertex_is_constrained_map(creases.vertices);
+  if (!normals_of(surface)) {
+    const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
+    return with_scheme_and_maps(surface, PN::linear(PN::with_border(scheme, creases.border)), chord,
+                                result, true, sharp, attributes);
+  }
+  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  if (!normals) normals = add_corner_normals(surface);
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  const Roundness_map roundness = given ? *given : add_roundness(surface);
+  const auto np =
+    PN::parameters::vertex_roundness_map(roundness, sharp.vertex_normal_map(*normals));
+  return with_scheme(choice, [&](const auto& scheme) {
+    return with_scheme_and_maps(
+      surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
+      chord, result, true, np, attributes);
+  });
+}
+
+Result without_creases(Surface& surface, const Scheme_choice& choice, double chord, Surface& result,
+                       Attribute_table& attributes)
+{
+  const std::optional<Normal_map> normals = normals_of(surface);
+  if (!normals)
+    return with_scheme_and_maps(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
+                                chord, result, false, CGAL::parameters::default_values(),
+                                attributes);
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  const Roundness_map roundness = given ? *given : add_roundness(surface);
+  const auto np =
+    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(*normals));
+  return with_scheme(choice, [&](const auto& scheme) {
+    return with_scheme_and_maps(surface, scheme, chord, result, false, np, attributes);
+  });
+}
+
+void refuse(bool is_given, const std::string& option, const std::string& why)
+{
+  if (is_given)
+    throw Usage_error("--chord and " + option + " exclude each other: " + why +
+                      "; --levels auto refines uniformly");
+}
+
+} // namespace
+
+void require_options_for_tessellation(const Surface_options& options, const Mesh_file& output)
+{
+  if (!options.chord || options.auto_levels) return;
+  const std::string why = "the triangles are no control mesh for further rounds";
+  for (const char* const choice : {"control", "both"})
+    refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
+  refuse(options.write_tags.has_value(), "--write-tags", why);
+  refuse(options.check, "--check", "the linear result has other faces");
+  refuse(is_in_pieces(options, output),
+         options.pieces.memory  ? "--memory"
+         : options.pieces.any() ? "--pieces"
+                                : "refinement in pieces (.pvtp, mpirun)",
+         "adaptive refinement takes the mesh as a whole");
+  refuse(options.limit.tolerance.has_value(), "--limit-tolerance",
+         "its points are limits to 1/1024 of the chord's tolerance and better");
+  refuse(options.curvature.has_value(), "--curvature",
+         "it is measured on meshes that are refined alike everywhere");
+}
+
+Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
+                                const std::optional<Crease_maps>& creases, double chord,
+                                [[maybe_unused]] unsigned threads, Attribute_table& attributes)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+  Surface result;
+  const Result r = creases ? with_creases(surface, scheme, *creases, chord, result, attributes)
+                           : without_creases(surface, scheme, chord, result, attributes);
+  surface = std::move(result);
+  return {r.bound, r.reached, r.number_of_triangles, r.depth, r.worst_face, r.worst_place};
+}
+
+void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
+                         Report& report)
+{
+  report.set_tessellation({{"reached", tessellation.reached},
+                           {"bound", tessellation.bound},
+                           {"asked", chord},
+                           {"triangles", tessellation.triangles}});
+  char text[200];
+  std::snprintf(text, sizeof text, "chord: %.6g asked for, estimated error %.3g", chord,
+                tessellation.bound);
+  report.note(text);
+  if (tessellation.reached) return;
+  const auto& p = tessellation.worst_place;
+  std::snprintf(text, sizeof text,
+                ": --chord %.6g is not reached: the estimated error is %.3g at control face %zu, "
+                "near %.6g %.6g %.6g",
+                chord, tessellation.bound, tessellation.worst_face, p[0], p[1], p[2]);
+  report.warn(output + text);
+}
+
+} // namespace pn_subdivide

@@ -1,0 +1,355 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// --chord, adaptive and with --levels auto: distances are measured here, on surfaces that are known.
+
+#include "Refined_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pn_subdivide {
+namespace {
+
+using Json = nlohmann::json;
+
+// of 2 x 2 x 2, about the origin
+std::string cube(const std::string& more_of_vertices = "")
+{
+  std::ostringstream off;
+  off << "OFF\n8 6 0\n";
+  for (int i = 0; i < 8; ++i)
+    off << (i % 4 == 1 || i % 4 == 2 ? 1 : -1) << ' ' << (i % 4 >= 2 ? 1 : -1) << ' '
+        << (i >= 4 ? 1 : -1) << more_of_vertices << '\n';
+  off << "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  return off.str();
+}
+std::string octahedron()
+{
+  return "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 "
+         "0 "
+         "4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
+}
+// A square of 3 x 3 unequal faces in a plane, with an index and texture coordinates; x is an attribute, too.
+std::string plate()
+{
+  const std::array<double, 4> at{0, 1, 2.5, 3};
+  std::ostringstream ply;
+  ply << "ply\nformat ascii 1.0\nelement vertex 16\nproperty double x\nproperty double y\nproperty "
+         "double z\nproperty double twice\nelement face 9\nproperty list uchar int "
+         "vertex_indices\nproperty int part\nproperty list uchar float texcoord\nend_header\n";
+  for (const double y : at)
+    for (const double x : at) ply << x << ' ' << y << " 0 " << 2 * x + 100 * y << '\n';
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      const std::array<int, 4> c{4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4};
+      ply << 4;
+      for (const int v : c) ply << ' ' << v;
+      ply << ' ' << 10 + 3 * j + i << " 8";
+      for (const int v : c) ply << ' ' << at[std::size_t(v % 4)] << ' ' << at[std::size_t(v / 4)];
+      ply << '\n';
+    }
+  return ply.str();
+}
+
+class Pn_subdivide_chord : public Refined_files
+{
+protected:
+  void SetUp() override
+  {
+    folder.write("cube.off", cube());
+    folder.write("octahedron.off", octahedron());
+    folder.write("plate.ply", plate());
+  }
+  Json report() const { return Json::parse(Temporary_folder::content(folder.file("r.json"))); }
+  std::string reported() const { return " --report '" + folder.file("r.json") + "' "; }
+  std::string ball() const { return " --normals sphere:0,0,0 "; }
+};
+
+double length(const Triple& p)
+{
+  return std::hypot(p[0], p[1], p[2]);
+}
+
+// the largest distance of points of the faces from the sphere of radius r about the origin
+double distance_from_sphere(const Mesh_data& mesh, double r)
+{
+  double largest = 0;
+  constexpr int n = 8;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    const std::size_t degree = std::size_t(face.size());
+    for (std::size_t c = 1; c + 1 < degree; ++c)
+      for (int i = 0; i <= n; ++i)
+        for (int k = 0; i + k <= n; ++k) {
+          Triple p{};
+          for (std::size_t d = 0; d < 3; ++d)
+            p[d] = (i * mesh.points[face.begin()[0]][d] + k * mesh.points[face.begin()[c]][d] +
+                    (n - i - k) * mesh.points[face.begin()[c + 1]][d]) /
+                   n;
+          largest = (std::max)(largest, std::abs(length(p) - r));
+        }
+  }
+  return largest;
+}
+
+// whether every edge has two faces, which run along it the other way round
+bool is_watertight(const Mesh_data& mesh)
+{
+  std::set<std::pair<unsigned, unsigned>> halfedges;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t i = 0; i < std::size_t(face.size()); ++i)
+      if (!halfedges
+             .insert({unsigned(face.begin()[i]),
+                      unsigned(face.begin()[(i + 1) % std::size_t(face.size())])})
+             .second)
+        return false;
+  }
+  for (const auto& [a, b] : halfedges)
+    if (halfedges.count({b, a}) == 0) return false;
+  return true;
+}
+
+TEST_F(Pn_subdivide_chord, ASphereIsTessellated)
+{
+  const double radius = std::sqrt(3.);
+  for (const double eps : {0.05, 0.004}) {
+    const Mesh_data mesh =
+      refined("cube.off", "o.ply", "--chord " + std::to_string(eps) + ball() + reported());
+    const double error = distance_from_sphere(mesh, radius);
+    EXPECT_LE(error, eps);
+    EXPECT_GE(error, eps / 8);
+    EXPECT_TRUE(is_watertight(mesh));
+    ASSERT_TRUE(mesh.has_normals());
+    EXPECT_EQ(mesh.normal_kind, Normal_kind::of_surface);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      EXPECT_NEAR(length(mesh.points[v]), radius, 1e-8);
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(mesh.normals[v][i], mesh.points[v][i] / radius, 1e-4);
+    }
+    const Json json = report()["tessellation"];
+    EXPECT_TRUE(json["reached"].get<bool>());
+    EXPECT_GE(json["bound"].get<double>(), error);
+    EXPECT_LE(json["bound"].get<double>(), eps);
+    EXPECT_NEAR(json["asked"].get<double>(), eps, 1e-12);
+    EXPECT_EQ(report()["faces"].get<std::size_t>(), mesh.number_of_faces());
+  }
+}
+
+TEST_F(Pn_subdivide_chord, ChordMayBeAPartOfTheDiagonal)
+{
+  written("cube.off", "o.ply", "--chord 1%" + ball() + reported());
+  EXPECT_NEAR(report()["tessellation"]["asked"].get<double>(), std::sqrt(12.) / 100, 1e-12);
+}
+
+TEST_F(Pn_subdivide_chord, SchemesAndLinearOnes)
+{
+  for (const std::string scheme : {"catmull-clark", "modified-catmull-clark", "ct-catmull-clark",
+                                   "kobbelt", "loop", "butterfly"}) {
+    const bool has_triangles = scheme == "loop" || scheme == "butterfly";
+    const Mesh_data mesh = refined(has_triangles ? "octahedron.off" : "cube.off", "o.ply",
+                                   "--chord 0.02 --scheme " + scheme + ball());
+    EXPECT_LE(distance_from_sphere(mesh, has_triangles ? 1 : std::sqrt(3.)), 0.02) << scheme;
+  }
+  const Mesh_data linear = refined("cube.off", "l.ply", "--linear --chord 0.02"),
+                  flat = refined("cube.off", "f.ply", "--roundness 0 --chord 0.02");
+  EXPECT_TRUE(linear.has_normals());
+  ASSERT_EQ(linear.points.size(), flat.points.size());
+  for (std::size_t v = 0; v < flat.points.size(); ++v)
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(linear.points[v][i], flat.points[v][i], 1e-8);
+  // the limit of a vertex of valence 3 of the unit cube's: 5/18 of itself and so on is 1/2 in all
+  for (std::size_t v = 0; v < 8; ++v)
+    for (const double x : linear.points[v]) EXPECT_NEAR(std::abs(x), 0.5, 1e-8);
+}
+
+TEST_F(Pn_subdivide_chord, CreasesAndBorders)
+{
+  const Mesh_data box = refined("cube.off", "o.obj", "--chord 0.001 --sharp angle:30");
+  EXPECT_EQ(box.number_of_faces(), 12u);
+  EXPECT_EQ(box.points.size(), 8u);
+  EXPECT_TRUE(box.has_corner_normals());
+  for (const std::string border : {"surface", "curve", "corners", "fixed"}) {
+    const Mesh_data mesh = refined("plate.ply", "o.ply", "--chord 0.001 --border " + border);
+    double area = 0, most = 0;
+    for (const Triple& p : mesh.points) most = (std::max)(most, p[0]);
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const auto v = mesh.face(f).begin();
+      const Triple &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]];
+      area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    }
+    if (border == "corners" || border == "fixed")
+      EXPECT_NEAR(area, 9, 1e-9);
+    else
+      EXPECT_LT(area, 8.99);
+    if (border == "fixed") EXPECT_EQ(mesh.number_of_faces(), 18u);
+  }
+}
+
+TEST_F(Pn_subdivide_chord, OutputNormals)
+{
+  EXPECT_FALSE(refined("cube.off", "o.ply", "--chord 0.1 --output-normals none").has_normals());
+  EXPECT_TRUE(refined("cube.off", "o.ply", "--chord 0.1 --output-normals surface").has_normals());
+  EXPECT_TRUE(refined("cube.off", "o.ply", "--chord 0.1 --surface-normals").has_normals());
+  EXPECT_EQ(refined("cube.off", "o.stl", "--chord 0.1 --linear").number_of_faces() % 12, 0u);
+}
+
+// What is linear on the plane stays so.
+TEST_F(Pn_subdivide_chord, AttributesAreCarried)
+{
+  const std::string options = "--chord 0.01 --border curve --ascii";
+  for (const std::string more : {" --linear", ""}) {
+    const Mesh_data mesh = refined("plate.ply", "o.ply", options + more);
+    ASSERT_EQ(mesh.attributes.of_vertices.size(), 1u);
+    const auto& twice = mesh.attributes.of_vertices[0].values;
+    ASSERT_EQ(twice.size(), mesh.points.size());
+    for (std::size_t v = 0; v < twice.size(); ++v)
+      EXPECT_NEAR(twice[v], 2 * mesh.points[v][0] + 100 * mesh.points[v][1],
+                  more.empty() ? 30 : 1e-6);
+    ASSERT_EQ(mesh.attributes.of_faces.size(), 1u);
+    ASSERT_EQ(mesh.attributes.texture.size(), 3 * mesh.number_of_faces());
+    // the triangles lie in the squares of their parts
+    const std::array<double, 4> at{0, 1, 2.5, 3};
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      const int part = int(mesh.attributes.of_faces[0].values[f]) - 10;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& t = mesh.attributes.texture[3 * f + i];
+        EXPECT_GE(t[0], at[std::size_t(part % 3)] - 1e-6);
+        EXPECT_LE(t[0], at[std::size_t(part % 3 + 1)] + 1e-6);
+        EXPECT_GE(t[1], at[std::size_t(part / 3)] - 1e-6);
+        EXPECT_LE(t[1], at[std::size_t(part / 3 + 1)] + 1e-6);
+      }
+    }
+    // and texture coordinates that are equal on control faces stay so: each place has one
+    std::map<Mesh_data::Index, std::set<std::pair<double, double>>> of_vertex;
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& t = mesh.attributes.texture[3 * f + i];
+        of_vertex[mesh.face(f).begin()[i]].insert({double(t[0]), double(t[1])});
+      }
+    std::set<std::pair<double, double>> all;
+    for (const auto& [v, values] : of_vertex) {
+      EXPECT_EQ(values.size(), 1u);
+      all.insert(values.begin(), values.end());
+    }
+    EXPECT_EQ(all.size(), mesh.points.size());
+  }
+  const Mesh_data dropped = refined("plate.ply", "o.ply", options + " --drop-attributes");
+  EXPECT_TRUE(dropped.attributes.of_vertices.empty());
+  EXPECT_TRUE(dropped.attributes.texture.empty());
+}
+
+TEST_F(Pn_subdivide_chord, WhatIsNotReachedIsAWarning)
+{
+  // a vertex whose surroundings shrink slowly
+  std::ostringstream off;
+  constexpr int n = 60;
+  off << "OFF\n" << 2 * n + 1 << ' ' << n << " 0\n0 0 1\n";
+  for (int i = 0; i < 2 * n; ++i)
+    off << std::cos(M_PI * i / n) << ' ' << std::sin(M_PI * i / n) << " 0\n";
+  for (int i = 0; i < n; ++i)
+    off << "4 0 " << 2 * i + 1 << ' ' << 2 * i + 2 << ' ' << (2 * i + 2) % (2 * n) + 1 << '\n';
+  folder.write("cone.off", off.str());
+  const std::string options = "--linear --border fixed --chord 0.00003";
+  const Outcome outcome = surface("cone.off", "o.ply", options + reported());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err.rfind("warning: ", 0), 0u) << outcome.err;
+  for (const char* part : {"--chord", "not reached", "near", "face"})
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  const Json json = report()["tessellation"];
+  EXPECT_FALSE(json["reached"].get<bool>());
+  EXPECT_GT(json["bound"].get<double>(), 0.00003);
+  EXPECT_GT(read_mesh(folder.file("o.ply")).number_of_faces(), 100u);
+  EXPECT_EQ(surface("cone.off", "o.ply", options + " --strict").code, 4);
+}
+
+// \name Uniform rounds
+
+TEST_F(Pn_subdivide_chord, AutoTakesTheFewestRounds)
+{
+  for (const std::string input : {"cube.off", "octahedron.off"})
+    for (const double eps : {0.1, 0.01, 0.002}) {
+      const std::string limit = eps == 0.01 ? "" : " --limit", options = ball() + limit;
+      const double radius = input == "cube.off" ? std::sqrt(3.) : 1;
+      const Mesh_data mesh = refined(
+        input, "o.ply", options + " --levels auto --chord " + std::to_string(eps) + reported());
+      const Json json = report();
+      const double error = distance_from_sphere(mesh, radius);
+      const auto rounds = json["rounds"].get<unsigned>();
+      EXPECT_LE(error, eps);
+      EXPECT_NEAR(json["chord"]["measured"].get<double>(), error, 0.1 * error);
+      EXPECT_EQ(json["tessellation"], Json::object());
+      ASSERT_GT(rounds, 0u);
+      const Mesh_data less =
+        refined(input, "l.ply", options + " --levels " + std::to_string(rounds - 1));
+      EXPECT_GT(distance_from_sphere(less, radius), eps);
+    }
+}
+
+TEST_F(Pn_subdivide_chord, AutoOnPlanes)
+{
+  written("plate.ply", "o.ply", "--levels auto --chord 0.001 --border corners" + reported());
+  EXPECT_EQ(report()["rounds"].get<unsigned>(), 0u);
+  written("cube.off", "o.ply", "--levels auto --chord 0.001 --sharp angle:30" + reported());
+  EXPECT_EQ(report()["rounds"].get<unsigned>(), 0u);
+  written("cube.off", "o.ply",
+          "--levels auto --chord 0.05 --sharp angle:30 --sharpness 2" + reported());
+  EXPECT_GE(report()["rounds"].get<unsigned>(), 1u);
+}
+
+TEST_F(Pn_subdivide_chord, TooManyRoundsAreAFailure)
+{
+  folder.write("o.ply", "untouched");
+  expect_one_line(surface("cube.off", "o.ply", "--levels auto --chord 1e-13" + ball()), 1,
+                  "--chord 1e-13");
+  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
+}
+
+// \name Options
+
+TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
+{
+  folder.write("o.ply", "untouched");
+  const auto refused = [&](const std::string& options, const std::string& other) {
+    const Outcome outcome = surface("cube.off", "o.ply", options);
+    expect_one_line(outcome, 2, other);
+    EXPECT_NE(outcome.err.find("--chord"), std::string::npos) << outcome.err;
+    EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
+  };
+  refused("--chord 0.1 --levels 3", "--levels 3");
+  refused("--levels auto", "--levels auto");
+  for (const std::string scheme : {"sqrt3", "doo-sabin"})
+    refused("--chord 0.1 --scheme " + scheme, scheme);
+  for (const std::string normals : {"control", "both"})
+    refused("--chord 0.1 --output-normals " + normals, "--output-normals " + normals);
+  refused("--chord 0.1 --write-tags '" + folder.file("t.selection.txt") + "'", "--write-tags");
+  for (const std::string option : {"--check", "--pieces 2", "--memory 1G", "--curvature mean",
+                                   "--limit --limit-tolerance 1e-6", "--texture-rule boundaries"}) {
+    const std::size_t first = option.rfind("--");
+    refused("--chord 0.1 " + option, option.substr(first, option.find(' ', first) - first));
+  }
+  refused("--chord 0.1 --sharp angle:30 --sharpness 2", "--sharpness");
+  refused("--chord-bound estimated", "--chord-bound");
+  refused("--chord 0.1 --chord-bound exact", "--chord-bound 'exact'");
+  for (const std::string chord : {"0", "-1", "-1%", "nan", "much"})
+    refused("--chord " + chord, chord);
+  expect_one_line(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound proven"), 1, "proven");
+  EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
+  EXPECT_EQ(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound estimated").code, 0);
+}
+
+} // namespace
+} // namespace pn_subdivide
