@@ -114,11 +114,16 @@ exact on spheres and cylinders and of fourth order elsewhere, and that of a surf
 most
 \f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$ |s_{ij}| \f$. When a face is
 split, the new limit points tell how far they are from where they had been expected; half of this is added to the
-estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.45 of
-the distance that was measured on the parent stands for the estimate; a fourth is what remains of it on smooth
-surfaces. On the control mesh itself a round is made of all faces, and the estimate is the measured distance.
+estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.27 to 0.45 of
+the distance that was measured on the parent stands for the estimate, as the limits of the control normals have it between
+these; a fourth is what remains of it on smooth surfaces. On the control mesh itself a round is made of all faces, and the estimate is the measured distance.
 Edges on creases and borders have to be as close to their curve, which the turns of the points of the level along it
 tell. All is multiplied by 1.1, and by 1.25 at borders. It is an estimate, and not a proof.
+
+<b>What is bent one way only.</b> Faces are split both ways. In the end, a face whose triangles with the vertices on its sides alone
+are flat enough, by the same estimate and by the distances of the vertices inside, gets these triangles; and sides that are
+straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay undivided, and planes within curved
+rims have few triangles, which may be long.
 
 <b>Creases and borders</b> are those of `subdivide_to_limit()`: what is sharp has to be so for ever. A plane stays as
 coarse as the control mesh is, apart from faces with more than four corners, which are split once.

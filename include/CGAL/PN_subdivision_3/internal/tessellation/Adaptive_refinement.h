@@ -483,6 +483,7 @@ private:
       if (!parent.is_split) continue;
       next.faces[f] = parent;
       next.faces[f].is_split = false;
+      nodes_[parent.node].discrepancy = parent.discrepancy;
       number_edges(next, f);
     }
     if (!level.corners.empty()) split_corners(level, host, next);

@@ -75,7 +75,7 @@ private:
     for (Index i = 0; i < node.leaf.degree; ++i)
       if (is_straight(node.leaf, i)) straight_edges.push_back(node.leaf.halfedges[i] / 2);
     for (const Index e : straight_edges) all_.hide(e, true);
-    const double error = error_of(node);
+    const double error = error_of(node) + node.discrepancy;
     const bool is_flat = error <= tolerance_;
     if (is_flat) {
       node.is_leaf = true;

@@ -154,6 +154,8 @@ struct Tessellation_node
 
   Tessellation_leaf leaf;
   std::array<Index, 4> children{null, null, null, null}; // none if there are more
+  double discrepancy =
+    0; // how far the middles were from where the normals had them, if it was split
   bool is_leaf = false;
 
   bool has_children() const { return children[0] != null; }

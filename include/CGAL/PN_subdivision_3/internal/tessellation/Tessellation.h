@@ -72,7 +72,7 @@ public:
                           corners.empty() ? nullptr : corners[i].data());
         std::vector<bool> used(refinement.all().number_of_vertices(), false);
         for (const Tessellation_triangle& t : triangles.triangles())
-          for (const Index s : t.slots) used[refinement.all().slot(s).vertex] = true;
+          for (const Index slot : t.slots) used[refinement.all().slot(slot).vertex] = true;
         refinement.remove_unused(std::move(used));
         const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
         using Out = Surface_parameters<OutputMesh, Out_parameters>;
