@@ -27,15 +27,15 @@ scripts/render.py --output "$folder/surface_normals.png" --columns 2 --tile 420 
                   --shading smooth --view=35,20 --caption "control normals" \
                   --caption "surface normals" "$work"/{control,surface}.ply
 
-draw() { # name, mesh, part of the diagonal, rounds
-  local options=(--scheme catmull-clark --normals estimate --sharp angle:30 --quiet)
+draw() { # name, mesh, part of the diagonal, rounds, what is sharp
+  local options=(--scheme catmull-clark --normals estimate --sharp "$5" --quiet)
   "$command" surface "data/meshes/$2" "$work/$1.ply" --chord "$3" "${options[@]}"
   "$command" surface "data/meshes/$2" "$work/$1_uniform.ply" --levels "$4" --limit "${options[@]}"
 }
 
-draw sphere cube_on_sphere.ply 0.22% 4
-draw head head.obj 0.1% 3
-draw housing parts/bearing_housing.obj 0.05% 2
+draw sphere cube_on_sphere.ply 0.22% 4 none
+draw head head.obj 0.1% 3 angle:30
+draw housing parts/bearing_housing.obj 0.05% 2 angle:30
 
 scripts/render.py --output "$folder/tessellation.png" --columns 3 --tile 420 --shading flat --edges \
                   --view=35,30 --caption "sphere, to 0.2 %" --caption "head, to 0.1 %" \
