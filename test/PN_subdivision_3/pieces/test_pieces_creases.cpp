@@ -272,8 +272,9 @@ TEST(Pieces_creases, OfLinearSchemesAndEstimatedNormals)
       PN::subdivide(refined.mesh, scheme,
                     params::number_of_iterations(3).edge_is_constrained_map(refined.sharp));
       const Pieces<std::decay_t<decltype(scheme)>> pieces(
-        control.mesh, scheme, 7,
-        params::number_of_iterations(3).edge_is_constrained_map(control.sharp));
+        control.mesh, scheme,
+        PN::parameters::number_of_pieces(7).number_of_iterations(3).edge_is_constrained_map(
+          control.sharp));
       Collected_pieces<double>(pieces).expect(refined.mesh, {});
     };
     expect(PN::CatmullClark_scheme());
@@ -302,17 +303,23 @@ TEST(Pieces_creases, AreReadOnly)
 TEST(Pieces_creases, AreRefusedWithoutRules)
 {
   const Creased control = random_creased(Kind::triangles, 3);
-  EXPECT_THROW(
-    (Pieces<PN::Butterfly_scheme>(control.mesh, PN::Butterfly_scheme(), 2, control.parameters(2))),
-    std::invalid_argument);
-  EXPECT_THROW((Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()), 2, control.parameters(2))),
+  EXPECT_THROW((Pieces<PN::Butterfly_scheme>(
+                 control.mesh, PN::Butterfly_scheme(),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
                std::invalid_argument);
+  EXPECT_THROW(
+    (Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
+    std::invalid_argument);
   Creased smooth(control);
   for (const Edge e : smooth.mesh.edges()) smooth.sharp[e] = 0;
   for (const Vertex v : smooth.mesh.vertices()) smooth.corners[v] = 0;
-  EXPECT_NO_THROW(
-    (Pieces<PN::Butterfly_scheme>(smooth.mesh, PN::Butterfly_scheme(), 2, smooth.parameters(2))));
+  EXPECT_NO_THROW((Pieces<PN::Butterfly_scheme>(
+    smooth.mesh, PN::Butterfly_scheme(),
+    PN::parameters::join(PN::parameters::number_of_pieces(2), smooth.parameters(2)))));
   smooth.sharp[Edge(0)] = -1;
-  EXPECT_THROW((Pieces<PN::Loop_scheme>(smooth.mesh, PN::Loop_scheme(), 2, smooth.parameters(2))),
+  EXPECT_THROW((Pieces<PN::Loop_scheme>(
+                 smooth.mesh, PN::Loop_scheme(),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), smooth.parameters(2)))),
                std::invalid_argument);
 }
