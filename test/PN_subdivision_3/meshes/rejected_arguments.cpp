@@ -186,10 +186,7 @@ void reject(Mesh& mesh)
     PN::parameters::attributes(PN::face_attribute(creases), PN::face_attribute(creases)));
   // expected: the map of an attribute is no property map of the
 
-  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::visitor(3));
-  // expected: a named parameter is given that is not used here
-
-  PN::Surface_refiner(mesh,
-                      PN::CatmullClark_scheme(), PN::parameters::crease_tangent_map(tangents));
+  PN::Surface_refiner(mesh, PN::CatmullClark_scheme(),
+                      PN::parameters::crease_tangent_map(tangents));
   // expected: Surface_refiner makes the tangents of creases
 }

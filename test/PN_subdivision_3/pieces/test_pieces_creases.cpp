@@ -149,8 +149,10 @@ void expect_mean_normals(const Creased& control, const Scheme& scheme, unsigned 
                 refined.parameters(rounds).vertex_normal_map(refined.normals));
   for (const std::size_t number : numbers) {
     SCOPED_TRACE(std::to_string(rounds) + " rounds, " + std::to_string(number) + " pieces");
-    const Pieces<Scheme> pieces(control.mesh, scheme, number,
-                                control.parameters(rounds).vertex_normal_map(control.normals));
+    const Pieces<Scheme> pieces(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::number_of_pieces(number),
+                           control.parameters(rounds).vertex_normal_map(control.normals)));
     Collected_pieces<double>(pieces).expect(refined.mesh, values_of(refined));
     Collected_pieces<double>(pieces, rings).expect(refined.mesh, values_of(refined));
   }
@@ -167,8 +169,10 @@ bool expect_corner_normals(const Creased& control, const Scheme& scheme, unsigne
                 refined.parameters(rounds).vertex_normal_map(refined.of_corners));
   for (const std::size_t number : numbers) {
     SCOPED_TRACE(std::to_string(rounds) + " rounds, " + std::to_string(number) + " pieces");
-    const Pieces<Scheme> pieces(control.mesh, scheme, number,
-                                control.parameters(rounds).vertex_normal_map(control.of_corners));
+    const Pieces<Scheme> pieces(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::number_of_pieces(number),
+                           control.parameters(rounds).vertex_normal_map(control.of_corners)));
     any_wedge = expect_corners(pieces, 0, refined) || any_wedge;
     any_wedge = expect_corners(pieces, rings, refined) || any_wedge;
   }
@@ -218,7 +222,9 @@ bool expect_with_tangents(Creased control, const Scheme& scheme)
                 refined.parameters(2).vertex_normal_map(refined.of_corners));
   const auto with_tangents = PN::internal::with_crease_tangents(scheme, control.tangents);
   const Pieces<std::decay_t<decltype(with_tangents)>> pieces(
-    control.mesh, with_tangents, 7, control.parameters(2).vertex_normal_map(control.of_corners));
+    control.mesh, with_tangents,
+    PN::parameters::join(PN::parameters::number_of_pieces(7),
+                         control.parameters(2).vertex_normal_map(control.of_corners)));
   Collected_pieces<double>(pieces).expect(refined.mesh, {});
   return expect_corners(pieces, 0, refined);
 }
