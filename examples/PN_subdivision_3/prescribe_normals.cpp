@@ -87,8 +87,9 @@ struct Design
     Design fine = *this;
     const Normals map = fine.mesh.add_property_map<Vertex, Vector>("v:normal").first;
     PN::subdivide(fine.mesh, scheme, params::number_of_iterations(4).vertex_normal_map(map));
-    PN::move_to_limit(fine.mesh, scheme,
-                      PN::parameters::surface_normals(true).vertex_normal_map(map));
+    PN::subdivide_to_limit(
+      fine.mesh, scheme,
+      PN::parameters::surface_normals(true).vertex_normal_map(map).number_of_iterations(0));
     return CGAL::IO::write_polygon_mesh(file, fine.mesh,
                                         params::stream_precision(17).vertex_normal_map(map));
   }

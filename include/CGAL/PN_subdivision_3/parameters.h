@@ -362,6 +362,30 @@ auto max_curvature_steps(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated irregular vertices: the
+curvature is bounded there. By default they have not.
+\param yes a `bool`
+*/
+template <class Bool>
+auto tuned(const Bool& yes)
+{
+  return internal::with_parameter<internal::tuned_t>(yes);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature from regular to irregular vertices, on top of what
+`tuned()` does. By default they do not.
+\param yes a `bool`
+*/
+template <class Bool>
+auto curvature_transfer(const Bool& yes)
+{
+  return internal::with_parameter<internal::curvature_transfer_t>(yes);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 the least number of facets a full turn for which `recognize_surfaces()` takes a prism for a round that nothing else about the
 part tells to be one.
 \param n at least 3
@@ -405,11 +429,13 @@ auto attributes(const Items&... items)
   return internal::with_parameter<internal::attributes_t>(
     internal::Attributes<Items...>{{items...}});
 }
+/// \cond SKIP_IN_MANUAL
 template <class... Items>
 auto attributes(const internal::Attributes<Items...>& items)
 {
   return internal::with_parameter<internal::attributes_t>(items);
 }
+/// \endcond
 /// \ingroup PkgPNSubdivision3Attributes
 /// a table that is only read, by a `Surface_refiner`.
 inline auto attributes(const Attribute_table& table)
@@ -441,6 +467,8 @@ auto join(const Named_function_parameters<T, Tag, Base>& first, const NamedParam
     return internal::with_parameter<Tag>(value,
                                          parameters::join(static_cast<const Base&>(first), second));
 }
+/// \ingroup PkgPNSubdivision3Functions
+/// joins more than two.
 template <class First, class Second, class Third, class... NamedParameters>
 auto join(const First& first, const Second& second, const Third& third,
           const NamedParameters&... others)

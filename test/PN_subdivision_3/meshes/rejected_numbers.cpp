@@ -125,7 +125,7 @@ void reject()
   // expected: the points are of no CGAL kernel
 
   CGAL::Surface_mesh<Own_point<2>> more_points;
-  PN::move_to_limit(more_points, PN::Loop_scheme());
+  PN::subdivide_to_limit(more_points, PN::Loop_scheme(), CGAL::parameters::number_of_iterations(0));
   // expected: the points are of no CGAL kernel
 
   PN::subdivide_curve(std::vector<std::pair<Own_point<3>, Own_point<3>>>(), PN::B_spline_mask(3),

@@ -399,8 +399,10 @@ TEST(Estimate_control_normals, AreChosenByANamedParameter)
               expected);
     EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, PN::Any_scheme<>(scheme), np); }), expected);
     results.push_back(expected);
-    EXPECT_EQ(run([&](Mesh& m) { PN::move_to_limit(m, scheme, np); }), run([&](Mesh& m) {
-                PN::move_to_limit(m, PN::internal::with_normal_estimate(scheme, how));
+    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide_to_limit(m, scheme, np.number_of_iterations(0)); }),
+              run([&](Mesh& m) {
+                PN::subdivide_to_limit(m, PN::internal::with_normal_estimate(scheme, how),
+                                       CGAL::parameters::number_of_iterations(0));
               }));
     Mesh mesh;
     build(mixed_with_border(), mesh);
