@@ -98,6 +98,75 @@ constexpr bool is_of_faces_v =
   std::is_same_v<typename boost::property_traits<LimitMap>::key_type,
                  typename boost::graph_traits<PolygonMesh>::face_descriptor>;
 
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                            const NamedParameters& np)
+{
+  using Call = Surface_call<PolygonMesh, NamedParameters>;
+  const auto of_scheme = [&](const auto& s) {
+    return limits_of_call<Concurrency_tag>(mesh, s, limits, np);
+  };
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return limits_of_call<Concurrency_tag>(mesh, s, limits, others);
+    });
+  else if constexpr (!Is_any<Scheme>::value) {
+    if constexpr (Scheme::Host::keeps_vertices)
+      return vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
+    else
+      return face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
+  } else if constexpr (is_of_faces_v<PolygonMesh, LimitMap>)
+    return on_dual_host<Limit_report, Call>(scheme, of_scheme);
+  else
+    return on_primal_host<Limit_report, Call>(scheme, of_scheme);
+}
+
+// A map of limits that writes what the call has maps for: points, normals and errors.
+template <class Key, class Kernel, class NamedParameters>
+struct Limit_maps
+{
+  using key_type = Key;
+  using value_type = Limit_point<Kernel>;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Limit_maps& maps, const Key& key, const value_type& limit)
+  {
+    maps.template write<limit_point_map_t>(key, limit.point);
+    maps.template write<limit_normal_map_t>(key, limit.surface_normal);
+    maps.template write<limit_error_map_t>(key, limit.error);
+  }
+  template <class Tag, class Value>
+  void write([[maybe_unused]] const Key& key, [[maybe_unused]] const Value& value) const
+  {
+    if constexpr (is_given_v<Tag, NamedParameters>) {
+      const auto map = parameters::get_parameter(np, Tag());
+      put(map, key, value);
+    }
+  }
+
+  const NamedParameters& np;
+};
+
+// the elements that have limits: those of the map of points, normals or errors that is given
+template <class PolygonMesh, class NamedParameters>
+struct Key_of_limits
+{
+  struct Nothing
+  {
+    using key_type = void;
+    using value_type = void;
+    using reference = void;
+    using category = boost::writable_property_map_tag;
+  };
+  using Errors = Parameter_type<limit_error_map_t, NamedParameters, Nothing>;
+  using Normals = Parameter_type<limit_normal_map_t, NamedParameters, Errors>;
+  using Points = Parameter_type<limit_point_map_t, NamedParameters, Normals>;
+  using type = typename boost::property_traits<Points>::key_type;
+  static constexpr bool is_given = !std::is_same_v<Points, Nothing>;
+};
+
 // moves the vertices of a mesh to the limit, see subdivide_to_limit() with 0 rounds
 template <class Concurrency_tag, class PolygonMesh, class Scheme, class NamedParameters>
 Limit_report move_to_limit_of_call(PolygonMesh& mesh, const Scheme& scheme,
@@ -178,7 +247,8 @@ are estimated, and refused.
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
-\param limits the map to write
+\param limits the map to write; it may be left out where `limit_point_map`, `limit_normal_map` or `limit_error_map` of
+  `CGAL::PN_subdivision_3::parameters` are given, which get what their names say
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
   `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, all of whose other parameters but `visitor` and `attributes` count, too; the maps are read only.
@@ -201,23 +271,17 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
                           const NamedParameters& np = parameters::default_values())
 {
-  using Call = internal::Surface_call<PolygonMesh, NamedParameters>;
-  const auto of_scheme = [&](const auto& s) {
-    return limit_points<Concurrency_tag>(mesh, s, limits, np);
-  };
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return limit_points<Concurrency_tag>(mesh, s, limits, others);
-    });
-  else if constexpr (!internal::Is_any<Scheme>::value) {
-    if constexpr (Scheme::Host::keeps_vertices)
-      return internal::vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
-    else
-      return internal::face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
-  } else if constexpr (internal::is_of_faces_v<PolygonMesh, LimitMap>)
-    return internal::on_dual_host<Limit_report, Call>(scheme, of_scheme);
-  else
-    return internal::on_primal_host<Limit_report, Call>(scheme, of_scheme);
+  if constexpr (internal::are_named_parameters_v<LimitMap>) {
+    using Keys = internal::Key_of_limits<PolygonMesh, LimitMap>;
+    using Kernel = typename internal::Surface_parameters<PolygonMesh, LimitMap>::Geom_traits;
+    static_assert(Keys::is_given,
+                  "PN_subdivision_3: limit_points() has nothing to write: give it a "
+                  "map of Limit_point, or limit_point_map, limit_normal_map or "
+                  "limit_error_map");
+    return limit_points<Concurrency_tag>(
+      mesh, scheme, internal::Limit_maps<typename Keys::type, Kernel, LimitMap>{limits}, limits);
+  } else
+    return internal::limits_of_call<Concurrency_tag>(mesh, scheme, limits, np);
 }
 
 } // namespace PN_subdivision_3

@@ -181,6 +181,40 @@ auto max_depth(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+what gets the limit points that `limit_points()` computes.
+\param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to points
+*/
+template <class Map>
+auto limit_point_map(const Map& map)
+{
+  return internal::with_parameter<internal::limit_point_map_t>(map);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+what gets the normals that `limit_points()` computes: `Limit_point::surface_normal`, which are the limits of the control normals
+unless `surface_normals()` asks for others.
+\param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to vectors
+*/
+template <class Map>
+auto limit_normal_map(const Map& map)
+{
+  return internal::with_parameter<internal::limit_normal_map_t>(map);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+what gets the estimated errors of the limit points that `limit_points()` computes.
+\param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to `double`
+*/
+template <class Map>
+auto limit_error_map(const Map& map)
+{
+  return internal::with_parameter<internal::limit_error_map_t>(map);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 whether the limit points of surfaces are asked for, which they are by default. If only their normals are, most of the time is
 spared: where there is a surface normal, `Limit_point::point` and `Limit_point::control_normal` may be the first averages of
 the limit mask, `Limit_point::error` is infinite, and neither counts in the report; the normal is on the side of the faces

@@ -28,6 +28,9 @@
   ADD(tolerance)                                                                                   \
   ADD(normal_tolerance)                                                                            \
   ADD(max_depth)                                                                                   \
+  ADD(limit_point_map)                                                                             \
+  ADD(limit_normal_map)                                                                            \
+  ADD(limit_error_map)                                                                             \
   ADD(points)                                                                                      \
   ADD(surface_normals)                                                                             \
   ADD(curve_normals)                                                                               \
