@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 #include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <gtest/gtest.h>

@@ -15,6 +15,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <stdexcept>
