@@ -120,6 +120,18 @@ template <class Scheme>
 struct Is_adaptor<Scheme, std::void_t<typename Scheme::Adapted_scheme>> : std::true_type
 {};
 
+// whether the rows of the scheme, or of what it adapts, hold grids, which Grid_average reads
+template <class Scheme, class = void>
+struct Has_grid_rows : std::false_type
+{};
+template <class Scheme>
+struct Has_grid_rows<Scheme, std::void_t<decltype(Scheme::has_grid_rows)>> : std::true_type
+{};
+template <class Scheme>
+struct Has_grid_rows<Scheme, std::void_t<typename Scheme::Adapted_scheme>>
+  : Has_grid_rows<typename Scheme::Adapted_scheme>
+{};
+
 template <class Scheme>
 struct Is_with_normals : std::false_type
 {};
