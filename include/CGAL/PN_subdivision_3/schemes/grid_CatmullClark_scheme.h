@@ -27,10 +27,9 @@ The weights of `CatmullClark_mask` for quads, with the grid around a new vertex 
 the vertices of up to 5 rows and columns in the order that `Grid_average` reads, those that only tell curve normals
 with the weight 0.
 
-An interior vertex is irregular if its valence is not 4, a border vertex if it is not 3. The grid lines of a vertex end
-at irregular vertices. The row of an irregular vertex, of an edge with an end and of a face with a corner that is
-irregular is that of `CatmullClark_mask`; border vertices with a single face are irregular themselves, and edges
-and faces beside them are not.
+An interior vertex is irregular if its valence is not 4, a border vertex if it is neither 3 nor 2. The row of an irregular
+vertex, of an edge with an irregular end and of a face with an irregular corner is that of `CatmullClark_mask`. Grid lines end at
+irregular vertices and at the border. Border vertices with a single face are corners of a grid, and stay.
 
 \tparam FT a field
 \cgalModels{PNSubdivisionMask_3}
@@ -55,6 +54,7 @@ public:
     if (level_.is_isolated(v)) return plain_.vertex(v, s);
     const Index h = level_.halfedge_of_vertex(v);
     const bool is_border = level_.is_border(h);
+    if (is_border && has_valence(h, 2)) return s.add(v, FT(1));
     if (!has_valence(h, is_border ? 3 : 4)) return plain_.vertex(v, s);
     // from v on; at the border along it
     add_grid(is_border ? level_.next(h) : Level_connectivity::opposite(h), 5, is_border ? 1 : 5, s);
@@ -65,7 +65,7 @@ public:
   void edge(Index e, Stencil& s) const
   {
     const Index h = Level_connectivity::halfedge_of_edge(e);
-    if (ends_grid(h) || ends_grid(Level_connectivity::opposite(h))) return plain_.edge(e, s);
+    if (is_irregular(h) || is_irregular(Level_connectivity::opposite(h))) return plain_.edge(e, s);
     add_grid(h, 4, level_.is_border_edge(e) ? 1 : 5, s);
   }
 
@@ -76,7 +76,7 @@ public:
     const Index h = level_.halfedge_of_face(f);
     Index g = h;
     do {
-      if (ends_grid(g)) return plain_.face(f, s);
+      if (is_irregular(g)) return plain_.face(f, s);
       g = level_.next(g);
     } while (g != h);
     add_grid(h, 4, 4, s);
@@ -96,8 +96,8 @@ private:
     return level_.next_around_target(g) == h;
   }
 
-  // whether the target of h is irregular, and no corner of the border
-  bool ends_grid(Index h) const
+  // whether the target of h is irregular
+  bool is_irregular(Index h) const
   {
     const Index g = level_.halfedge_of_vertex(level_.target(h));
     return level_.is_border(g) ? !has_valence(g, 3) && !has_valence(g, 2) : !has_valence(g, 4);
