@@ -113,9 +113,10 @@ private:
   struct Circle
   {
     Vector direction = zero_vector<FT, 3>(); // of the line: the tangent of the circle
-    Vector foot = zero_vector<FT, 3>();      // its point next to the origin: half of the curvature vector
-    FT squared_length = FT(0);               // of the foot
-    FT squared_size = FT(0);                 // of the inverted points
+    Vector foot =
+      zero_vector<FT, 3>();    // its point next to the origin: half of the curvature vector
+    FT squared_length = FT(0); // of the foot
+    FT squared_size = FT(0);   // of the inverted points
     bool exists = false;
   };
 
@@ -193,7 +194,8 @@ private:
     if (bent == FT(1) || !has_normal) return;
     scale<FT, 3>(normals_[i], bent);
     const FT rest = FT(1) - bent;
-    add_multiple<FT, 3>(normals_[i], dot<FT, 3>(normal, of_surface) < FT(0) ? -rest : rest, of_surface);
+    add_multiple<FT, 3>(normals_[i], dot<FT, 3>(normal, of_surface) < FT(0) ? -rest : rest,
+                        of_surface);
     normals_[i] = unit_or_zero(normals_[i]);
   }
 

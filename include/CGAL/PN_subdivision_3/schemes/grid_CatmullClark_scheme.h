@@ -106,7 +106,8 @@ private:
   // the half-edge that goes on from the target of h in the grid line, null if it ends there
   Index beyond(Index h) const
   {
-    const Index g = level_.halfedge_of_vertex(level_.target(h)), o = Level_connectivity::opposite(h);
+    const Index g = level_.halfedge_of_vertex(level_.target(h)),
+                o = Level_connectivity::opposite(h);
     if (!level_.is_border(g))
       return has_valence(g, 4) ? level_.next(Level_connectivity::opposite(level_.next(h))) : null;
     if (!has_valence(g, 3)) return null;

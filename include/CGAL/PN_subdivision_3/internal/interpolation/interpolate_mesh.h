@@ -101,6 +101,7 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
 template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
+  static_assert(check_no_grid_rows<Scheme>());
   static_assert(
     are_used_v<Interpolation_parameters, NamedParameters>,
     "PN_subdivision_3: a named parameter is given that is not used here; those that are: "

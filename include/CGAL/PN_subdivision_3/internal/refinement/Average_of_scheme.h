@@ -35,9 +35,8 @@ using Average_with_roundness = PN_average<FT, dimension, Point_normal_roundness<
 
 // what is averaged
 template <class Scheme, class FT>
-using Value_of_scheme =
-  std::conditional_t<may_vary_in_roundness_v<Scheme>, Point_normal_roundness<FT, 3>,
-                     Point_normal<FT, 3>>;
+using Value_of_scheme = std::conditional_t<may_vary_in_roundness_v<Scheme>,
+                                           Point_normal_roundness<FT, 3>, Point_normal<FT, 3>>;
 
 template <class Scheme, class FT>
 using Average_of_scheme = std::conditional_t<
