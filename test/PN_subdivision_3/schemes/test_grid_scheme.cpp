@@ -288,6 +288,40 @@ TEST(Grid_scheme, MeetsCatmullClarkSmoothly)
   }
 }
 
+// the same faces in another order, each from another corner on, so that the edges have other first half-edges
+Mesh renumbered(Mesh& mesh)
+{
+  Mesh other;
+  for (const Vertex v : mesh.vertices())
+    normals_of(other)[other.add_vertex(mesh.point(v))] = normals_of(mesh)[v];
+  for (std::size_t f = mesh.number_of_faces(); f-- > 0;) {
+    auto h = mesh.halfedge(Mesh::Face_index(unsigned(f)));
+    for (std::size_t k = 0; k <= f % 3; ++k) h = mesh.next(h);
+    std::vector<Vertex> corners;
+    for (const Vertex v : mesh.vertices_around_face(h)) corners.push_back(v);
+    other.add_face(corners);
+  }
+  return other;
+}
+
+TEST(Grid_scheme, DoesNotDependOnTheNumbersOfFaces)
+{
+  for (Mesh mesh : {cuboid(), star()}) {
+    refine(mesh, 2);
+    Mesh other = renumbered(mesh);
+    refine(mesh, 1);
+    refine(other, 1);
+    std::vector<Point> points[2];
+    for (const Mesh* m : {&mesh, &other})
+      for (const Vertex v : m->vertices()) points[m == &other].push_back(m->point(v));
+    for (const Point& p : points[0]) {
+      double least = 1e9;
+      for (const Point& q : points[1]) least = (std::min)(least, CGAL::squared_distance(p, q));
+      ASSERT_LE(least, 1e-28) << p;
+    }
+  }
+}
+
 TEST(Grid_scheme, LeavesCornersAndIsLinearWithoutRoundness)
 {
   Mesh mesh = disturbed(4, 5, false, false, 3), linear = mesh, flat = mesh, half = mesh;
