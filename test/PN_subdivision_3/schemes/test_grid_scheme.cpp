@@ -116,7 +116,7 @@ TEST(Grid_scheme, KeepsTori)
       Mesh closed = grid(n, n, true, true, torus), patch = grid(n, n, false, false, torus),
            ring = grid(n, n, false, true, torus), other_ring = grid(n, n, false, true, turned);
       for (Mesh* mesh : {&closed, &patch, &ring, &other_ring}) {
-        refine(*mesh, 3);
+        refine(*mesh, 2);
         expect_torus(*mesh);
       }
     }
@@ -360,7 +360,7 @@ void expect_same_points(const Mesh& mesh, const Other& other, double tolerance,
 
 TEST(Grid_scheme, TakesOtherMeshesAndNumbers)
 {
-  const Mesh control = cuboid();
+  const Mesh control = disturbed(4, 5, false, false, 3);
   Mesh mesh;
   CGAL::copy_face_graph(control, mesh); // in the order of the copies
   CGAL::Polyhedron_3<Kernel> polyhedron;

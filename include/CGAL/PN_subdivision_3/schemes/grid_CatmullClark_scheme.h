@@ -29,7 +29,7 @@ with the weight 0.
 
 An interior vertex is irregular if its valence is not 4, a border vertex if it is neither 3 nor 2. The row of an irregular
 vertex, of an edge with an irregular end and of a face with an irregular corner is that of `CatmullClark_mask`. Grid lines end at
-irregular vertices and at the border. Border vertices with a single face are corners of a grid, and stay.
+the border, and at irregular vertices, where the lines beside them end, too. Border vertices with a single face are corners of a grid, and stay.
 
 \tparam FT a field
 \cgalModels{PNSubdivisionMask_3}
@@ -65,7 +65,7 @@ public:
   void edge(Index e, Stencil& s) const
   {
     const Index h = Level_connectivity::halfedge_of_edge(e);
-    if (is_irregular(h) || is_irregular(Level_connectivity::opposite(h))) return plain_.edge(e, s);
+    if (is_irregular(level_.source(h)) || is_irregular(level_.target(h))) return plain_.edge(e, s);
     add_grid(h, 4, level_.is_border_edge(e) ? 1 : 5, s);
   }
 
@@ -76,7 +76,7 @@ public:
     const Index h = level_.halfedge_of_face(f);
     Index g = h;
     do {
-      if (is_irregular(g)) return plain_.face(f, s);
+      if (is_irregular(level_.target(g))) return plain_.face(f, s);
       g = level_.next(g);
     } while (g != h);
     add_grid(h, 4, 4, s);
@@ -96,11 +96,10 @@ private:
     return level_.next_around_target(g) == h;
   }
 
-  // whether the target of h is irregular
-  bool is_irregular(Index h) const
+  bool is_irregular(Index v) const
   {
-    const Index g = level_.halfedge_of_vertex(level_.target(h));
-    return level_.is_border(g) ? !has_valence(g, 3) && !has_valence(g, 2) : !has_valence(g, 4);
+    const Index h = level_.halfedge_of_vertex(v);
+    return level_.is_border(h) ? !has_valence(h, 3) && !has_valence(h, 2) : !has_valence(h, 4);
   }
 
   // the half-edge that goes on from the target of h in the grid line, null if it ends there
@@ -128,17 +127,11 @@ private:
     return g == null ? null : Level_connectivity::opposite(g);
   }
 
-  // h leads to the vertices of columns `column` and `column + 1` of a row; where two strips of quads disagree there is
-  // no grid
-  void put(Index h, int cell, Vertices& vertices, std::array<bool, 25>& is_ambiguous) const
+  void put(Index h, Index* cell) const
   {
     if (h == null) return;
-    for (int k = 0; k < 2; ++k) {
-      const Index v = k == 0 ? level_.source(h) : level_.target(h);
-      Index& there = vertices[cell + k];
-      is_ambiguous[cell + k] = is_ambiguous[cell + k] || (there != null && there != v);
-      there = v;
-    }
+    cell[0] = level_.source(h);
+    cell[1] = level_.target(h);
   }
 
   // h leads from the middle vertex to the next one in its row; the rows go on to its left
@@ -156,31 +149,33 @@ private:
       strip[k] = reversed(beyond(Level_connectivity::opposite(strip[k + 1])));
     Vertices vertices;
     vertices.fill(null);
-    std::array<bool, 25> is_ambiguous{};
     for (int k = 0; k < columns - 1; ++k) {
       Index g = strip[k];
-      for (int r = row; r < rows; ++r, g = left(g)) put(g, r * columns + k, vertices, is_ambiguous);
+      for (int r = row; r < rows; ++r, g = left(g)) put(g, &vertices[r * columns + k]);
       g = right(strip[k]);
-      for (int r = row - 1; r >= 0; --r, g = right(g))
-        put(g, r * columns + k, vertices, is_ambiguous);
+      for (int r = row - 1; r >= 0; --r, g = right(g)) put(g, &vertices[r * columns + k]);
     }
-    emit(shape, vertices, is_ambiguous, s);
+    emit(shape, vertices, s);
   }
   static Index reversed(Index h) { return h == null ? null : Level_connectivity::opposite(h); }
 
+  // Where one of the vertices with weights is irregular the lines end at these: strips of quads do not agree beyond.
   template <class Stencil>
-  static void emit(const internal::Grid_shape& shape, const Vertices& vertices,
-                   const std::array<bool, 25>& is_ambiguous, Stencil& s)
+  void emit(const internal::Grid_shape& shape, const Vertices& vertices, Stencil& s) const
   {
-    using Line = internal::Grid_line<FT>;
-    const Index center = vertices[shape.center];
-    for (int i = 0; i < shape.entries; ++i) {
+    std::array<FT, 25> weights;
+    bool goes_on = true;
+    for (int i = 0; i < shape.columns * shape.rows; ++i) {
       const int r = i / shape.columns, c = i % shape.columns;
-      if (r >= shape.rows || vertices[i] == null || is_ambiguous[i])
-        s.add(center, FT(0));
-      else
-        s.add(vertices[i], Line::weight(shape.columns, c) *
-                             (shape.rows == 1 ? FT(1) : Line::weight(shape.rows, r)));
+      weights[i] = internal::Grid_line<FT>::weight(shape.columns, c);
+      if (shape.rows > 1) weights[i] *= internal::Grid_line<FT>::weight(shape.rows, r);
+      goes_on = goes_on && (weights[i] == FT(0) || !is_irregular(vertices[i]));
+    }
+    for (int i = 0; i < shape.entries; ++i) {
+      const bool is_cell = i < shape.columns * shape.rows,
+                 has_weight = is_cell && weights[i] != FT(0);
+      const bool exists = is_cell && vertices[i] != null && (goes_on || has_weight);
+      s.add(vertices[exists ? i : shape.center], has_weight ? weights[i] : FT(0));
     }
   }
 
