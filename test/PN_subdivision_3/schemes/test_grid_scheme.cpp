@@ -360,7 +360,7 @@ void expect_same_points(const Mesh& mesh, const Other& other, double tolerance,
 
 TEST(Grid_scheme, TakesOtherMeshesAndNumbers)
 {
-  const Mesh control = disturbed(4, 5, false, false, 3);
+  const Mesh control = disturbed(3, 3, false, false, 3);
   Mesh mesh;
   CGAL::copy_face_graph(control, mesh); // in the order of the copies
   CGAL::Polyhedron_3<Kernel> polyhedron;

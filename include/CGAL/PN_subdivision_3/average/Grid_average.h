@@ -104,8 +104,16 @@ public:
     const FT squared_length = dot<FT, 3>(v, v);
     const FT tolerance = Unit_normal_traits<FT>::vanishing_tolerance();
     if (squared_length <= tolerance * tolerance) return zero_vector<FT, 3>();
-    divide_by_length<FT, 3>(v, squared_length);
+    make_unit(v, squared_length);
     return v;
+  }
+
+  // Of exact numbers a unit vector in double: its direction is an estimate anyway, and exact ones grow without bounds.
+  static void make_unit(Vector& v, const FT& squared_length)
+  {
+    divide_by_length<FT, 3>(v, squared_length);
+    if constexpr (is_exact_v<FT>)
+      for (FT& x : v) x = FT(close_double(x));
   }
 
 private:
@@ -146,7 +154,7 @@ private:
     circle.direction = difference<FT, 3>(y, x);
     const FT squared_length = dot<FT, 3>(circle.direction, circle.direction);
     if (!(squared_length > FT(0))) return;
-    divide_by_length<FT, 3>(circle.direction, squared_length);
+    make_unit(circle.direction, squared_length);
     circle.foot = without(x, circle.direction);
     circle.squared_length = dot<FT, 3>(circle.foot, circle.foot);
     circle.squared_size = (std::max)(FT(1) / xx, FT(1) / yy);
@@ -175,7 +183,7 @@ private:
       const FT squared_length = dot<FT, 3>(tangent, tangent);
       if (squared_length > FT(1) / FT(16)) {
         t = tangent;
-        divide_by_length<FT, 3>(t, squared_length);
+        make_unit(t, squared_length);
       }
     }
     FT bent = step(circle.squared_length, machine_epsilon<FT>() * circle.squared_size,
@@ -189,7 +197,7 @@ private:
     Vector normal = without(opposite_vector<FT, 3>(circle.foot), t);
     const FT squared_length = dot<FT, 3>(normal, normal);
     if (!(squared_length > FT(0))) return;
-    divide_by_length<FT, 3>(normal, squared_length);
+    make_unit(normal, squared_length);
     normals_[i] = normal;
     if (bent == FT(1) || !has_normal) return;
     scale<FT, 3>(normals_[i], bent);
@@ -250,6 +258,7 @@ this and of what the columns first and then the rows give, so that it does not m
  - Where the lines of a grid lie on circles, each row and the line of the new points do, too, and the new point is on
    the circle: grids of parallels and meridians of a torus keep the torus, those of a surface of revolution round
    parallels.
+ - In exact number types curve normals, and the new control normals, are rounded to `double`.
  - Across inflections, and along lines that are straight, circles tell nothing. There, continuously, from a quarter down to
    1/16 of the largest curvature of the points that are averaged, the control normal stands in for the curve normal.
 
