@@ -331,12 +331,12 @@ TEST(Grid_scheme, LeavesCornersAndIsLinearWithoutRoundness)
   PN::subdivide(linear, PN::linear(PN::grid_CatmullClark_scheme()), np::number_of_iterations(2));
   PN::grid_CatmullClark_subdivision(
     flat,
-    PN::parameters::roundness(0., np::number_of_iterations(2).vertex_normal_map(normals_of(flat))));
+    PN::parameters::roundness(0.).number_of_iterations(2).vertex_normal_map(normals_of(flat)));
   Mesh once = half, once_linear = half;
   refine(once, 1);
   PN::subdivide(once_linear, PN::linear(PN::grid_CatmullClark_scheme()));
   PN::grid_CatmullClark_subdivision(
-    half, PN::parameters::roundness(.5, np::vertex_normal_map(normals_of(half))));
+    half, PN::parameters::roundness(.5).vertex_normal_map(normals_of(half)));
   for (const Vertex v : flat.vertices())
     EXPECT_LE(CGAL::squared_distance(flat.point(v), linear.point(v)), 1e-28);
   for (const Vertex v : half.vertices())
