@@ -22,6 +22,7 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`), what 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

@@ -90,6 +90,7 @@ Different refiners may be used by different threads at the same time, one of the
 template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
 class Surface_refiner
 {
+  static_assert(internal::check_no_grid_rows<Scheme>());
   static_assert(internal::Is_any<Scheme>::value || !internal::Has_curvature_transfer<Scheme>::value,
                 "PN_subdivision_3: Surface_refiner takes no scheme that transfers curvature");
 

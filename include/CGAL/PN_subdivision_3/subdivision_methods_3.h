@@ -19,6 +19,7 @@
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
@@ -187,6 +188,23 @@ void Bilinear_subdivision(PolygonMesh& mesh,
                           const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, Bilinear_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal Catmull-Clark subdivision by grid lines, for quads. The same as
+`subdivide(mesh, grid_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
+exceptions. The order of the new vertices is that of `PQQ_host`.
+
+\throws std::invalid_argument also if a face is not a quad, or if something is sharp
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void grid_CatmullClark_subdivision(PolygonMesh& mesh,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, grid_CatmullClark_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

@@ -116,18 +116,26 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
 #endif
   if (refinement.creases) return refine_with_creases(surface, choice, refinement);
   const std::optional<Normal_map> normals = normals_of(surface);
+  const bool is_grid = is_grid_scheme(choice.scheme);
+  if (!normals && is_grid)
+    return refine(surface, PN::linear(PN::grid_CatmullClark_scheme()), refinement,
+                  CGAL::parameters::default_values());
   if (!normals)
     return refine(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), refinement,
                   CGAL::parameters::default_values());
   const auto given = CGAL::parameters::vertex_normal_map(*normals);
   const std::optional<Roundness_map> roundness = roundness_of(surface);
-  with_scheme(choice, [&](const auto& scheme) {
+  const auto refine_by = [&](const auto& scheme) {
     if (roundness)
       refine(surface, scheme, refinement,
              PN::parameters::join(PN::parameters::vertex_roundness_map(*roundness), given));
     else
       refine(surface, scheme, refinement, given);
-  });
+  };
+  if (is_grid)
+    refine_by(PN::grid_CatmullClark_scheme());
+  else
+    with_scheme(choice, refine_by);
 }
 
 } // namespace pn_subdivide

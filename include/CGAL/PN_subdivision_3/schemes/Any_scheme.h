@@ -61,6 +61,7 @@ public:
   explicit Any_scheme(const Scheme& scheme)
     : on_a_host_(On<typename Scheme::Host>(scheme))
   {
+    static_assert(internal::check_no_grid_rows<Scheme>());
     static_assert(
       !internal::Is_adaptor<Scheme>::value,
       "PN_subdivision_3: make an Any_scheme of the scheme that is adapted, and adapt it");

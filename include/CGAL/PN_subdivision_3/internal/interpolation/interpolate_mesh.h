@@ -101,6 +101,7 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
 template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
+  static_assert(check_no_grid_rows<Scheme>());
   static_assert(
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "

@@ -45,6 +45,7 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
                            const Limit_options& options, const For_chunks& for_chunks,
                            const Sink& sink)
 {
+  static_assert(check_no_grid_rows<Scheme>());
   if constexpr (!check_corner_normals<Scheme, Access, Normal_map>())
     return {};
   else {
