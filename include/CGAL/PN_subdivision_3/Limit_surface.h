@@ -8,6 +8,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_LIMIT_SURFACE_H
 #define CGAL_PN_SUBDIVISION_3_LIMIT_SURFACE_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
@@ -21,7 +22,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -84,9 +85,9 @@ The limit surface of a control mesh as a surface with parameters: points, normal
 <b>Parameters.</b> Corner 0 of a face is the target of `halfedge(face, mesh)`, and corners follow in the order of the face.
 - Of a quadrilateral (of schemes that split faces as Catmull-Clark does) they are those of the unit square, with the corners (0,0), (1,0), (1,1) and (0,1).
 - Of a triangle of schemes that split faces as Loop does they are \f$ u, v\ge0, u+v\le1 \f$, with the corners (0,0), (1,0) and (0,1).
-- Any other face with \f$ n \f$ corners becomes \f$ n \f$ quadrilaterals in the first round, one at each corner. They are addressed by \f$ 0\le u<n \f$, \f$ 0\le v\le1 \f$: the
-  integer part of \f$ u \f$ is the number of the corner, the rest and \f$ v \f$ are parameters in its quadrilateral, from the corner to the middle of the face,
-  with \f$ v=0 \f$ on the edge to the next corner.
+- Any other face with \f$ n \f$ corners becomes \f$ n \f$ quadrilaterals in the first round, one at each corner. In that of corner \f$ i \f$ the parameters are
+  \f$ u-2i \f$ and \f$ v \f$, from 0 to 1: \f$ u=2i, v=0 \f$ is the corner, \f$ u=2i+1, v=0 \f$ the middle of the edge to the next corner, and
+  \f$ u=2i+1, v=1 \f$ the middle of the face.
 
 <b>How.</b> Where a face of a level and the faces around it are regular, and the scheme refines regular meshes to splines (Catmull-Clark and Loop, and
 their modified forms), the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the bicubic B-splines or the quartic box splines \f$ a_j \f$; at borders and creases
@@ -194,9 +195,51 @@ public:
     }
     std::vector<Surface_point> result(number);
     for (auto& [place, queries] : of_faces)
-      for (const auto& q : evaluation_->evaluate(place.first, place.second, std::move(queries), demand_))
+      for (const auto& q :
+           evaluation_->evaluate(place.first, place.second, std::move(queries), demand_))
         result[q.number] = surface_point(q);
     return result;
+  }
+  /// @}
+
+  /*!
+  \name Enclosure
+  Boxes that contain the part of a face of the limit surface, or all of it. After some rounds on the face, the limit of the linear scheme lies in the convex hull of the
+  control points around each of the new faces; with a point-normal scheme the box of these is grown by a bound of the distance between both limits. More rounds make
+  boxes tighter, by 1/4 a round in what they are grown by.
+
+  `bbox()` is for all surfaces, and estimates this distance: 2/5 of the product of the longest edge and the largest difference of normals over an edge, 3/10 in triangles, which is 1.2 times that of a sphere, or the proven bound where that is less; schemes with negative weights
+  are taken to be as those without. `proven_bbox()` takes the bound that is proved (see \ref PN_subdivision_3_limit_surface), of Catmull-Clark and Loop subdivision, at vertices of
+  valences from 3 to 12, neither on borders nor on creases, for roundness from 0 to 1; up to 6 more rounds are done where normals differ too much for it.
+  @{
+  */
+
+  /// contains the limit of a face, by estimate.
+  Bbox_3 bbox(Face face, unsigned rounds = 1) const
+  {
+    return evaluation_->enclosure(index(face), rounds, false, more_rounds).box;
+  }
+  /// contains the limit surface, by estimate.
+  Bbox_3 bbox(unsigned rounds = 0) const { return box_of_all(rounds, false).box; }
+  /*!
+  contains the limit of a face.
+  \throws std::invalid_argument if that is not proven: the message names the first vertex of the face for which it is not
+  \throws std::domain_error if the normals differ too much, after as many rounds as are done
+  */
+  Bbox_3 proven_bbox(Face face, unsigned rounds = 1) const
+  {
+    return evaluation_->enclosure(index(face), rounds, true, more_rounds).box;
+  }
+  /// contains the limit surface. Throws as for a face.
+  Bbox_3 proven_bbox(unsigned rounds = 1) const { return box_of_all(rounds, true).box; }
+  /*!
+  a proven bound of the distance of each point of the limit of a face from the one that the linear scheme makes of the control points after some rounds.
+  \throws std::invalid_argument if that is not proven, as for `proven_bbox()`
+  \throws std::domain_error if the normals differ too much after these rounds
+  */
+  double proven_distance_to_linear(Face face, unsigned rounds = 1) const
+  {
+    return evaluation_->enclosure(index(face), rounds, true, 0).distance;
   }
   /// @}
 
@@ -210,6 +253,7 @@ public:
 
 private:
   using Index = Level_connectivity::Index;
+  static constexpr unsigned more_rounds = 6; // of enclosures, where no bound is known
 
   template <class Scheme, class NamedParameters>
   void read(const FaceGraph& mesh, const Scheme& scheme, const NamedParameters& np)
@@ -225,9 +269,8 @@ private:
       if constexpr (Parameters::has_number_of_iterations)
         demand_.most_rounds = (std::max)(1u, Parameters::number_of_iterations(np));
       internal::with_mesh_access(mesh, [&](const auto& access) {
-        internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-          this->read<Parameters>(mesh, access, s, np);
-        });
+        internal::with_roundness_of_call<Parameters>(
+          access, scheme, np, [&](const auto& s) { this->read<Parameters>(mesh, access, s, np); });
         for (Index f = 0; f < access.size().faces; ++f) {
           faces_.push_back(access.face_at(f));
           index_.emplace(faces_.back(), f);
@@ -264,6 +307,17 @@ private:
     }
   }
 
+  internal::Surface_box box_of_all(unsigned rounds, bool is_proven) const
+  {
+    internal::Surface_box all;
+    for (Index f = 0; f < faces_.size(); ++f) {
+      const auto one = evaluation_->enclosure(f, rounds, is_proven, more_rounds);
+      all.box += one.box;
+      all.distance = (std::max)(all.distance, one.distance);
+    }
+    return all;
+  }
+
   static double checked_tolerance(double x)
   {
     if (!(x >= 0))
@@ -297,14 +351,13 @@ private:
     const bool is_triangle = evaluation_->splits_triangles();
     Index corner = 0;
     const double u = q.u;
-    bool is_inside = u >= 0 && q.v >= 0 && q.v <= 1 && u <= n;
-    if (n > 1 && is_inside) {
-      corner = static_cast<Index>(std::floor(u));
-      is_inside = corner < n;
-      q.u -= corner;
+    if (n > 1 && u >= 0 && u <= 2. * n) {
+      corner = static_cast<Index>(u / 2);
+      q.u -= 2. * corner;
     }
+    bool is_inside = corner < n && q.u >= 0 && q.u <= 1 && q.v >= 0 && q.v <= 1;
     if (is_triangle) {
-      is_inside = is_inside && u + q.v <= 1 + 4 * std::numeric_limits<double>::epsilon();
+      is_inside = is_inside && q.u + q.v <= 1 + 4 * std::numeric_limits<double>::epsilon();
       q.u = (std::min)(q.u, 1 - q.v);
     }
     if (!is_inside)
@@ -312,8 +365,9 @@ private:
         "PN_subdivision_3: (" + std::to_string(u) + ", " + std::to_string(q.v) +
         ") are no parameters of face number " + std::to_string(f) + ": take " +
         (is_triangle ? std::string("u, v >= 0 with u + v <= 1")
-                     : n == 1 ? std::string("u and v from 0 to 1")
-                              : "u from 0 to less than " + std::to_string(n) + ", v from 0 to 1"));
+         : n == 1
+           ? std::string("u and v from 0 to 1")
+           : "u from 2i to 2i + 1 for corner i of " + std::to_string(n) + ", v from 0 to 1"));
     return corner;
   }
 
@@ -349,8 +403,8 @@ template <class FaceGraph, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Limit_surface(const FaceGraph&, const Scheme&,
               const NamedParameters& = parameters::default_values())
-  -> Limit_surface<
-    FaceGraph, typename internal::Surface_parameters<FaceGraph, NamedParameters>::Geom_traits>;
+  -> Limit_surface<FaceGraph,
+                   typename internal::Surface_parameters<FaceGraph, NamedParameters>::Geom_traits>;
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

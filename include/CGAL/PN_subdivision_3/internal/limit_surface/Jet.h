@@ -54,12 +54,7 @@ struct Jet
   // f of it, whose value and first two derivatives are given
   Jet mapped(double f, double f1, double f2) const
   {
-    return {f,
-            f1 * u,
-            f1 * v,
-            f1 * uu + f2 * u * u,
-            f1 * uv + f2 * u * v,
-            f1 * vv + f2 * v * v};
+    return {f, f1 * u, f1 * v, f1 * uu + f2 * u * u, f1 * uv + f2 * u * v, f1 * vv + f2 * v * v};
   }
   Jet inverse() const
   {
@@ -110,8 +105,7 @@ struct Jet_average
   std::array<double, 3> unit_normal() const
   {
     const auto& p = point;
-    std::array<double, 3> n = {p[1].u * p[2].v - p[2].u * p[1].v,
-                               p[2].u * p[0].v - p[0].u * p[2].v,
+    std::array<double, 3> n = {p[1].u * p[2].v - p[2].u * p[1].v, p[2].u * p[0].v - p[0].u * p[2].v,
                                p[0].u * p[1].v - p[1].u * p[0].v};
     const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     double u = 0, v = 0;
@@ -159,8 +153,10 @@ private:
       Jet weight = e.weight;
       if (d.value < fade_begin<double>()) {
         fades = true;
-        if (d.value <= fade_end<double>()) weight = {};
-        else weight = weight * faded(d);
+        if (d.value <= fade_end<double>())
+          weight = {};
+        else
+          weight = weight * faded(d);
       }
       remaining += weight;
       if (weight.value != 0 || d.value > fade_end<double>()) sum += weight * s * d.inverse();

@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Creased_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/limit_surface/Cell_enclosure.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Jet.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Limit_cells.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Spline_piece.h>
@@ -21,7 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <mutex>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -70,6 +71,8 @@ public:
   // all of one face; in a polygon that is split in quadrilaterals, of the piece at the corner
   virtual Queries evaluate(Index face, Index corner, Queries queries,
                            const Surface_demand& demand) const = 0;
+  virtual Surface_box enclosure(Index face, unsigned rounds, bool is_proven,
+                                unsigned more_rounds) const = 0;
 };
 
 template <class Scheme, class Level_creases>
@@ -100,6 +103,21 @@ public:
       e(round.child(corner), std::move(queries));
     }
     return std::move(e.done);
+  }
+
+  Surface_box enclosure(Index face, unsigned rounds, bool is_proven,
+                        unsigned more_rounds) const override
+  {
+    if (is_proven) {
+      if (!has_proven_bound(cells_.scheme()))
+        throw std::invalid_argument("PN_subdivision_3: no enclosure is proven for " +
+                                    name_in_message(cells_.scheme()) +
+                                    ", but for Catmull-Clark and Loop: use bbox()");
+      require_proof(cells_, face, degree);
+    }
+    Cell_enclosure<Cells> enclosure(cells_, degree, is_pn, is_proven, rounds, more_rounds);
+    enclosure.add(cells_.of_face(face));
+    return enclosure.result();
   }
 
 private:
