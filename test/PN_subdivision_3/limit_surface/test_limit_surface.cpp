@@ -347,6 +347,51 @@ TEST(LimitSurface, AnySchemeIsAsTheOneThatItHolds)
   EXPECT_EQ(one.point(Face(2), 0.3, 0.6), other.point(Face(2), 0.3, 0.6));
 }
 
+// \name Derivatives and roundness
+
+// of whatever child the point lies in, after some rounds
+template <class Scheme>
+void expect_derivatives_of_points(Control_mesh shape, const Scheme& scheme)
+{
+  test_meshes::set_uneven_normals(shape, 5);
+  Surface_mesh mesh = to_surface_mesh(shape);
+  PN::Limit_surface surface(mesh, scheme, params::vertex_normal_map(normal_map(mesh)));
+  surface.set_tolerance(1e-8);
+  constexpr double h = 1e-3;
+  for (const auto& at :
+       {std::array{0.2, 0.1}, std::array{0.7, 0.2}, std::array{0.1, 0.8}, std::array{0.3, 0.4}}) {
+    const double u = at[0], v = at[1];
+    const auto s = surface.evaluate(Face(1), u, v);
+    const auto p = [&](double du, double dv) {
+      return surface.point(Face(1), u + du, v + dv) - CGAL::ORIGIN;
+    };
+    ASSERT_EQ(s.derivatives, 2u);
+    EXPECT_GT(s.rounds, 0u);
+    EXPECT_LE(length(s.du - (p(h, 0) - p(-h, 0)) / (2 * h)), 2e-3);
+    EXPECT_LE(length(s.dv - (p(0, h) - p(0, -h)) / (2 * h)), 2e-3);
+    EXPECT_LE(length(s.duu - (p(h, 0) - 2 * p(0, 0) + p(-h, 0)) / (h * h)), 0.1);
+    EXPECT_LE(length(s.duv - (p(h, h) - p(h, -h) - p(-h, h) + p(-h, -h)) / (4 * h * h)), 0.1);
+    EXPECT_LE(length(s.dvv - (p(0, h) - 2 * p(0, 0) + p(0, -h)) / (h * h)), 0.1);
+  }
+}
+TEST(LimitSurface, DerivativesAreThoseOfThePoints)
+{
+  expect_derivatives_of_points(test_meshes::bipyramid(7), PN::Loop_scheme());
+  expect_derivatives_of_points(named_shapes::cube(), PN::CatmullClark_scheme());
+}
+
+TEST(LimitSurface, Roundness0IsTheLinearScheme)
+{
+  Control_mesh shape = named_shapes::cube();
+  test_meshes::set_uneven_normals(shape, 5);
+  Surface_mesh mesh = to_surface_mesh(shape);
+  const PN::Limit_surface linear(mesh, PN::linear(PN::CatmullClark_scheme())),
+    surface(mesh, PN::CatmullClark_scheme(),
+            PN::parameters::roundness(0., params::vertex_normal_map(normal_map(mesh))));
+  for (Face f : mesh.faces())
+    EXPECT_LE(length(surface.point(f, 0.3, 0.6) - linear.point(f, 0.3, 0.6)), 1e-12);
+}
+
 // \name Meshes and numbers
 
 template <class Mesh>
