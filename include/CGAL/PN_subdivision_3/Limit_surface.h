@@ -44,8 +44,10 @@ struct Limit_surface_location
 {
   /// the face.
   Face face;
-  /// the parameters.
-  double u, v;
+  /// the first parameter.
+  double u;
+  /// the second one.
+  double v;
 };
 
 /// \ingroup PkgPNSubdivision3LimitSurface
@@ -63,10 +65,16 @@ struct Limit_surface_point
   /// the unit normal of the surface; where it has none, at vertices that are cusps or on creases of point-normal schemes, the limit of the
   /// control normals, and zero with a linear scheme.
   Vector_3 normal;
-  /// the derivatives by the parameters of the face, as far as `derivatives` tells.
-  Vector_3 du, dv;
-  /// the second derivatives, as far as `derivatives` tells.
-  Vector_3 duu, duv, dvv;
+  /// the derivative by the first parameter of the face, if `derivatives` is at least 1.
+  Vector_3 du;
+  /// the same by the second one.
+  Vector_3 dv;
+  /// the second derivative by the first parameter, if `derivatives` is 2.
+  Vector_3 duu;
+  /// by both.
+  Vector_3 duv;
+  /// by the second one.
+  Vector_3 dvv;
   /// up to which order derivatives are given, 2, 1 or 0; the others are zero.
   unsigned derivatives = 0;
   /// the estimated distance of `point` from the limit; with a linear scheme, where it is exact, a bound of rounding.
