@@ -43,23 +43,10 @@ number_of_cmake() {
   git show "$commit:CMakeLists.txt" | sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p'
 }
 
-# what is in the sources, compared with the tag
-check_version() {
-  local version=$1
-  [[ $(number_of_cmake) == "$version" ]] || fail "CMakeLists.txt says version $(number_of_cmake), the tag $version"
-  git show "$commit:vcpkg.json" | grep -q "\"version\": \"$version\"" || fail "vcpkg.json is not of version $version"
-  git show "$commit:CITATION.cff" | grep -qx "version: $version" || fail "CITATION.cff is not of version $version"
-  git show "$commit:conanfile.py" | grep -qx "    version = \"$version\"" || fail "conanfile.py is not of version $version"
-  git show "$commit:CHANGES.md" | grep -q "^## $version (20" || fail "CHANGES.md has no section $version with a date"
-  git show "$commit:include/CGAL/PN_subdivision_3/version.h" |
-    grep -q "VERSION \"$version\"" || fail "version.h is not of version $version"
-}
-
 tag=$(git tag --points-at "$commit" 'v[0-9]*' | head -n 1)
 if [[ -n $tag ]]; then
   version=${tag#v}
   npm_version=$version
-  check_version "$version"
 else
   of_commit=$(date -u -d "@$SOURCE_DATE_EPOCH" +%Y%m%d%H%M).g$(git rev-parse --short=9 "$commit")
   version=$(number_of_cmake)~git$of_commit # sorts before the release
@@ -93,6 +80,15 @@ build() { # FOLDER TARGET
     fail "target $2 could not be built"
   }
 }
+
+if [[ -n $tag ]]; then
+  [[ $(number_of_cmake) == "$version" ]] || fail "the tag is $tag, but CMakeLists.txt says $(number_of_cmake)"
+  grep -qx "## $version" CHANGES.md || fail "CHANGES.md: the section $version is missing or still in development"
+  python3 -B -c 'import sys
+sys.path.insert(0, "scripts")
+import check_sources
+sys.exit("\n".join(check_sources.check_version()) or 0)' || fail "the files above are not of version $version"
+fi
 
 echo "Debian package"
 hardening=$(dpkg-buildflags --get CXXFLAGS | sed 's/-g //; s/-ffile-prefix-map=[^ ]* //; s/-O2//')
