@@ -20,12 +20,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libcgal-dev) # what the headers include
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libtbb-dev")
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-file(STRINGS package_info/PN_subdivision_3/long_description.txt pn_description)
-list(JOIN pn_description "\n" pn_description)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${PROJECT_DESCRIPTION}\n${pn_description}")
-# each component has its own name of the description in CPack; all in one takes this
+file(READ package_info/PN_subdivision_3/long_description.txt CPACK_PACKAGE_DESCRIPTION)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_DESCRIPTION "${pn_description}")
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/PN_package_files.cmake)
 set(CPACK_PN_SOURCE ${PROJECT_SOURCE_DIR})
 include(CPack)
