@@ -64,8 +64,9 @@ scripts/install_dependencies.sh --release
 
 echo "Sources"
 git archive --format=tar --prefix="$name/" "$commit" | xz -9 -T1 >"$files/$name.tar.xz"
-tar -xJf "$files/$name.tar.xz" -C "$work"
-cd "$work/$name"
+mkdir "$work/source"
+tar -xJf "$files/$name.tar.xz" -C "$work/source" --strip-components=1
+cd "$work/source"
 
 configure() { # FOLDER OPTION...
   local folder=$1
@@ -101,7 +102,7 @@ build "$work/deb" pn_subdivide
 mv "$work"/deb/*.deb "$files/"
 # only Debian can give a bug number that the first upload closes, and only a maintainer an address
 unwanted=(initial-upload-closes-no-bugs)
-[[ -n $maintainer ]] || unwanted+=(bogus-mail-host)
+[[ -n $maintainer ]] || unwanted+=(bogus-mail-host bogus-mail-host-in-debian-changelog)
 lintian --allow-root --fail-on error,warning --suppress-tags "$(IFS=,; echo "${unwanted[*]}")" "$files"/*.deb ||
   fail "lintian objects to the Debian package"
 
