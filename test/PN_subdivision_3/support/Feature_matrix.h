@@ -137,7 +137,7 @@ struct Case
     return result;
   }
 
-  PN::Scheme_with_border<PN::Any_scheme<>> scheme;
+  PN::internal::Scheme_with_border<PN::Any_scheme<>> scheme;
   Mesh mesh;
   Mesh::Property_map<Mesh::Vertex_index, Vector> normals;
   Mesh::Property_map<Mesh::Halfedge_index, Vector> corner_normals;
