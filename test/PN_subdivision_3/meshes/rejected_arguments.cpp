@@ -89,6 +89,10 @@ void reject(Mesh& mesh)
   PN::Any_scheme<>(PN::linear(PN::Loop_scheme()));
   // expected: make an Any_scheme of the scheme that is adapted, and adapt it
 
+  PN::limit_points(mesh, PN::grid_CatmullClark_scheme(),
+                   mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("of grids").first);
+  // expected: grid_CatmullClark_scheme is a scheme of subdivide() only
+
   PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
   // expected: the map of creases is no property map of the mesh's edges
 

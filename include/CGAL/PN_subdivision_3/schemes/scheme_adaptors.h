@@ -121,6 +121,8 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
   /// whether the rules for borders of both schemes serve along creases.
   static constexpr bool has_crease_rules =
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
+  /// whether rows are averaged by `Grid_average`.
+  static constexpr bool has_grid_rows = false;
   /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = true;
   /// whether a round transfers curvature to the normals.

@@ -137,7 +137,7 @@ constexpr bool check_no_grid_rows()
     !Has_grid_rows<Scheme>::value,
     "PN_subdivision_3: grid_CatmullClark_scheme is a scheme of subdivide() only: it has no limits, "
     "interpolation, tessellation, pieces and other normal schemes, and no Any_scheme");
-  return !Has_grid_rows<Scheme>::value;
+  return true;
 }
 
 template <class Scheme>
