@@ -28,6 +28,12 @@ struct sharp_angle_t
 {};
 struct control_normal_estimate_t
 {};
+struct limit_points_t
+{};
+struct surface_normals_t
+{};
+struct limit_tolerance_t
+{};
 
 // the pack `np` with one parameter more
 template <class Tag, class T, class Base>
@@ -175,6 +181,58 @@ template <class Estimate, class NamedParameters>
 auto control_normal_estimate(const Estimate& estimate, const NamedParameters& np)
 {
   return internal::with_parameter<internal::control_normal_estimate_t>(estimate, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+whether `Surface_pieces` puts the vertices on the limit surface, as `subdivide_to_limit()` does.
+\param is_so a `bool`; what the pieces need for it is compiled if `limit_points` or `surface_normals` is given
+*/
+inline auto limit_points(bool is_so)
+{
+  return internal::with_parameter<internal::limit_points_t>(is_so);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class NamedParameters>
+auto limit_points(bool is_so, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::limit_points_t>(is_so, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+whether the normals of the vertices that `Surface_pieces` makes are those of the limit surface, as with
+`Limit_options::surface_normals`.
+\param is_so a `bool`
+*/
+inline auto surface_normals(bool is_so)
+{
+  return internal::with_parameter<internal::surface_normals_t>(is_so);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class NamedParameters>
+auto surface_normals(bool is_so, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::surface_normals_t>(is_so, np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+the largest estimated error of limit points, as `Limit_options::tolerance`.
+\param x a part of the largest side of the bounding box of the refined points
+*/
+inline auto limit_tolerance(double x)
+{
+  return internal::with_parameter<internal::limit_tolerance_t>(x);
+}
+/// \ingroup PkgPNSubdivision3Functions
+/// adds it to a pack of named parameters.
+template <class NamedParameters>
+auto limit_tolerance(double x, const NamedParameters& np)
+{
+  return internal::with_parameter<internal::limit_tolerance_t>(x, np);
 }
 
 /*!

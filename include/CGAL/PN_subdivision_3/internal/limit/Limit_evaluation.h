@@ -84,7 +84,7 @@ public:
     }
     // where points are not asked for, rings have oriented them
     if (demand_.surface_normals && demand_.points)
-      orient_normals(level, results, for_chunks_, some == nullptr);
+      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
     return results;
   }
 

@@ -28,6 +28,13 @@ using Pieces_parameters =
                   internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
                   internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
                   vertex_roundness_map_t, roundness_t, control_normal_estimate_t>;
+struct Surface_pieces_parameters
+{
+  template <class Tag>
+  static constexpr bool contain =
+    Pieces_parameters::contain<Tag> ||
+    Used_parameters<limit_points_t, surface_normals_t, limit_tolerance_t>::contain<Tag>;
+};
 using Build_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
 
@@ -72,10 +79,10 @@ constexpr bool check_refiner_arguments()
     return check_control_arguments<Mesh, Scheme, NamedParameters>();
 }
 
-template <class Mesh, class Scheme, class NamedParameters>
+template <class Mesh, class Scheme, class NamedParameters, class Used = Pieces_parameters>
 constexpr bool check_pieces_arguments()
 {
-  constexpr bool are_used = are_used_v<Pieces_parameters, NamedParameters>;
+  constexpr bool are_used = are_used_v<Used, NamedParameters>;
   static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
                           "those that are: number_of_iterations, vertex_point_map, "
                           "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
