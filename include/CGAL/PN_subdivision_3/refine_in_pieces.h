@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
 #define CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
@@ -21,7 +22,6 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -366,16 +366,16 @@ private:
   // takes the connectivity
   auto begin_piece(Piece& piece, bool has_normals) const
   {
-    return [&piece, has_normals](Level_connectivity& connectivity,
-                                 internal::Numbered_elements& vertices,
-                                 internal::Numbered_elements& faces) {
-      piece.connectivity_ = std::move(connectivity);
-      piece.vertices_ = std::move(vertices);
-      piece.faces_ = std::move(faces);
-      piece.points_.resize(piece.vertices_.size());
-      if (has_normals) piece.normals_.resize(piece.vertices_.size());
-      if (is_pn) piece.roundness_.resize(piece.vertices_.size());
-    };
+    return
+      [&piece, has_normals](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
+                            internal::Numbered_elements& faces) {
+        piece.connectivity_ = std::move(connectivity);
+        piece.vertices_ = std::move(vertices);
+        piece.faces_ = std::move(faces);
+        piece.points_.resize(piece.vertices_.size());
+        if (has_normals) piece.normals_.resize(piece.vertices_.size());
+        if (is_pn) piece.roundness_.resize(piece.vertices_.size());
+      };
   }
 
   Piece refined_piece(std::size_t i, unsigned rings) const
@@ -417,8 +417,7 @@ private:
       piece.corners_.push_back({h, wedge, {}});
       if (has_normals) piece.corners_.back().normal = normal(limit);
     };
-    piece.limit_report_ =
-      refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner});
+    piece.limit_report_ = refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner});
     return piece;
   }
 
@@ -447,8 +446,8 @@ private:
         const auto read = [&](const auto& normals) {
           this->template read<Limits_of_call::may_be_any>(
             access, scheme, Parameters::const_point_map(mesh, np), normals,
-                     Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-                     internal::read_roundness<FT, Parameters>(access, np), rounds);
+            Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
+            internal::read_roundness<FT, Parameters>(access, np), rounds);
         };
         if constexpr (is_pn)
           read(Parameters::normal_map(np));
@@ -493,10 +492,10 @@ private:
     using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases>;
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
-      refiner_ = std::make_unique<Made>(
-        scheme, std::move(level), std::move(creases),
-        typename Refiner::Values(values.begin(), values.end()), rounds_, number_of_pieces_,
-        ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
+      refiner_ = std::make_unique<Made>(scheme, std::move(level), std::move(creases),
+                                        typename Refiner::Values(values.begin(), values.end()),
+                                        rounds_, number_of_pieces_, ghost_rings_,
+                                        internal::For_chunks::with(Concurrency_tag()));
     };
     if constexpr (may_be_limits) {
       if (limits_ && !Host::keeps_vertices)
@@ -505,8 +504,8 @@ private:
                                     " belong to the faces, not to the vertices");
       if constexpr (Host::keeps_vertices)
         if (limits_)
-          return make(static_cast<internal::Piece_limits<Hosted_scheme, Average, Level_creases>*>(
-            nullptr));
+          return make(
+            static_cast<internal::Piece_limits<Hosted_scheme, Average, Level_creases>*>(nullptr));
     }
     make(static_cast<Refiner*>(nullptr));
   }

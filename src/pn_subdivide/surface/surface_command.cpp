@@ -308,15 +308,19 @@ Kept_normals control_normals_at_limits(const Surface& surface, const Plan& plan,
   return kept_normals(copy);
 }
 
-void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
-                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
-                    Report& report)
+void report_limits(const Limit_summary& summary, const Plan& plan, Report& report)
 {
-  const Limit_summary summary = limits(surface, plan, options, scheme, creases, plan.limit);
   report.note(summary.description(plan.limit));
   report.set_limit(summary.numbers(plan.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
+}
+
+void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
+                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
+                    Report& report)
+{
+  report_limits(limits(surface, plan, options, scheme, creases, plan.limit), plan, report);
 }
 
 // The mesh becomes a control net of the surface through its vertices.
@@ -609,7 +613,8 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
   warn_of_lost_normals(job.has_lost_normals, plan, report);
-  write_pieces(job, plan.output.name, plan.threads, report);
+  const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
+  if (plan.limit.is_used()) report_limits(limits, plan, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals +
@@ -665,7 +670,7 @@ void run_surface_command(const Surface_options& given_options)
     turning = turning_edges(mesh, plan, options, scheme, creases);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
-                               plan.output_normals);
+                               plan.output_normals, plan.limit);
     else {
       const double chord = plan.chord ? plan.chord->of(mesh) : 0;
       if (part) table.emplace(*part, mesh);

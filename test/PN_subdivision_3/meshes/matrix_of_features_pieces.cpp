@@ -51,8 +51,7 @@ Whole whole(const Case& c, bool of_corners, bool has_normals)
   }
   for (auto f : c.mesh.faces())
     for (auto h : halfedges_around_face(c.mesh.halfedge(f), c.mesh)) {
-      if (has_normals && of_corners)
-        w.add(w.corner_normals, w.faces.size(), c.corner_normals[h]);
+      if (has_normals && of_corners) w.add(w.corner_normals, w.faces.size(), c.corner_normals[h]);
       w.faces.push_back(c.mesh.target(h).idx());
     }
   return w;
@@ -159,7 +158,7 @@ TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
     if (!PN::any_scheme(scheme).keeps_vertices()) return;
-    for (const Limits limits : {Limits{true, false}, Limits{true, true}, Limits{false, true}})
+    for (const Limits& limits : {Limits{true, false}, Limits{true, true}, Limits{false, true}})
       compare_pieces(scheme, creases, normals, limits);
   });
 }

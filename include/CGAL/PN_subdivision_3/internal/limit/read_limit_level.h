@@ -9,10 +9,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 
@@ -40,7 +40,8 @@ auto read_limit_level(const Access& access, const Scheme& scheme, Point_map poin
 // the largest side of a box
 inline double size_of(const Bbox_3& box)
 {
-  return (std::max)({0., box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+  return (std::max)(
+    {0., box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
 }
 
 // that of the box of the points

@@ -80,8 +80,8 @@ public:
     Part part = this->last_part(piece, has_isolated);
     Valued_level<Value> level{std::move(part.level), {part.values.begin(), part.values.end()}};
     Values().swap(part.values);
-    const std::vector<Index> some =
-      vertices_of(level.level, part.elements, has_isolated, rings + (demand.surface_normals ? 1 : 0));
+    const std::vector<Index> some = vertices_of(level.level, part.elements, has_isolated,
+                                                rings + (demand.surface_normals ? 1 : 0));
     Limit_demand here = demand;
     here.has_neighbors = true;
     const With_roundness<Scheme, FT> scheme{{this->scheme()}};

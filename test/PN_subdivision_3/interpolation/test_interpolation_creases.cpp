@@ -1,0 +1,179 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Interpolation with creases that are sharp for ever: limits of the control net, as move_to_limit() has them, are the
+// data. The limits are evaluated by another call, with the normals and tangents that were written.
+
+#include "Feature_matrix.h"
+
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace feature_matrix;
+using Tangents = Mesh::Property_map<Mesh::Halfedge_index, Vector>;
+
+constexpr const char* scheme_names[] = {"catmull-clark", "loop", "modified-catmull-clark",
+                                        "modified-loop"};
+constexpr Crease_kind kinds[] = {Crease_kind::none, Crease_kind::edges, Crease_kind::corners,
+                                 Crease_kind::border};
+
+PN::Limit_interpolation_options<> points_options()
+{
+  PN::Limit_interpolation_options<> options;
+  options.mode = PN::Limit_interpolation_mode::limit_points;
+  options.tolerance = 1e-11;
+  return options;
+}
+
+struct Tangled_case : Case
+{
+  Tangled_case(const std::string& name, Crease_kind creases)
+    : Case(name, creases, Attribute_kind::none)
+    , tangents(mesh.add_property_map<Mesh::Halfedge_index, Vector>("t", CGAL::NULL_VECTOR).first)
+  {
+    if (creases == Crease_kind::edges) sharpen_around_a_face();
+    // a net that is no smooth surface's
+    for (auto v : mesh.vertices()) {
+      const auto p = mesh.point(v);
+      mesh.point(v) = Kernel::Point_3(p.x(), p.y() + 0.1 * std::sin(3. * v.idx()),
+                                      p.z() + 0.2 * std::cos(1. * v.idx()));
+    }
+  }
+
+  auto sharp() const
+  {
+    return params::edge_is_constrained_map(sharpness).vertex_is_constrained_map(vertex_sharpness);
+  }
+
+  Tangents tangents;
+
+private:
+  // a crease with vertices inside, and ends of other creases
+  void sharpen_around_a_face()
+  {
+    for (auto h : halfedges_around_face(mesh.halfedge(Mesh::Face_index(0)), mesh))
+      sharpness[mesh.edge(h)] = std::numeric_limits<double>::infinity();
+  }
+};
+
+double size_of(const Case& c)
+{
+  CGAL::Bbox_3 box;
+  for (auto v : c.mesh.vertices()) box += c.mesh.point(v).bbox();
+  return std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+double largest_distance(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+template <class Scheme, class Np>
+void expect_limits(Case& c, const Scheme& scheme, const Np& np)
+{
+  const std::vector<double> data = c.points();
+  const auto report = PN::interpolate_limit_points(c.mesh, scheme, points_options(), np);
+  EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
+  EXPECT_GT(report.steps, 0u);
+  EXPECT_LE(report.steps, 6u);
+  const std::vector<double> net = c.points();
+  EXPECT_GT(largest_distance(net, data), 1e-3 * size_of(c)); // it had something to do
+  PN::Limit_options options;
+  options.tolerance = 1e-12;
+  PN::move_to_limit(c.mesh, scheme, options, np);
+  EXPECT_LE(largest_distance(c.points(), data), 1e-9 * size_of(c));
+  for (auto v : c.mesh.vertices()) // a corner is its own limit, bit for bit
+    if (c.vertex_sharpness[v] > 0)
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(net[3 * v.idx() + k], data[3 * v.idx() + k]);
+}
+
+TEST(Interpolation_creases, LimitPointsAreTheData)
+{
+  for (const char* const name : scheme_names)
+    for (const Crease_kind kind : kinds) {
+      SCOPED_TRACE(std::string(name) + ", " + feature_matrix::name(kind));
+      Tangled_case c(name, kind);
+      expect_limits(c, PN::with_crease_tangents(c.scheme, c.tangents),
+                    c.sharp().vertex_normal_map(c.corner_normals));
+      Tangled_case linear(name, kind);
+      expect_limits(linear, PN::linear(linear.scheme), linear.sharp());
+    }
+}
+
+// Vertices that are not to be interpolated stay, bit for bit.
+TEST(Interpolation_creases, SomeVertices)
+{
+  Tangled_case c("catmull-clark", Crease_kind::edges);
+  const auto chosen = c.mesh.add_property_map<Mesh::Vertex_index, bool>("chosen", false).first;
+  for (auto v : c.mesh.vertices()) chosen[v] = v.idx() % 2 == 0;
+  PN::Limit_interpolation_options<std::decay_t<decltype(chosen)>> options;
+  options.mode = PN::Limit_interpolation_mode::limit_points;
+  options.vertices = chosen;
+  const std::vector<double> data = c.points();
+  const auto scheme = PN::linear(c.scheme);
+  EXPECT_TRUE(
+    PN::interpolate_limit_points(c.mesh, scheme, options, c.sharp()).is_within_tolerance());
+  const std::vector<double> net = c.points();
+  PN::move_to_limit(c.mesh, scheme, PN::Limit_options(), c.sharp());
+  const std::vector<double> limits = c.points();
+  for (auto v : c.mesh.vertices())
+    for (std::size_t i = 3 * v.idx(); i < 3 * v.idx() + 3; ++i) {
+      if (chosen[v]) {
+        EXPECT_NEAR(limits[i], data[i], 1e-9);
+      } else {
+        EXPECT_EQ(net[i], data[i]);
+      }
+    }
+}
+
+template <class Scheme, class Options, class Np>
+void expect_refusal(Case& c, const Scheme& scheme, const Options& options, const Np& np,
+                    const std::string& part)
+{
+  const std::vector<double> data = c.points(), normals = c.all_corner_normals();
+  try {
+    PN::interpolate_limit_points(c.mesh, scheme, options, np);
+    ADD_FAILURE() << part;
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+  EXPECT_EQ(c.points(), data);
+  EXPECT_EQ(c.all_corner_normals(), normals);
+}
+
+TEST(Interpolation_creases, WhatIsRefused)
+{
+  Tangled_case c("catmull-clark", Crease_kind::edges);
+  const auto tangents = PN::with_crease_tangents(c.scheme, c.tangents);
+  const auto of_corners = c.sharp().vertex_normal_map(c.corner_normals);
+  PN::Limit_interpolation_options<> options = points_options();
+  expect_refusal(c, c.scheme, options, of_corners, "with_crease_tangents()");
+  expect_refusal(c, tangents, options, c.sharp().vertex_normal_map(c.normals), "half-edges");
+  options.mode = PN::Limit_interpolation_mode::slide;
+  expect_refusal(c, tangents, options, of_corners, "slide");
+  options = points_options();
+  options.normals = PN::Limit_interpolation_normals::solved;
+  expect_refusal(c, tangents, options, of_corners, "solved");
+  options = points_options();
+  options.free = PN::Limit_interpolation_free::smooth;
+  expect_refusal(c, tangents, options, of_corners, "move along");
+  Tangled_case semi_sharp("catmull-clark", Crease_kind::semi_sharp);
+  expect_refusal(semi_sharp, PN::linear(semi_sharp.scheme), points_options(), semi_sharp.sharp(),
+                 "make it infinite");
+}
+
+} // namespace
