@@ -8,6 +8,7 @@
 // The same for pieces: put together they are what subdivide() and subdivide_to_limit() make.
 
 #include "Feature_matrix.h"
+#include "Pieces_cases.h"
 
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
@@ -25,7 +26,6 @@ namespace {
 
 using namespace feature_matrix;
 
-constexpr std::size_t number_of_pieces = 5;
 constexpr double tolerance = 1e-5; // whose depth depends on the size of the box
 
 // A refined surface, by its elements.
@@ -111,7 +111,8 @@ using Limits = std::pair<bool, bool>;
 
 template <class Normals>
 void compare_pieces(const std::string& name, Crease_kind creases, const Normals& normals,
-                    const Limits& limits)
+                    const Limits& limits, const mesh_cases::Soup& soup,
+                    std::size_t number_of_pieces)
 {
   SCOPED_TRACE(std::string(limits.first ? "limit points " : "") +
                (limits.second ? "surface normals" : ""));
@@ -119,7 +120,8 @@ void compare_pieces(const std::string& name, Crease_kind creases, const Normals&
   // estimated normals are in no map
   constexpr bool has_map = of_corners || std::is_same_v<Normals, Of_vertices>;
   const bool is_limit = limits.first || limits.second;
-  Case mesh(name, creases, Attribute_kind::none), parts(name, creases, Attribute_kind::none);
+  Case mesh(name, creases, Attribute_kind::none, soup);
+  Case parts(name, creases, Attribute_kind::none, soup);
   Whole a, b;
   run(mesh, normals, [&](Case& c, const auto& scheme, const auto& np) {
     PN::Limit_options options;
@@ -150,7 +152,8 @@ void compare_pieces(const std::string& name, Crease_kind creases, const Normals&
 TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
-    compare_pieces(scheme, creases, normals, {false, false});
+    for (const std::size_t pieces : {2, 5})
+      compare_pieces(scheme, creases, normals, {false, false}, soup_for(scheme), pieces);
   });
 }
 
@@ -159,8 +162,25 @@ TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
     if (!PN::any_scheme(scheme).keeps_vertices()) return;
     for (const Limits& limits : {Limits{true, false}, Limits{true, true}, Limits{false, true}})
-      compare_pieces(scheme, creases, normals, limits);
+      compare_pieces(scheme, creases, normals, limits, soup_for(scheme), 2);
   });
+}
+
+// Pieces that do not have the whole surface in their rings.
+TEST(Matrix_of_features, PiecesOfALargerSurfaceAtTheLimit)
+{
+  for (const std::string scheme : {"catmull-clark", "modified-loop", "sqrt3"}) {
+    SCOPED_TRACE(scheme);
+    const auto torus = pieces_cases::torus_with_turned_edges(
+      scheme == "catmull-clark" ? random_meshes::Kind::polygons : random_meshes::Kind::triangles,
+      5);
+    mesh_cases::Soup soup{torus.points, {}};
+    for (const auto& f : torus.faces) soup.faces.emplace_back(f.begin(), f.end());
+    for (const Limits& limits : {Limits{true, true}, Limits{false, true}})
+      compare_pieces(scheme, scheme == "sqrt3" ? Crease_kind::none : Crease_kind::edges,
+                     Of_vertices(), limits, soup, 20);
+    compare_pieces(scheme, Crease_kind::none, Linear(), {true, true}, soup, 20);
+  }
 }
 
 } // namespace
