@@ -21,6 +21,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -141,12 +142,13 @@ Limit_interpolation_report interpolate_limit_points(
       if constexpr (internal::may_have_creases_v<Scheme, Access, typename Parameters::Normal_map,
                                                  typename Parameters::Edge_constraint_map,
                                                  typename Parameters::Vertex_constraint_map>)
-        if (internal::is_any_sharp(scheme, access, level, Parameters::normal_map(np),
-                                   Parameters::edge_constraint_map(np),
-                                   Parameters::vertex_constraint_map(np))) {
+        if (const std::string what = internal::what_is_sharp(
+              scheme, access, level, Parameters::normal_map(np),
+              Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+            !what.empty()) {
           report = internal::interpolate_with_creases<FT>(
-            access, scheme, level, mesh, np, options, internal::For_chunks::with(Concurrency_tag()),
-            [&](Level_connectivity::Index v) {
+            access, scheme, level, mesh, np, options, what,
+            internal::For_chunks::with(Concurrency_tag()), [&](Level_connectivity::Index v) {
               return internal::is_interpolated(access, options.vertices, v);
             });
           return;

@@ -146,7 +146,7 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   if (is_creased(creases) && (options.levels > 0 || limit.is_used()))
     maps = add_creases(surface, creases, limit.is_used());
   const std::size_t number =
-    piece_count(surface, scheme, options.levels, options.pieces, ranks().number());
+    piece_count(surface, scheme, options.levels, options.pieces, ranks().number(), limit.is_used());
   Pieces_job job;
   job.name = name_of(mesh, creases, options, scheme, normals, limit, number);
   job.limit = limit;

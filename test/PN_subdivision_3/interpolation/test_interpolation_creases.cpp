@@ -12,7 +12,11 @@
 
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Polyhedron_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,6 +144,28 @@ TEST(Interpolation_creases, SomeVertices)
     }
 }
 
+// Another mesh with exact numbers: they are computed in double, and limits are exact.
+TEST(Interpolation_creases, ExactPolyhedron)
+{
+  using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  using Polyhedron = CGAL::Polyhedron_3<Exact>;
+  const mesh_cases::Soup soup = mesh_cases::triangles_with_border();
+  Polyhedron mesh;
+  mesh_cases::build(soup, mesh, get(CGAL::vertex_point, mesh));
+  std::vector<Exact::Point_3> data;
+  for (auto v : vertices(mesh)) data.push_back(v->point());
+  const auto scheme = PN::linear(PN::with_border(PN::Loop_scheme(), PN::Border::curve));
+  const auto report = PN::interpolate_limit_points(mesh, scheme, points_options());
+  EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
+  EXPECT_GT(report.steps, 0u);
+  PN::move_to_limit(mesh, scheme);
+  std::size_t i = 0;
+  for (auto v : vertices(mesh)) {
+    EXPECT_LE(CGAL::to_double(CGAL::squared_distance(v->point(), data[i])), 1e-18) << i;
+    ++i;
+  }
+}
+
 template <class Scheme, class Options, class Np>
 void expect_refusal(Case& c, const Scheme& scheme, const Options& options, const Np& np,
                     const std::string& part)
@@ -164,7 +190,7 @@ TEST(Interpolation_creases, WhatIsRefused)
   expect_refusal(c, c.scheme, options, of_corners, "with_crease_tangents()");
   expect_refusal(c, tangents, options, c.sharp().vertex_normal_map(c.normals), "half-edges");
   options.mode = PN::Limit_interpolation_mode::slide;
-  expect_refusal(c, tangents, options, of_corners, "slide");
+  expect_refusal(c, tangents, options, of_corners, "is sharp, but control points slide");
   options = points_options();
   options.normals = PN::Limit_interpolation_normals::solved;
   expect_refusal(c, tangents, options, of_corners, "solved");

@@ -241,23 +241,27 @@ void require_fixed_creases([[maybe_unused]] const Access& access,
   }
 }
 
-// whether a call tells of anything sharp, or of normals of wedges
+// what a call tells of that is sharp, or that it has normals of wedges; empty if there is neither
 template <class Scheme, class Access, class Normal_map, class Edge_map, class Vertex_map>
-bool is_any_sharp(const Scheme& scheme, const Access& access, const Level_connectivity& level,
-                  const Normal_map&, Edge_map edge_map, Vertex_map vertex_map)
+std::string what_is_sharp(const Scheme& scheme, const Access& access,
+                          const Level_connectivity& level, const Normal_map&, Edge_map edge_map,
+                          Vertex_map vertex_map)
 {
-  bool is_any = is_of_halfedges_v<Access, Normal_map>;
+  std::string what;
   refuse_sharp_elements(scheme, access, level, edge_map, vertex_map,
-                        [&](const std::string&) { is_any = true; });
-  return is_any;
+                        [&](const std::string& element) {
+                          if (what.empty()) what = element + " is sharp";
+                        });
+  if (what.empty() && is_of_halfedges_v<Access, Normal_map>) what = "corners have normals";
+  return what;
 }
 
 template <class Options>
-void require_creased_options(const Options& options)
+void require_creased_options(const Options& options, const std::string& what_is_sharp)
 {
-  const auto require = [](bool is_so, const std::string& what) {
+  const auto require = [&](bool is_so, const std::string& what) {
     if (!is_so)
-      throw std::invalid_argument("PN_subdivision_3: something is sharp, but " + what +
+      throw std::invalid_argument("PN_subdivision_3: " + what_is_sharp + ", but " + what +
                                   ": take Limit_interpolation_mode::limit_points with given "
                                   "normals and Limit_interpolation_free::fixed, or make all edges "
                                   "and vertices smooth");
@@ -277,8 +281,8 @@ template <class FT, class Access, class Scheme, class Mesh, class NamedParameter
 Limit_interpolation_report
 interpolate_with_creases(const Access& access, const Scheme& given_scheme,
                          const Level_connectivity& level, Mesh& mesh, const NamedParameters& np,
-                         const Options& options, const For_chunks& for_chunks,
-                         const Is_interpolated& is_interpolated)
+                         const Options& options, const std::string& what_is_sharp,
+                         const For_chunks& for_chunks, const Is_interpolated& is_interpolated)
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   const auto normals = Parameters::normal_map(np);
@@ -296,7 +300,7 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
     of_mesh(scheme, access, level, edge_map, vertex_map);
   Creases<FT> creases = of_mesh.creases(level);
   require_sharp_for_ever<FT>(access, creases, 0);
-  require_creased_options(options);
+  require_creased_options(options, what_is_sharp);
   require_fixed_creases<Scheme>(access, creases, normals);
   of_mesh.read_tangents(creases);
   const auto values = of_mesh.values(level, points, normals, creases);
