@@ -126,16 +126,16 @@ Surface subdivided(Mesh mesh, Way way)
   const bool is_linear = way == Way::linear || way == Way::linear_solved;
   if (is_linear)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
-  PN::Limit_interpolation_options<> options;
-  options.tolerance = 1e-9;
-  const auto np = params::vertex_normal_map(normals);
+  const auto np = PN::parameters::tolerance(1e-9).vertex_normal_map(normals);
   CGAL::Timer timer;
   timer.start();
   if (way == Way::linear_solved) {
-    options.mode = PN::Limit_interpolation_mode::limit_points;
-    PN::interpolate_limit_points(mesh, PN::linear(PN::modified_Loop_scheme()), options, np);
+    PN::interpolate_limit_points(
+      mesh, PN::linear(PN::modified_Loop_scheme()),
+      PN::parameters::join(
+        PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::limit_points), np));
   } else if (way == Way::slide)
-    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), options, np);
+    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), np);
   Mesh refined = mesh;
   const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   PN::subdivide(refined, PN::modified_Loop_scheme(),

@@ -64,16 +64,18 @@ struct Design
 
   void evaluate()
   {
-    PN::Limit_options options;
-    options.surface_normals = true;
-    PN::limit_points(mesh, scheme, limits, options, params::vertex_normal_map(normals));
+    PN::limit_points(mesh, scheme, limits,
+                     PN::parameters::surface_normals(true).vertex_normal_map(normals));
   }
 
   void solve(const std::string& title)
   {
-    const PN::Limit_interpolation_report report = PN::prescribe_limit_data(
-      mesh, scheme, points_of_limit, normals_of_limit, curvatures_of_limit,
-      PN::Limit_prescription_options(), params::vertex_normal_map(normals));
+    const PN::Limit_interpolation_report report =
+      PN::prescribe_limit_data(mesh, scheme,
+                               PN::parameters::prescribed_point_map(points_of_limit)
+                                 .prescribed_normal_map(normals_of_limit)
+                                 .prescribed_curvature_map(curvatures_of_limit)
+                                 .vertex_normal_map(normals));
     std::cout << title << ": points off by " << report.residual << ", normals by "
               << report.normal_residual << " radians, curvatures by " << report.curvature_residual
               << ", solves: " << report.steps << std::endl;
@@ -85,9 +87,8 @@ struct Design
     Design fine = *this;
     const Normals map = fine.mesh.add_property_map<Vertex, Vector>("v:normal").first;
     PN::subdivide(fine.mesh, scheme, params::number_of_iterations(4).vertex_normal_map(map));
-    PN::Limit_options options;
-    options.surface_normals = true;
-    PN::move_to_limit(fine.mesh, scheme, options, params::vertex_normal_map(map));
+    PN::move_to_limit(fine.mesh, scheme,
+                      PN::parameters::surface_normals(true).vertex_normal_map(map));
     return CGAL::IO::write_polygon_mesh(file, fine.mesh,
                                         params::stream_precision(17).vertex_normal_map(map));
   }

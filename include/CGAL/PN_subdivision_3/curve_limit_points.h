@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 #include <CGAL/number_type_basic.h>
@@ -67,23 +68,6 @@ struct Curve_limit_point
   double curvature = 0;
   /// whether the curve has a curvature there.
   bool has_curvature = false;
-};
-
-/// \ingroup PkgPNSubdivision3Limit
-/// What `curve_limit_points()` shall compute, and how well.
-struct Curve_limit_options
-{
-  /// the largest estimated error of a limit point, as a part of the largest side of the bounding box of
-  /// the points.
-  double tolerance = 1e-9;
-  /// the largest estimated error of a tangent, in radians.
-  double normal_tolerance = 1e-3;
-  /// the most rounds of refinement about a vertex or edge.
-  unsigned max_depth = 12;
-  /// whether tangents and normals of the curve are computed.
-  bool curve_normals = false;
-  /// whether curvatures are computed, where they exist.
-  bool curvatures = false;
 };
 
 namespace internal {
@@ -185,7 +169,7 @@ private:
 };
 
 template <class FT>
-Curve_limit_demand curve_limit_demand(const Curve_limit_options& options, double box)
+Curve_limit_demand curve_limit_demand(const Limit_options& options, double box)
 {
   if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
     throw std::invalid_argument(
@@ -264,9 +248,10 @@ and errors are computed in `double`, from differences in the number type.
 \param mask the mask
 \param end whether the polygon is closed, and if not, what happens at its ends. With `Curve_end::none` only
   vertices and edges have limits whose neighborhoods do not leave the polygon.
-\param options what is computed, and how well
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated
+  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated. What is computed, and how
+  well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and `curvatures` of
+  `CGAL::PN_subdivision_3::parameters`
 
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
@@ -280,7 +265,6 @@ and errors are computed in `double`, from differences in the number type.
 */
 template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
 auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
-                        const Curve_limit_options& options = Curve_limit_options(),
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
@@ -293,8 +277,8 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
     using Maker = internal::Curve_limit_maker<typename Parameters::Point,
                                               typename Parameters::Vector, FT, dimension>;
     const auto values = internal::limit_polygon<Limits, Parameters>(polygon, end, np);
-    const internal::Curve_limit_demand demand =
-      internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
+    const internal::Curve_limit_demand demand = internal::curve_limit_demand<FT>(
+      internal::limit_options(np), internal::box_size<Limits>(values));
     Limits limits(mask, end, demand);
     std::vector<typename Maker::Limit> result;
     Limit_report report;

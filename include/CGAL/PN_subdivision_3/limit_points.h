@@ -56,12 +56,12 @@ border, nor where the neighborhood collapses to a line. There the control normal
 modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
 estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
 
-<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `with_border()`, corners are their own limits; on
+<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on
 creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
 and the normals of all wedges; where a crease ends and beside it, the ring has slots of both sides. Points of a vertex
 are the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface
 normals, with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds
-that made a mesh if it still has their normals by half-edges and their tangents, see `with_crease_tangents()`.
+that made a mesh if it still has their normals by half-edges and their tangents, see `parameters::crease_tangent_map()`.
 `Limit_point` has the mean of the normals of a vertex.
 
 Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
@@ -84,10 +84,11 @@ are estimated, and refused.
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
 \param limits the map to write
-\param options what is computed, and how well
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
-  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`; the maps are read only
+  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, all of whose other parameters but `visitor` and `attributes` count, too; the maps are read only.
+  What is computed, and how well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`,
+  `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is no error.
 
@@ -104,19 +105,19 @@ are estimated, and refused.
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
           class NamedParameters = parameters::Default_named_parameters>
 Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
-                          const Limit_options& options = Limit_options(),
                           const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return limit_points<Concurrency_tag>(mesh, s, limits, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_primal_host<Limit_report,
                                     internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme,
-      [&](const auto& s) { return limit_points<Concurrency_tag>(mesh, s, limits, options, np); });
+      scheme, [&](const auto& s) { return limit_points<Concurrency_tag>(mesh, s, limits, np); });
   else {
     static_assert(Scheme::Host::keeps_vertices,
                   "the limit points of a dual scheme belong to the faces: see face_limit_points()");
-    static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
     using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
@@ -136,7 +137,7 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
           internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
             return internal::vertex_limits<FT>(
               access, s, points, normals, Parameters::edge_constraint_map(np),
-              Parameters::vertex_constraint_map(np), options,
+              Parameters::vertex_constraint_map(np), internal::limit_options(np),
               internal::For_chunks::with(Concurrency_tag()), put_all);
           });
       });
@@ -159,20 +160,20 @@ and curvatures are not computed.
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
           class NamedParameters = parameters::Default_named_parameters>
 Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
-                               const Limit_options& options = Limit_options(),
                                const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return face_limit_points<Concurrency_tag>(mesh, s, limits, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_dual_host<Limit_report,
                                   internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return face_limit_points<Concurrency_tag>(mesh, s, limits, options, np);
-      });
+      scheme,
+      [&](const auto& s) { return face_limit_points<Concurrency_tag>(mesh, s, limits, np); });
   else {
     static_assert(!Scheme::Host::keeps_vertices,
                   "the limit points of a primal scheme belong to the vertices: see limit_points()");
-    static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
     using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
@@ -187,7 +188,7 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
             const auto level = internal::read_limit_level<Scheme_of_call, FT>(
               access, s, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
             internal::Limit_demand demand =
-              internal::limit_demand<FT>(options, internal::box_size(level));
+              internal::limit_demand<FT>(internal::limit_options(np), internal::box_size(level));
             demand.curvatures = false;
             demand.points = true;
             internal::Face_limits<Scheme_of_call, FT> evaluation(
@@ -213,9 +214,9 @@ moves the vertices of a mesh to the limit surface. Called after `subdivide()` wi
 makes the result lie on the surface that further rounds would tend to; `subdivide_to_limit()` does both.
 
 Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
-`options.surface_normals` is set, and otherwise the limit control normals. With a linear scheme normals
+`parameters::surface_normals()` is set, and otherwise the limit control normals. With a linear scheme normals
 are written only as surface normals. With a map of half-edges the wedges
-of creases have their own, and the map of `with_crease_tangents()` gets the tangents of the limit; with a map of
+of creases have their own, and `crease_tangent_map` gets the tangents of the limit; with a map of
 vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
 subdivided further.
 
@@ -224,7 +225,6 @@ the user's whose `put()` throws also while old values are put back.
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
-\param options what is computed, and how well
 \param np as in `limit_points()`; the maps are read and written
 
 For all else see `limit_points()`.
@@ -232,18 +232,19 @@ For all else see `limit_points()`.
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
-                           const Limit_options& options = Limit_options(),
                            const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return move_to_limit<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_primal_host<Limit_report,
                                     internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return move_to_limit<Concurrency_tag>(mesh, s, options, np); });
+      scheme, [&](const auto& s) { return move_to_limit<Concurrency_tag>(mesh, s, np); });
   else {
-    static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
+    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, np);
   }
 }
 

@@ -96,8 +96,7 @@ void Unfinished_output::write(std::size_t i)
   const Any_pieces::Piece piece = job_.pieces->piece(i, job_.normals.rings());
   output_->write(i, piece);
   const auto& limits = piece.limit_report();
-  const double tolerance =
-    job_.limit.tolerance.value_or(CGAL::PN_subdivision_3::Limit_options().tolerance);
+  const double tolerance = job_.limit.tolerance.value_or(default_limit_tolerance);
   summary_.add({limits, limits.tolerance / tolerance});
   if (job_.is_resumable) finished_.set_finished(i, output_->sync(i));
 }

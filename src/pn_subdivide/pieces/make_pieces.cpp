@@ -49,16 +49,18 @@ template <class S, class NamedParameters>
 std::unique_ptr<Any_pieces> pieces_of_scheme(const Surface& surface, const S& scheme,
                                              std::size_t number, const NamedParameters& np)
 {
-  return std::make_unique<Pieces_of_scheme<S>>(surface, scheme, number, np);
+  return std::make_unique<Pieces_of_scheme<S>>(
+    surface, scheme, PN::parameters::join(PN::parameters::number_of_pieces(number), np));
 }
 
 template <class NamedParameters>
 auto with_limit(const Limit_choice& limit, const NamedParameters& np)
 {
-  return PN::parameters::limit_points(
-    limit.points, PN::parameters::surface_normals(
-                    limit.normals, PN::parameters::limit_tolerance(
-                                     limit.tolerance.value_or(PN::Limit_options().tolerance), np)));
+  return PN::parameters::join(PN::parameters::to_limit(limit.is_used())
+                                .points(limit.points)
+                                .surface_normals(limit.normals)
+                                .tolerance(limit.tolerance.value_or(default_limit_tolerance)),
+                              np);
 }
 
 Roundness_map given_roundness(Surface& surface)
@@ -72,24 +74,22 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
                                                 const Crease_maps& creases,
                                                 const Limit_choice& limit)
 {
-  const auto np = with_limit(limit, CGAL::parameters::number_of_iterations(levels)
+  const auto np = with_limit(limit, PN::parameters::border(creases.border)
+                                      .number_of_iterations(levels)
                                       .edge_is_constrained_map(creases.edges)
                                       .vertex_is_constrained_map(creases.vertices));
   if (!normals_of(surface)) {
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-    return pieces_of_scheme(surface, PN::linear(PN::with_border(scheme, creases.border)), number,
-                            np);
+    return pieces_of_scheme(surface, PN::linear(scheme), number, np);
   }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
   const Roundness_map roundness = given_roundness(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return pieces_of_scheme(
-      surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-      number,
-      PN::parameters::vertex_roundness_map(
-        roundness,
-        PN::parameters::join(
-          CGAL::parameters::vertex_normal_map(Control_corner_normals{&of_corners}), np)));
+      surface, scheme, number,
+      PN::parameters::join(
+        PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+        np.vertex_normal_map(Control_corner_normals{&of_corners})));
   });
 }
 
@@ -109,8 +109,9 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
   const auto given = PN::parameters::join(CGAL::parameters::vertex_normal_map(*normals), rounds);
   const Roundness_map roundness = given_roundness(surface);
   return with_scheme(choice, [&](const auto& scheme) {
-    return pieces_of_scheme(surface, scheme, number,
-                            PN::parameters::vertex_roundness_map(roundness, given));
+    return pieces_of_scheme(
+      surface, scheme, number,
+      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), given));
   });
 }
 

@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polyhedron_3.h>
@@ -33,12 +32,9 @@ constexpr const char* scheme_names[] = {"catmull-clark", "loop", "modified-catmu
 constexpr Crease_kind kinds[] = {Crease_kind::none, Crease_kind::edges, Crease_kind::corners,
                                  Crease_kind::border};
 
-PN::Limit_interpolation_options<> points_options()
+auto points_mode()
 {
-  PN::Limit_interpolation_options<> options;
-  options.mode = PN::Limit_interpolation_mode::limit_points;
-  options.tolerance = 1e-11;
-  return options;
+  return PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::limit_points);
 }
 
 struct Tangled_case : Case
@@ -58,7 +54,8 @@ struct Tangled_case : Case
 
   auto sharp() const
   {
-    return params::edge_is_constrained_map(sharpness).vertex_is_constrained_map(vertex_sharpness);
+    return points_mode().edge_is_constrained_map(sharpness).vertex_is_constrained_map(
+      vertex_sharpness);
   }
 
   Tangents tangents;
@@ -90,15 +87,14 @@ template <class Scheme, class Np>
 void expect_limits(Case& c, const Scheme& scheme, const Np& np)
 {
   const std::vector<double> data = c.points();
-  const auto report = PN::interpolate_limit_points(c.mesh, scheme, points_options(), np);
+  const auto report = PN::interpolate_limit_points(
+    c.mesh, scheme, PN::parameters::join(PN::parameters::tolerance(1e-11), np));
   EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
   EXPECT_GT(report.steps, 0u);
   EXPECT_LE(report.steps, 6u);
   const std::vector<double> net = c.points();
   EXPECT_GT(largest_distance(net, data), 1e-3 * size_of(c)); // it had something to do
-  PN::Limit_options options;
-  options.tolerance = 1e-12;
-  PN::move_to_limit(c.mesh, scheme, options, np);
+  PN::move_to_limit(c.mesh, scheme, PN::parameters::join(PN::parameters::tolerance(1e-12), np));
   EXPECT_LE(largest_distance(c.points(), data), 1e-9 * size_of(c));
   for (auto v : c.mesh.vertices()) // a corner is its own limit, bit for bit
     if (c.vertex_sharpness[v] > 0)
@@ -111,8 +107,8 @@ TEST(Interpolation_creases, LimitPointsAreTheData)
     for (const Crease_kind kind : kinds) {
       SCOPED_TRACE(std::string(name) + ", " + feature_matrix::name(kind));
       Tangled_case c(name, kind);
-      expect_limits(c, PN::with_crease_tangents(c.scheme, c.tangents),
-                    c.sharp().vertex_normal_map(c.corner_normals));
+      expect_limits(c, c.scheme,
+                    c.sharp().crease_tangent_map(c.tangents).vertex_normal_map(c.corner_normals));
       Tangled_case linear(name, kind);
       expect_limits(linear, PN::linear(linear.scheme), linear.sharp());
     }
@@ -124,15 +120,13 @@ TEST(Interpolation_creases, SomeVertices)
   Tangled_case c("catmull-clark", Crease_kind::edges);
   const auto chosen = c.mesh.add_property_map<Mesh::Vertex_index, bool>("chosen", false).first;
   for (auto v : c.mesh.vertices()) chosen[v] = v.idx() % 2 == 0;
-  PN::Limit_interpolation_options<std::decay_t<decltype(chosen)>> options;
-  options.mode = PN::Limit_interpolation_mode::limit_points;
-  options.vertices = chosen;
   const std::vector<double> data = c.points();
   const auto scheme = PN::linear(c.scheme);
   EXPECT_TRUE(
-    PN::interpolate_limit_points(c.mesh, scheme, options, c.sharp()).is_within_tolerance());
+    PN::interpolate_limit_points(c.mesh, scheme, c.sharp().vertex_is_interpolated_map(chosen))
+      .is_within_tolerance());
   const std::vector<double> net = c.points();
-  PN::move_to_limit(c.mesh, scheme, PN::Limit_options(), c.sharp());
+  PN::move_to_limit(c.mesh, scheme, c.sharp());
   const std::vector<double> limits = c.points();
   for (auto v : c.mesh.vertices())
     for (std::size_t i = 3 * v.idx(); i < 3 * v.idx() + 3; ++i) {
@@ -154,11 +148,12 @@ TEST(Interpolation_creases, ExactPolyhedron)
   mesh_cases::build(soup, mesh, get(CGAL::vertex_point, mesh));
   std::vector<Exact::Point_3> data;
   for (auto v : vertices(mesh)) data.push_back(v->point());
-  const auto scheme = PN::linear(PN::with_border(PN::Loop_scheme(), PN::Border::curve));
-  const auto report = PN::interpolate_limit_points(mesh, scheme, points_options());
+  const auto scheme = PN::linear(PN::Loop_scheme());
+  const auto report =
+    PN::interpolate_limit_points(mesh, scheme, points_mode().border(PN::Border::curve));
   EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
   EXPECT_GT(report.steps, 0u);
-  PN::move_to_limit(mesh, scheme);
+  PN::move_to_limit(mesh, scheme, PN::parameters::border(PN::Border::curve));
   std::size_t i = 0;
   for (auto v : vertices(mesh)) {
     EXPECT_LE(CGAL::to_double(CGAL::squared_distance(v->point(), data[i])), 1e-18) << i;
@@ -166,13 +161,12 @@ TEST(Interpolation_creases, ExactPolyhedron)
   }
 }
 
-template <class Scheme, class Options, class Np>
-void expect_refusal(Case& c, const Scheme& scheme, const Options& options, const Np& np,
-                    const std::string& part)
+template <class Scheme, class Np>
+void expect_refusal(Case& c, const Scheme& scheme, const Np& np, const std::string& part)
 {
   const std::vector<double> data = c.points(), normals = c.all_corner_normals();
   try {
-    PN::interpolate_limit_points(c.mesh, scheme, options, np);
+    PN::interpolate_limit_points(c.mesh, scheme, np);
     ADD_FAILURE() << part;
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
@@ -184,22 +178,22 @@ void expect_refusal(Case& c, const Scheme& scheme, const Options& options, const
 TEST(Interpolation_creases, WhatIsRefused)
 {
   Tangled_case c("catmull-clark", Crease_kind::edges);
-  const auto tangents = PN::with_crease_tangents(c.scheme, c.tangents);
-  const auto of_corners = c.sharp().vertex_normal_map(c.corner_normals);
-  PN::Limit_interpolation_options<> options = points_options();
-  expect_refusal(c, c.scheme, options, of_corners, "with_crease_tangents()");
-  expect_refusal(c, tangents, options, c.sharp().vertex_normal_map(c.normals), "half-edges");
-  options.mode = PN::Limit_interpolation_mode::slide;
-  expect_refusal(c, tangents, options, of_corners, "is sharp, but control points slide");
-  options = points_options();
-  options.normals = PN::Limit_interpolation_normals::solved;
-  expect_refusal(c, tangents, options, of_corners, "solved");
-  options = points_options();
-  options.free = PN::Limit_interpolation_free::smooth;
-  expect_refusal(c, tangents, options, of_corners, "move along");
+  const auto sharp = c.sharp().crease_tangent_map(c.tangents);
+  const auto of_corners = sharp.vertex_normal_map(c.corner_normals);
+  const auto with = [&](const auto& first) { return PN::parameters::join(first, of_corners); };
+  expect_refusal(c, c.scheme, c.sharp().vertex_normal_map(c.corner_normals), "crease_tangent_map");
+  expect_refusal(c, c.scheme, sharp.vertex_normal_map(c.normals), "half-edges");
+  expect_refusal(c, c.scheme,
+                 with(PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::slide)),
+                 "is sharp, but control points slide");
+  expect_refusal(
+    c, c.scheme,
+    with(PN::parameters::interpolation_normals(PN::Limit_interpolation_normals::solved)), "solved");
+  expect_refusal(c, c.scheme,
+                 with(PN::parameters::free_vertices(PN::Limit_interpolation_free::smooth)),
+                 "move along");
   Tangled_case semi_sharp("catmull-clark", Crease_kind::semi_sharp);
-  expect_refusal(semi_sharp, PN::linear(semi_sharp.scheme), points_options(), semi_sharp.sharp(),
-                 "make it infinite");
+  expect_refusal(semi_sharp, PN::linear(semi_sharp.scheme), semi_sharp.sharp(), "make it infinite");
 }
 
 } // namespace

@@ -109,6 +109,13 @@ void expect_same(const Whole& a, const Whole& b)
 // What is asked for, points and normals.
 using Limits = std::pair<bool, bool>;
 
+template <class Np>
+auto with_limits(const Limits& limits, const Np& np)
+{
+  return PN::parameters::join(
+    PN::parameters::points(limits.first).surface_normals(limits.second).tolerance(tolerance), np);
+}
+
 template <class Normals>
 void compare_pieces(const std::string& name, Crease_kind creases, const Normals& normals,
                     const Limits& limits, const mesh_cases::Soup& soup,
@@ -124,24 +131,20 @@ void compare_pieces(const std::string& name, Crease_kind creases, const Normals&
   Case parts(name, creases, Attribute_kind::none, soup);
   Whole a, b;
   run(mesh, normals, [&](Case& c, const auto& scheme, const auto& np) {
-    PN::Limit_options options;
-    options.points = limits.first;
-    options.surface_normals = limits.second;
-    options.tolerance = tolerance;
     PN::Limit_report report;
     if (is_limit)
-      report = PN::subdivide_to_limit(c.mesh, scheme, options, np);
+      report = PN::subdivide_to_limit(c.mesh, scheme, with_limits(limits, np));
     else
       PN::subdivide(c.mesh, scheme, np);
     a = whole(c, of_corners, has_map);
     a.report = report;
   });
   run(parts, normals, [&](Case& c, const auto& scheme, const auto& np) {
-    const auto with_limits = PN::parameters::limit_points(
-      limits.first, PN::parameters::surface_normals(
-                      limits.second, PN::parameters::limit_tolerance(tolerance, np)));
     const PN::Surface_pieces<std::decay_t<decltype(scheme)>, Kernel> pieces(
-      c.mesh, scheme, number_of_pieces, with_limits);
+      c.mesh, scheme,
+      with_limits(limits,
+                  PN::parameters::join(
+                    PN::parameters::number_of_pieces(number_of_pieces).to_limit(is_limit), np)));
     b = collected(pieces, of_corners);
     if (!has_map) b.normals.clear();
   });

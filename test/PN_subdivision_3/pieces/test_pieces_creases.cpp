@@ -185,7 +185,7 @@ void expect_as_subdivide(const Any& scheme, Kind kind, unsigned rings)
     const Control_mesh control_mesh = random_meshes::random_mesh(kind, generator);
     SCOPED_TRACE(scheme.name() + ", " + control_mesh.name + ", seed " + std::to_string(seed));
     const Creased control(control_mesh, seed);
-    const auto with_border = PN::with_border(scheme, borders[seed % 4]);
+    const auto with_border = PN::internal::with_border(scheme, borders[seed % 4]);
     expect_mean_normals(control, with_border, 2, {1, 7}, rings);
     expect_mean_normals(control, with_border, 3, {2, 64}, rings);
     with_wedges += expect_corner_normals(control, with_border, 3, {1, 2, 7, 64}, rings);
@@ -197,23 +197,26 @@ void expect_as_subdivide(const Any& scheme, Kind kind, unsigned rings)
   expect_mean_normals(torus, scheme, 3, {7, 20}, rings);
   expect_corner_normals(torus, scheme, 3, {20}, rings);
   const Creased control(random_meshes::random_mesh(kind, generator), 1);
-  expect_mean_normals(control, PN::with_border(scheme, PN::Border::curve), 4, {7, 64}, rings);
-  expect_mean_normals(control, PN::with_border(scheme, PN::Border::curve), 1, {1, 7}, rings);
-  expect_mean_normals(control, PN::with_border(scheme, PN::Border::curve), 0, {1, 7}, rings);
+  expect_mean_normals(control, PN::internal::with_border(scheme, PN::Border::curve), 4, {7, 64},
+                      rings);
+  expect_mean_normals(control, PN::internal::with_border(scheme, PN::Border::curve), 1, {1, 7},
+                      rings);
+  expect_mean_normals(control, PN::internal::with_border(scheme, PN::Border::curve), 0, {1, 7},
+                      rings);
 }
 
 // as they are left by a round: with tangents
 template <class Scheme>
 bool expect_with_tangents(Creased control, const Scheme& scheme)
 {
-  PN::subdivide(control.mesh, PN::with_crease_tangents(scheme, control.tangents),
+  PN::subdivide(control.mesh, PN::internal::with_crease_tangents(scheme, control.tangents),
                 control.parameters(1).vertex_normal_map(control.of_corners));
   // others than those that would be made
   for (const Halfedge h : control.mesh.halfedges()) control.tangents[h] = 0.9 * control.tangents[h];
   Creased refined(control);
-  PN::subdivide(refined.mesh, PN::with_crease_tangents(scheme, refined.tangents),
+  PN::subdivide(refined.mesh, PN::internal::with_crease_tangents(scheme, refined.tangents),
                 refined.parameters(2).vertex_normal_map(refined.of_corners));
-  const auto with_tangents = PN::with_crease_tangents(scheme, control.tangents);
+  const auto with_tangents = PN::internal::with_crease_tangents(scheme, control.tangents);
   const Pieces<std::decay_t<decltype(with_tangents)>> pieces(
     control.mesh, with_tangents, 7, control.parameters(2).vertex_normal_map(control.of_corners));
   Collected_pieces<double>(pieces).expect(refined.mesh, {});
@@ -282,10 +285,12 @@ TEST(Pieces_creases, OfLinearSchemesAndEstimatedNormals)
 TEST(Pieces_creases, AreReadOnly)
 {
   const Creased control = random_creased(Kind::polygons, 3), copy(control);
-  const auto scheme = PN::with_crease_tangents(PN::CatmullClark_scheme(), control.tangents);
-  PN::for_each_piece(control.mesh, scheme, 3,
-                     control.parameters(2).vertex_normal_map(control.of_corners),
-                     [](const auto& piece) { EXPECT_GT(piece.number_of_faces(), 0u); });
+  const auto scheme =
+    PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), control.tangents);
+  PN::for_each_piece(
+    control.mesh, scheme, [](const auto& piece) { EXPECT_GT(piece.number_of_faces(), 0u); },
+    PN::parameters::join(PN::parameters::number_of_pieces(3),
+                         control.parameters(2).vertex_normal_map(control.of_corners)));
   for (const Edge e : copy.mesh.edges()) EXPECT_EQ(control.sharp[e], copy.sharp[e]);
   for (const Vertex v : copy.mesh.vertices()) EXPECT_EQ(control.corners[v], copy.corners[v]);
   for (const Halfedge h : copy.mesh.halfedges()) {

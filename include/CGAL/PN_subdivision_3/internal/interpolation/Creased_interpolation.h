@@ -11,6 +11,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_options.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
@@ -19,7 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -230,7 +231,7 @@ void require_fixed_creases([[maybe_unused]] const Access& access,
       throw std::invalid_argument(
         "PN_subdivision_3: " + Edge_of_mesh::name(access, creases.edges.front().edge) +
         " is sharp, and the result is interpolated with the tangents of the data: take "
-        "with_crease_tangents(), with a map that the result is refined with, too");
+        "a crease_tangent_map, with which the result is refined, too");
     if constexpr (!is_of_halfedges_v<Access, Normal_map>)
       for (const Crease_star& star : creases.stars)
         if (star.number_of_wedges > 1)

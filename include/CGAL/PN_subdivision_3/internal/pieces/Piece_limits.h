@@ -8,19 +8,18 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_LIMITS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_LIMITS_H
 
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
-#include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,22 +31,12 @@ namespace internal {
 template <class NamedParameters>
 struct Limits_of_call
 {
-  template <class Tag>
-  static constexpr bool has = !std::is_same_v<
-    typename internal_np::Lookup_named_param_def<Tag, NamedParameters, No_roundness>::type,
-    No_roundness>;
-  static constexpr bool may_be_any = has<limit_points_t> || has<surface_normals_t>;
+  static constexpr bool may_be_any = is_given_v<to_limit_t, NamedParameters>;
 
   static std::optional<Limit_options> options(const NamedParameters& np)
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    Limit_options options;
-    options.points = choose_parameter(get_parameter(np, limit_points_t()), false);
-    options.surface_normals = choose_parameter(get_parameter(np, surface_normals_t()), false);
-    options.tolerance = choose_parameter(get_parameter(np, limit_tolerance_t()), options.tolerance);
-    if (!options.points && !options.surface_normals) return std::nullopt;
-    return options;
+    if (!parameter_or<to_limit_t>(np, false)) return std::nullopt;
+    return limit_options(np);
   }
 };
 

@@ -12,10 +12,8 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <stdexcept>
 #include <string>

@@ -18,8 +18,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
-template <class Scheme>
-struct Scheme_with_border;
 template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals;
 
@@ -27,6 +25,8 @@ namespace internal {
 
 template <class Host, class FT>
 class Scheme_on_host;
+template <class Scheme>
+struct Scheme_with_border;
 
 // What the type of a scheme says of it. Of a scheme that is chosen at run time the type says what may be, and
 // scheme_facts.h what is.
