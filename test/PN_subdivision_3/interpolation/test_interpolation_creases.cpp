@@ -52,11 +52,13 @@ struct Tangled_case : Case
     }
   }
 
-  auto sharp() const
+  template <class Np>
+  auto with_sharp(const Np& np) const
   {
-    return points_mode().edge_is_constrained_map(sharpness).vertex_is_constrained_map(
-      vertex_sharpness);
+    return np.edge_is_constrained_map(sharpness).vertex_is_constrained_map(vertex_sharpness);
   }
+  auto sharp() const { return with_sharp(points_mode()); }
+  auto with_tangents() const { return with_sharp(points_mode().crease_tangent_map(tangents)); }
 
   Tangents tangents;
 
@@ -107,8 +109,7 @@ TEST(Interpolation_creases, LimitPointsAreTheData)
     for (const Crease_kind kind : kinds) {
       SCOPED_TRACE(std::string(name) + ", " + feature_matrix::name(kind));
       Tangled_case c(name, kind);
-      expect_limits(c, c.scheme,
-                    c.sharp().crease_tangent_map(c.tangents).vertex_normal_map(c.corner_normals));
+      expect_limits(c, c.scheme, c.with_tangents().vertex_normal_map(c.corner_normals));
       Tangled_case linear(name, kind);
       expect_limits(linear, PN::linear(linear.scheme), linear.sharp());
     }
@@ -122,9 +123,9 @@ TEST(Interpolation_creases, SomeVertices)
   for (auto v : c.mesh.vertices()) chosen[v] = v.idx() % 2 == 0;
   const std::vector<double> data = c.points();
   const auto scheme = PN::linear(c.scheme);
-  EXPECT_TRUE(
-    PN::interpolate_limit_points(c.mesh, scheme, c.sharp().vertex_is_interpolated_map(chosen))
-      .is_within_tolerance());
+  EXPECT_TRUE(PN::interpolate_limit_points(
+                c.mesh, scheme, c.with_sharp(points_mode().vertex_is_interpolated_map(chosen)))
+                .is_within_tolerance());
   const std::vector<double> net = c.points();
   PN::move_to_limit(c.mesh, scheme, c.sharp());
   const std::vector<double> limits = c.points();
@@ -178,7 +179,7 @@ void expect_refusal(Case& c, const Scheme& scheme, const Np& np, const std::stri
 TEST(Interpolation_creases, WhatIsRefused)
 {
   Tangled_case c("catmull-clark", Crease_kind::edges);
-  const auto sharp = c.sharp().crease_tangent_map(c.tangents);
+  const auto sharp = c.with_tangents();
   const auto of_corners = sharp.vertex_normal_map(c.corner_normals);
   const auto with = [&](const auto& first) { return PN::parameters::join(first, of_corners); };
   expect_refusal(c, c.scheme, c.sharp().vertex_normal_map(c.corner_normals), "crease_tangent_map");
