@@ -46,7 +46,7 @@ inline std::vector<Point> limits(Mesh mesh, const Any_scheme& scheme, unsigned r
     for (const auto v : mesh.vertices()) points.push_back(found[v].point);
   } else { // those of a dual scheme belong to the faces
     const auto found = mesh.add_property_map<Mesh::Face_index, Limit>("f:limit").first;
-    PN::face_limit_points(mesh, scheme, found, np);
+    PN::limit_points(mesh, scheme, found, np);
     for (const auto f : mesh.faces()) points.push_back(found[f].point);
   }
   return points;

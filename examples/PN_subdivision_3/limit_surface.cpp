@@ -13,6 +13,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -62,7 +63,7 @@ int main(int argc, char** argv)
             << std::endl;
 
   // Or the vertices go there, and get the normals of the surface.
-  const PN::Limit_report report = PN::move_to_limit(mesh, scheme, np);
+  const PN::Limit_report report = PN::subdivide_to_limit(mesh, scheme, np.number_of_iterations(0));
   std::cout << "Limit points: estimated error " << report.error << ", normals "
             << report.normal_error << ", " << report.depth << " rounds at most" << std::endl;
   if (!report.is_within_tolerance())

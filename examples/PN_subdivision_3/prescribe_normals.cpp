@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -87,8 +88,9 @@ struct Design
     Design fine = *this;
     const Normals map = fine.mesh.add_property_map<Vertex, Vector>("v:normal").first;
     PN::subdivide(fine.mesh, scheme, params::number_of_iterations(4).vertex_normal_map(map));
-    PN::move_to_limit(fine.mesh, scheme,
-                      PN::parameters::surface_normals(true).vertex_normal_map(map));
+    PN::subdivide_to_limit(
+      fine.mesh, scheme,
+      PN::parameters::surface_normals(true).vertex_normal_map(map).number_of_iterations(0));
     return CGAL::IO::write_polygon_mesh(file, fine.mesh,
                                         params::stream_precision(17).vertex_normal_map(map));
   }

@@ -181,6 +181,40 @@ auto max_depth(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+what gets the limit points that `limit_points()` computes.
+\param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to points
+*/
+template <class Map>
+auto limit_point_map(const Map& map)
+{
+  return internal::with_parameter<internal::limit_point_map_t>(map);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+what gets the normals that `limit_points()` computes: `Limit_point::surface_normal`, which are the limits of the control normals
+unless `surface_normals()` asks for others.
+\param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to vectors
+*/
+template <class Map>
+auto limit_normal_map(const Map& map)
+{
+  return internal::with_parameter<internal::limit_normal_map_t>(map);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+what gets the estimated errors of the limit points that `limit_points()` computes.
+\param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to `double`
+*/
+template <class Map>
+auto limit_error_map(const Map& map)
+{
+  return internal::with_parameter<internal::limit_error_map_t>(map);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 whether the limit points of surfaces are asked for, which they are by default. If only their normals are, most of the time is
 spared: where there is a surface normal, `Limit_point::point` and `Limit_point::control_normal` may be the first averages of
 the limit mask, `Limit_point::error` is infinite, and neither counts in the report; the normal is on the side of the faces
@@ -374,6 +408,30 @@ auto max_curvature_steps(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated irregular vertices: the
+curvature is bounded there. By default they have not.
+\param yes a `bool`
+*/
+template <class Bool>
+auto tuned(const Bool& yes)
+{
+  return internal::with_parameter<internal::tuned_t>(yes);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature from regular to irregular vertices, on top of what
+`tuned()` does. By default they do not.
+\param yes a `bool`
+*/
+template <class Bool>
+auto curvature_transfer(const Bool& yes)
+{
+  return internal::with_parameter<internal::curvature_transfer_t>(yes);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 the least number of facets a full turn for which `recognize_surfaces()` takes a prism for a round that nothing else about the
 part tells to be one.
 \param n at least 3
@@ -417,11 +475,13 @@ auto attributes(const Items&... items)
   return internal::with_parameter<internal::attributes_t>(
     internal::Attributes<Items...>{{items...}});
 }
+/// \cond SKIP_IN_MANUAL
 template <class... Items>
 auto attributes(const internal::Attributes<Items...>& items)
 {
   return internal::with_parameter<internal::attributes_t>(items);
 }
+/// \endcond
 /// \ingroup PkgPNSubdivision3Attributes
 /// a table that is only read, by a `Surface_refiner`.
 inline auto attributes(const Attribute_table& table)
@@ -453,6 +513,8 @@ auto join(const Named_function_parameters<T, Tag, Base>& first, const NamedParam
     return internal::with_parameter<Tag>(value,
                                          parameters::join(static_cast<const Base&>(first), second));
 }
+/// \ingroup PkgPNSubdivision3Functions
+/// joins more than two.
 template <class First, class Second, class Third, class... NamedParameters>
 auto join(const First& first, const Second& second, const Third& third,
           const NamedParameters&... others)

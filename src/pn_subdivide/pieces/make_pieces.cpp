@@ -26,7 +26,7 @@ public:
   template <class NamedParameters>
   Pieces_of_scheme(const Surface& surface, const S& scheme, std::size_t number,
                    const NamedParameters& np)
-    : pieces_(surface, scheme, number, np)
+    : pieces_(surface, scheme, PN::parameters::join(PN::parameters::number_of_pieces(number), np))
   {}
 
   std::size_t number() const override { return pieces_.number_of_pieces(); }
@@ -49,8 +49,7 @@ template <class S, class NamedParameters>
 std::unique_ptr<Any_pieces> pieces_of_scheme(const Surface& surface, const S& scheme,
                                              std::size_t number, const NamedParameters& np)
 {
-  return std::make_unique<Pieces_of_scheme<S>>(
-    surface, scheme, PN::parameters::join(PN::parameters::number_of_pieces(number), np));
+  return std::make_unique<Pieces_of_scheme<S>>(surface, scheme, number, np);
 }
 
 template <class NamedParameters>

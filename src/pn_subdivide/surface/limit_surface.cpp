@@ -81,7 +81,7 @@ Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S
 {
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
-  return PN::move_to_limit<Tag>(
+  return PN::internal::move_to_limit_of_call<Tag>(
     surface, scheme,
     PN::parameters::join(options, PN::parameters::vertex_roundness_map(roundness)
                                     .vertex_normal_map(normals)

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
@@ -98,7 +99,10 @@ double distance_of_limits(Surface_mesh mesh, const Scheme& scheme, const Surface
 {
   test_options::Limit_options options;
   options.tolerance = 1e-13;
-  PN::move_to_limit(mesh, scheme, PN::parameters::join(options.pack(), with_maps(mesh)));
+  PN::subdivide_to_limit(
+    mesh, scheme,
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                         PN::parameters::join(options.pack(), with_maps(mesh))));
   double farthest = 0;
   for (auto v : mesh.vertices())
     farthest =
@@ -178,8 +182,10 @@ TEST(Round_interpolation, SlidesAlongArcs)
     test_options::Limit_options options;
     options.tolerance = 1e-13;
     options.surface_normals = !report.fallback;
-    PN::move_to_limit(limit, PN::CatmullClark_scheme(),
-                      PN::parameters::join(options.pack(), with_maps(limit)));
+    PN::subdivide_to_limit(
+      limit, PN::CatmullClark_scheme(),
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                           PN::parameters::join(options.pack(), with_maps(limit))));
     double farthest = 0;
     for (auto v : mesh.vertices()) {
       farthest = (std::max)(farthest, CGAL::squared_distance(data.point(v), limit.point(v)));
@@ -211,8 +217,10 @@ TEST(Round_interpolation, PrescribesPointsAndNormals)
     test_options::Limit_options options;
     options.tolerance = 1e-13;
     options.surface_normals = true;
-    PN::move_to_limit(mesh, PN::Loop_scheme(),
-                      PN::parameters::join(options.pack(), with_maps(mesh)));
+    PN::subdivide_to_limit(
+      mesh, PN::Loop_scheme(),
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                           PN::parameters::join(options.pack(), with_maps(mesh))));
     EXPECT_LT(CGAL::squared_distance(mesh.point(v), *points[v]), 1e-22);
     EXPECT_LT((normal_map(mesh)[v] - *normals[v]).squared_length(), 1e-12);
   }

@@ -12,6 +12,7 @@
 #include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <gtest/gtest.h>
@@ -123,11 +124,13 @@ TEST(Limit_creases, SubdivideAndMoveAreTheSameByTwoCalls)
       const PN::Limit_report report = to_limit(one, scheme(tangents), 2, options);
       two.subdivide(scheme(others), 2);
       options.rounds_done = 2;
-      const PN::Limit_report moved = PN::move_to_limit(
+      const PN::Limit_report moved = PN::subdivide_to_limit(
         two.mesh, scheme(others),
-        PN::parameters::join(options.pack(), np::edge_is_constrained_map(two.sharp)
-                                               .vertex_is_constrained_map(two.corners)
-                                               .vertex_normal_map(two.normals)));
+        PN::parameters::join(
+          CGAL::parameters::number_of_iterations(0),
+          PN::parameters::join(options.pack(), np::edge_is_constrained_map(two.sharp)
+                                                 .vertex_is_constrained_map(two.corners)
+                                                 .vertex_normal_map(two.normals))));
       EXPECT_TRUE(state(one) == state(two)) << seed;
       for (const auto h : one.mesh.halfedges()) EXPECT_EQ(tangents[h], others[h]);
       EXPECT_EQ(report.error, moved.error);

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -15,6 +15,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <stdexcept>
@@ -112,9 +113,11 @@ TEST(Move_to_limit, WritesPointsAndTheNormalsAskedFor)
     test_options::Limit_options options;
     options.surface_normals = surface_normals;
     const Limits all = limits(mesh, PN::Loop_scheme(), options);
-    const PN::Limit_report report = PN::move_to_limit(
+    const PN::Limit_report report = PN::subdivide_to_limit(
       mesh, PN::Loop_scheme(),
-      PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
+      PN::parameters::join(
+        CGAL::parameters::number_of_iterations(0),
+        PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh)))));
     EXPECT_EQ(report.error, all.report.error);
     for (auto v : mesh.vertices()) {
       EXPECT_EQ(mesh.point(v), all.at[v].point);
@@ -128,14 +131,16 @@ TEST(Move_to_limit, OfALinearSchemeWritesNormalsOnlyWhenAskedFor)
 {
   Surface_mesh mesh = to_surface_mesh(test_meshes::all()[0]);
   const auto before = normal_map(mesh)[Surface_mesh::Vertex_index(0)];
-  PN::move_to_limit(mesh, PN::linear(PN::Loop_scheme()),
-                    params::vertex_normal_map(normal_map(mesh)));
+  PN::subdivide_to_limit(mesh, PN::linear(PN::Loop_scheme()),
+                         params::vertex_normal_map(normal_map(mesh)).number_of_iterations(0));
   EXPECT_EQ(normal_map(mesh)[Surface_mesh::Vertex_index(0)], before);
   test_options::Limit_options options;
   options.surface_normals = true;
-  PN::move_to_limit(
+  PN::subdivide_to_limit(
     mesh, PN::linear(PN::Loop_scheme()),
-    PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
+    PN::parameters::join(
+      CGAL::parameters::number_of_iterations(0),
+      PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh)))));
   EXPECT_NE(normal_map(mesh)[Surface_mesh::Vertex_index(0)], before);
 }
 
@@ -174,9 +179,10 @@ TEST(Move_to_limit, PutsBackWhatItHasWrittenIfAMapThrows)
     int points_left = puts, normals_left = 100;
     const Failing_map<Kernel::Point_3> p{&points, &points_left};
     const Failing_map<Kernel::Vector_3> n{&normals, &normals_left};
-    EXPECT_THROW(
-      PN::move_to_limit(mesh, PN::Loop_scheme(), params::vertex_point_map(p).vertex_normal_map(n)),
-      std::runtime_error);
+    EXPECT_THROW(PN::subdivide_to_limit(
+                   mesh, PN::Loop_scheme(),
+                   params::vertex_point_map(p).vertex_normal_map(n).number_of_iterations(0)),
+                 std::runtime_error);
     EXPECT_EQ(points, old_points);
     EXPECT_EQ(normals, old_normals);
   }
@@ -225,7 +231,9 @@ TEST(Limit_input, BordersThatAreCreasesNeedRulesForThem)
   };
   const auto before = points(quads);
   try {
-    PN::move_to_limit(quads, PN::internal::with_border(PN::Kobbelt_scheme(), PN::Border::curve));
+    PN::subdivide_to_limit(quads,
+                           PN::internal::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
+                           CGAL::parameters::number_of_iterations(0));
     ADD_FAILURE();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("is sharp, but the scheme kobbelt has no rules"),
@@ -235,12 +243,14 @@ TEST(Limit_input, BordersThatAreCreasesNeedRulesForThem)
   EXPECT_EQ(points(quads), before);
   // without a border nothing changes
   Surface_mesh same = closed, other = closed;
-  PN::move_to_limit(same, scheme);
-  PN::move_to_limit(other, PN::internal::with_border(scheme, PN::Border::curve));
+  PN::subdivide_to_limit(same, scheme, CGAL::parameters::number_of_iterations(0));
+  PN::subdivide_to_limit(other, PN::internal::with_border(scheme, PN::Border::curve),
+                         CGAL::parameters::number_of_iterations(0));
   EXPECT_EQ(points(same), points(other));
   Surface_mesh plain = quads;
-  PN::move_to_limit(plain, scheme);
-  PN::move_to_limit(quads, PN::internal::with_border(scheme, PN::Border::surface));
+  PN::subdivide_to_limit(plain, scheme, CGAL::parameters::number_of_iterations(0));
+  PN::subdivide_to_limit(quads, PN::internal::with_border(scheme, PN::Border::surface),
+                         CGAL::parameters::number_of_iterations(0));
   EXPECT_EQ(points(quads), points(plain));
 }
 
@@ -294,7 +304,7 @@ TEST(Face_limit_points, AreTheCentroidsOfTheLinearScheme)
     test_options::Limit_options options;
     options.surface_normals = true;
     const auto scheme = PN::linear(PN::DooSabin_scheme());
-    EXPECT_EQ(PN::face_limit_points(mesh, scheme, map, options.pack()).error, 0);
+    EXPECT_EQ(PN::limit_points(mesh, scheme, map, options.pack()).error, 0);
     for (auto f : mesh.faces()) {
       reference::Vector sum = reference::Vector::Zero();
       for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) sum += to_vector(mesh.point(v));
@@ -313,7 +323,7 @@ TEST(Face_limit_points, AreTheSameAtEveryLevel)
   Surface_mesh mesh = to_surface_mesh(control);
   const auto limits_of_faces = [&](const test_options::Limit_options& options) {
     const auto map = mesh.add_property_map<Surface_mesh::Face_index, Limit>("f:l").first;
-    const PN::Limit_report report = PN::face_limit_points(
+    const PN::Limit_report report = PN::limit_points(
       mesh, PN::DooSabin_scheme(), map,
       PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
     EXPECT_TRUE(report.is_within_tolerance());
@@ -349,7 +359,7 @@ TEST(Face_limit_points, StayOnASphere)
   const auto map = mesh.add_property_map<Surface_mesh::Face_index, Limit>("f:l").first;
   test_options::Limit_options options;
   options.surface_normals = true;
-  PN::face_limit_points(
+  PN::limit_points(
     mesh, PN::DooSabin_scheme(), map,
     PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
   for (auto f : mesh.faces()) {

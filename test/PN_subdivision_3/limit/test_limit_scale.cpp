@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -122,7 +123,7 @@ TEST(Limit_normals, OfFacesAreOnTheirSide)
   Shape<double> s(false, 0, -1);
   using Face = Shape<double>::Mesh::Face_index;
   const auto map = s.mesh.add_property_map<Face, Shape<double>::Limit>("f:limit").first;
-  PN::face_limit_points(
+  PN::limit_points(
     s.mesh, PN::DooSabin_scheme(), map,
     PN::parameters::join(surface_normals().pack(), np::vertex_normal_map(s.normals)));
   for (const Face f : s.mesh.faces()) {
@@ -151,10 +152,12 @@ TEST(Limit_normals, OfWedgesAreOnTheSideOfTheirFaces)
   }
   test_options::Limit_options options;
   options.surface_normals = true;
-  PN::move_to_limit(
+  PN::subdivide_to_limit(
     s.mesh, PN::CatmullClark_scheme(),
-    PN::parameters::join(options.pack(),
-                         np::edge_is_constrained_map(sharp).vertex_normal_map(normals)));
+    PN::parameters::join(
+      CGAL::parameters::number_of_iterations(0),
+      PN::parameters::join(options.pack(),
+                           np::edge_is_constrained_map(sharp).vertex_normal_map(normals))));
   int smooth = 0;
   for (const auto v : s.mesh.vertices()) {
     int creases = 0;

@@ -197,14 +197,18 @@ TEST(Surface_normals_alone, LeavePointsWhereTheyAre)
   };
   expect_equal(moved);
   Surface_mesh later = mesh;
-  PN::move_to_limit(
+  PN::subdivide_to_limit(
     later, scheme,
-    PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normal_map(later))));
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                         PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(
+                                                                normal_map(later)))));
   expect_equal(later);
   options.points = true;
-  PN::move_to_limit(
+  PN::subdivide_to_limit(
     mesh, scheme,
-    PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normal_map(mesh))));
+    PN::parameters::join(
+      CGAL::parameters::number_of_iterations(0),
+      PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normal_map(mesh)))));
   EXPECT_NE(mesh.point(*mesh.vertices().begin()), later.point(*later.vertices().begin()));
 }
 

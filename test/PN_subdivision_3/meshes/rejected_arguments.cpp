@@ -56,8 +56,8 @@ void reject(Mesh& mesh)
                    mesh.add_property_map<Edge, PN::Limit_point<Kernel>>("of edges").first);
   // expected: the map of limit points is no property map of the mesh's vertices
 
-  PN::face_limit_points(mesh, PN::DooSabin_scheme(),
-                        mesh.add_property_map<Mesh::Face_index, Kernel::Point_3>("of faces").first);
+  PN::limit_points(mesh, PN::DooSabin_scheme(),
+                   mesh.add_property_map<Mesh::Face_index, Kernel::Point_3>("of faces").first);
   // expected: the values of the map of limit points are not Limit_point
 
   CGAL::Face_filtered_graph<Mesh> part(mesh);
@@ -175,7 +175,8 @@ void reject(Mesh& mesh)
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(creases));
   // expected: the map of an attribute is no property map of the
 
-  PN::move_to_limit(mesh, PN::Loop_scheme(), params::vertex_is_constrained_map(creases));
+  PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
+                         params::vertex_is_constrained_map(creases).number_of_iterations(0));
   // expected: is no property map of the mesh's edges or vertices
 
   PN::Surface_refiner(mesh, PN::Loop_scheme(), PN::parameters::attributes(3));
@@ -186,10 +187,7 @@ void reject(Mesh& mesh)
     PN::parameters::attributes(PN::face_attribute(creases), PN::face_attribute(creases)));
   // expected: the map of an attribute is no property map of the
 
-  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::visitor(3));
-  // expected: a named parameter is given that is not used here
-
-  PN::Surface_refiner(mesh,
-                      PN::CatmullClark_scheme(), PN::parameters::crease_tangent_map(tangents));
+  PN::Surface_refiner(mesh, PN::CatmullClark_scheme(),
+                      PN::parameters::crease_tangent_map(tangents));
   // expected: Surface_refiner makes the tangents of creases
 }

@@ -220,9 +220,11 @@ TYPED_TEST(Strong_guarantee_of_features, Limits)
   const auto job = [](auto& t) {
     test_options::Limit_options options;
     options.max_depth = 3;
-    PN::move_to_limit(
+    PN::subdivide_to_limit(
       t.mesh, PN::Loop_scheme(),
-      PN::parameters::join(options.pack(), params::vertex_normal_map(failing(t.normals))));
+      PN::parameters::join(
+        CGAL::parameters::number_of_iterations(0),
+        PN::parameters::join(options.pack(), params::vertex_normal_map(failing(t.normals)))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4);
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 4);
@@ -239,9 +241,11 @@ TYPED_TEST(Strong_guarantee_of_features, CreasedLimits)
       PN::parameters::join(options.pack(), params::vertex_normal_map(failing(t.corner_normals))));
   };
   const auto moved = [&](auto& t) {
-    PN::move_to_limit(
+    PN::subdivide_to_limit(
       t.mesh, scheme,
-      PN::parameters::join(options.pack(), params::vertex_normal_map(failing(t.corner_normals))));
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                           PN::parameters::join(options.pack(), params::vertex_normal_map(
+                                                                  failing(t.corner_normals)))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, true), 24);
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, false), 10);
@@ -273,7 +277,8 @@ TYPED_TEST(Strong_guarantee_of_features, MapsThatFailForGood)
   };
   EXPECT_GE(fail_for_good<TypeParam>(cube(), creases), 12 + 8 + 24);
   const auto limits = [](auto& t) {
-    PN::move_to_limit(t.mesh, PN::Loop_scheme(), params::vertex_normal_map(failing(t.normals)));
+    PN::subdivide_to_limit(t.mesh, PN::Loop_scheme(),
+                           params::vertex_normal_map(failing(t.normals)).number_of_iterations(0));
   };
   EXPECT_GE(fail_for_good<TypeParam>(tetrahedron(), limits), 4);
 }

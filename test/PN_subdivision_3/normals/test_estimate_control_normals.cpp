@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -399,8 +400,10 @@ TEST(Estimate_control_normals, AreChosenByANamedParameter)
               expected);
     EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, PN::Any_scheme<>(scheme), np); }), expected);
     results.push_back(expected);
-    EXPECT_EQ(run([&](Mesh& m) { PN::move_to_limit(m, scheme, np); }), run([&](Mesh& m) {
-                PN::move_to_limit(m, PN::internal::with_normal_estimate(scheme, how));
+    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide_to_limit(m, scheme, np.number_of_iterations(0)); }),
+              run([&](Mesh& m) {
+                PN::subdivide_to_limit(m, PN::internal::with_normal_estimate(scheme, how),
+                                       CGAL::parameters::number_of_iterations(0));
               }));
     Mesh mesh;
     build(mixed_with_border(), mesh);

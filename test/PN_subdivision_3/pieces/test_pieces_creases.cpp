@@ -149,8 +149,10 @@ void expect_mean_normals(const Creased& control, const Scheme& scheme, unsigned 
                 refined.parameters(rounds).vertex_normal_map(refined.normals));
   for (const std::size_t number : numbers) {
     SCOPED_TRACE(std::to_string(rounds) + " rounds, " + std::to_string(number) + " pieces");
-    const Pieces<Scheme> pieces(control.mesh, scheme, number,
-                                control.parameters(rounds).vertex_normal_map(control.normals));
+    const Pieces<Scheme> pieces(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::number_of_pieces(number),
+                           control.parameters(rounds).vertex_normal_map(control.normals)));
     Collected_pieces<double>(pieces).expect(refined.mesh, values_of(refined));
     Collected_pieces<double>(pieces, rings).expect(refined.mesh, values_of(refined));
   }
@@ -167,8 +169,10 @@ bool expect_corner_normals(const Creased& control, const Scheme& scheme, unsigne
                 refined.parameters(rounds).vertex_normal_map(refined.of_corners));
   for (const std::size_t number : numbers) {
     SCOPED_TRACE(std::to_string(rounds) + " rounds, " + std::to_string(number) + " pieces");
-    const Pieces<Scheme> pieces(control.mesh, scheme, number,
-                                control.parameters(rounds).vertex_normal_map(control.of_corners));
+    const Pieces<Scheme> pieces(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::number_of_pieces(number),
+                           control.parameters(rounds).vertex_normal_map(control.of_corners)));
     any_wedge = expect_corners(pieces, 0, refined) || any_wedge;
     any_wedge = expect_corners(pieces, rings, refined) || any_wedge;
   }
@@ -218,7 +222,9 @@ bool expect_with_tangents(Creased control, const Scheme& scheme)
                 refined.parameters(2).vertex_normal_map(refined.of_corners));
   const auto with_tangents = PN::internal::with_crease_tangents(scheme, control.tangents);
   const Pieces<std::decay_t<decltype(with_tangents)>> pieces(
-    control.mesh, with_tangents, 7, control.parameters(2).vertex_normal_map(control.of_corners));
+    control.mesh, with_tangents,
+    PN::parameters::join(PN::parameters::number_of_pieces(7),
+                         control.parameters(2).vertex_normal_map(control.of_corners)));
   Collected_pieces<double>(pieces).expect(refined.mesh, {});
   return expect_corners(pieces, 0, refined);
 }
@@ -272,8 +278,9 @@ TEST(Pieces_creases, OfLinearSchemesAndEstimatedNormals)
       PN::subdivide(refined.mesh, scheme,
                     params::number_of_iterations(3).edge_is_constrained_map(refined.sharp));
       const Pieces<std::decay_t<decltype(scheme)>> pieces(
-        control.mesh, scheme, 7,
-        params::number_of_iterations(3).edge_is_constrained_map(control.sharp));
+        control.mesh, scheme,
+        PN::parameters::number_of_pieces(7).number_of_iterations(3).edge_is_constrained_map(
+          control.sharp));
       Collected_pieces<double>(pieces).expect(refined.mesh, {});
     };
     expect(PN::CatmullClark_scheme());
@@ -302,17 +309,23 @@ TEST(Pieces_creases, AreReadOnly)
 TEST(Pieces_creases, AreRefusedWithoutRules)
 {
   const Creased control = random_creased(Kind::triangles, 3);
-  EXPECT_THROW(
-    (Pieces<PN::Butterfly_scheme>(control.mesh, PN::Butterfly_scheme(), 2, control.parameters(2))),
-    std::invalid_argument);
-  EXPECT_THROW((Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()), 2, control.parameters(2))),
+  EXPECT_THROW((Pieces<PN::Butterfly_scheme>(
+                 control.mesh, PN::Butterfly_scheme(),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
                std::invalid_argument);
+  EXPECT_THROW(
+    (Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
+    std::invalid_argument);
   Creased smooth(control);
   for (const Edge e : smooth.mesh.edges()) smooth.sharp[e] = 0;
   for (const Vertex v : smooth.mesh.vertices()) smooth.corners[v] = 0;
-  EXPECT_NO_THROW(
-    (Pieces<PN::Butterfly_scheme>(smooth.mesh, PN::Butterfly_scheme(), 2, smooth.parameters(2))));
+  EXPECT_NO_THROW((Pieces<PN::Butterfly_scheme>(
+    smooth.mesh, PN::Butterfly_scheme(),
+    PN::parameters::join(PN::parameters::number_of_pieces(2), smooth.parameters(2)))));
   smooth.sharp[Edge(0)] = -1;
-  EXPECT_THROW((Pieces<PN::Loop_scheme>(smooth.mesh, PN::Loop_scheme(), 2, smooth.parameters(2))),
+  EXPECT_THROW((Pieces<PN::Loop_scheme>(
+                 smooth.mesh, PN::Loop_scheme(),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), smooth.parameters(2)))),
                std::invalid_argument);
 }

@@ -190,7 +190,7 @@ TEST(Any_scheme, LimitsOfFaces)
 {
   expect_same(PN::DooSabin_scheme(), [](Mesh& mesh, const auto& s, const auto& normals) {
     auto limits = mesh.add_property_map<Mesh::Face_index, PN::Limit_point<Kernel>>("f:limit").first;
-    PN::face_limit_points(mesh, s, limits, params::vertex_normal_map(normals));
+    PN::limit_points(mesh, s, limits, params::vertex_normal_map(normals));
     std::size_t v = 0;
     for (const auto f : mesh.faces())
       mesh.point(Mesh::Vertex_index(unsigned(v++))) = limits[f].point;
@@ -382,7 +382,9 @@ TEST(Any_scheme, RefusedCalls)
   refused([&](Mesh& m) { PN::subdivide(m, PN::with_normal_scheme(quads, transferring)); },
           {"transfers curvature"});
   refused([&](Mesh& m) { PN::subdivide_to_limit(m, dual); }, {"doo-sabin", "faces"});
-  refused([&](Mesh& m) { PN::move_to_limit(m, dual); }, {"doo-sabin", "faces"});
+  refused(
+    [&](Mesh& m) { PN::subdivide_to_limit(m, dual, CGAL::parameters::number_of_iterations(0)); },
+    {"doo-sabin", "faces"});
   refused([&](Mesh& m) { PN::Surface_refiner<PN::Any_scheme<>, Kernel>(m, transferring); },
           {"transfers curvature"});
   refused([&](Mesh& m) { PN::interpolate_limit_points(m, PN::linear(dual)); }, {"doo-sabin"});

@@ -15,8 +15,10 @@
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -24,7 +26,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -135,7 +139,9 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
   Mesh at_limit = bowl();
   PN::subdivide_to_limit(at_limit, scheme, fixed);
   expect_fixed_border(at_limit);
-  PN::move_to_limit(mesh, scheme, fixed.rounds_done(1));
+  PN::subdivide_to_limit(
+    mesh, scheme,
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0), fixed.rounds_done(1)));
   expect_fixed_border(mesh);
   Mesh control = bowl();
   const auto limits =
@@ -145,6 +151,72 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
     if (control.is_border(v)) {
       EXPECT_EQ(limits[v].point, control.point(v));
     }
+}
+
+// maps of points, normals and errors get what the map of all has, at vertices or at faces
+template <class Element, class Scheme>
+void expect_limits_in_maps(const Scheme& of_call_scheme)
+{
+  Mesh mesh = bowl();
+  const auto all = mesh.add_property_map<Element, PN::Limit_point<Kernel>>("limit").first;
+  const auto at = mesh.add_property_map<Element, Point>("point").first;
+  const auto normals = mesh.add_property_map<Element, Vector>("normal").first;
+  const auto errors = mesh.add_property_map<Element, double>("error", -1.).first;
+  const auto np = of_call::surface_normals(true).tolerance(1e-4);
+  const PN::Limit_report report = PN::limit_points(mesh, of_call_scheme, all, np);
+  const PN::Limit_report of_maps = PN::limit_points(
+    mesh, of_call_scheme, np.limit_point_map(at).limit_normal_map(normals).limit_error_map(errors));
+  EXPECT_EQ(report.error, of_maps.error);
+  double largest = 0;
+  for (std::size_t i = 0; i < (std::is_same_v<Element, Mesh::Face_index> ? 9u : 16u); ++i) {
+    const Element e(static_cast<Mesh::size_type>(i));
+    EXPECT_EQ(at[e], all[e].point);
+    EXPECT_EQ(normals[e], all[e].surface_normal);
+    EXPECT_EQ(errors[e], all[e].error);
+    largest = (std::max)(largest, errors[e]);
+  }
+  EXPECT_EQ(largest, report.error);
+  const auto points_alone = mesh.add_property_map<Element, Point>("alone").first;
+  PN::limit_points(mesh, of_call_scheme, np.limit_point_map(points_alone));
+  EXPECT_EQ(points_alone[Element(3)], all[Element(3)].point);
+}
+
+TEST(Own_parameters, LimitsAreWrittenIntoMaps)
+{
+  expect_limits_in_maps<Mesh::Vertex_index>(scheme);
+  expect_limits_in_maps<Mesh::Face_index>(PN::DooSabin_scheme());
+}
+
+template <class Scheme, class Function>
+void expect_variant(const Function& f)
+{
+  const auto refined = [](const auto& refine) {
+    Mesh mesh;
+    CGAL::make_tetrahedron(Point(1, 1, 1), Point(-1, -1, 1), Point(-1, 1, -1), Point(1, -1, -1),
+                           mesh);
+    refine(mesh);
+    return points(mesh);
+  };
+  const auto expected =
+    refined([](Mesh& mesh) { PN::subdivide(mesh, Scheme(), params::number_of_iterations(3)); });
+  EXPECT_EQ(refined(f), expected);
+}
+
+TEST(Own_parameters, VariantsArePartOfTheFunctions)
+{
+  const auto loop = [](const auto& np) {
+    return [np](Mesh& mesh) { PN::Loop_subdivision(mesh, np.number_of_iterations(3)); };
+  };
+  const auto catmull_clark = [](const auto& np) {
+    return [np](Mesh& mesh) { PN::CatmullClark_subdivision(mesh, np.number_of_iterations(3)); };
+  };
+  expect_variant<PN::modified_Loop_scheme>(loop(of_call::tuned(true)));
+  expect_variant<PN::ct_Loop_scheme>(loop(of_call::curvature_transfer(true)));
+  expect_variant<PN::Loop_scheme>(loop(of_call::tuned(false).curvature_transfer(false)));
+  expect_variant<PN::modified_CatmullClark_scheme>(catmull_clark(of_call::tuned(true)));
+  expect_variant<PN::ct_CatmullClark_scheme>(
+    catmull_clark(of_call::tuned(true).curvature_transfer(true)));
+  expect_variant<PN::CatmullClark_scheme>(catmull_clark(of_call::tuned(false)));
 }
 
 // the tangents of the result are those of its border, of unit length, and go on from call to call

@@ -182,10 +182,13 @@ void expect_composition(const Control_mesh& control, bool has_normals)
       later.rounds_done = 2;
       normal_map(plain); // of the refined mesh
       if (has_normals) {
-        PN::move_to_limit(plain, scheme,
-                          PN::parameters::join(
-                            later.pack(), PN::parameters::vertex_roundness_map(roundness_map(plain))
-                                            .vertex_normal_map(normal_map(plain))));
+        PN::subdivide_to_limit(
+          plain, scheme,
+          PN::parameters::join(
+            CGAL::parameters::number_of_iterations(0),
+            PN::parameters::join(later.pack(),
+                                 PN::parameters::vertex_roundness_map(roundness_map(plain))
+                                   .vertex_normal_map(normal_map(plain)))));
         double largest = 0;
         for (auto v : plain.vertices())
           largest = (std::max)(largest, CGAL::squared_distance(plain.point(v), at_limit.point(v)));

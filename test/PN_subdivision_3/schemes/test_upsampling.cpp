@@ -158,7 +158,8 @@ TYPED_TEST(Upsampling, HasItsVerticesAsLimits)
       EXPECT_EQ(l.surface_normal, l.control_normal);
       EXPECT_FALSE(l.has_surface_normal || l.has_curvature);
     }
-    PN::move_to_limit(mesh, TypeParam::scheme(), np::vertex_normal_map(normals));
+    PN::subdivide_to_limit(mesh, TypeParam::scheme(),
+                           np::vertex_normal_map(normals).number_of_iterations(0));
     for (auto v : mesh.vertices()) EXPECT_EQ(mesh.point(v), old.point(v));
     Surface_mesh refined = old, to_limit = old;
     refine<TypeParam>(refined, 2);

@@ -28,6 +28,9 @@
   ADD(tolerance)                                                                                   \
   ADD(normal_tolerance)                                                                            \
   ADD(max_depth)                                                                                   \
+  ADD(limit_point_map)                                                                             \
+  ADD(limit_normal_map)                                                                            \
+  ADD(limit_error_map)                                                                             \
   ADD(points)                                                                                      \
   ADD(surface_normals)                                                                             \
   ADD(curve_normals)                                                                               \
@@ -44,7 +47,9 @@
   ADD(prescribed_curvature_map)                                                                    \
   ADD(rings)                                                                                       \
   ADD(curvature_tolerance)                                                                         \
-  ADD(max_curvature_steps)
+  ADD(max_curvature_steps)                                                                         \
+  ADD(tuned)                                                                                       \
+  ADD(curvature_transfer)
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -61,6 +66,8 @@ CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_TAG)
 
 } // namespace internal
 } // namespace PN_subdivision_3
+
+/// \cond SKIP_IN_MANUAL
 
 // A pack whose outermost parameter is one of this package. Its members add those of CGAL, as those of any pack do, and this
 // package's own ones.
@@ -121,6 +128,8 @@ struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Na
   CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_MEMBER)
 #undef CGAL_PN_SUBDIVISION_3_MEMBER
 };
+
+/// \endcond
 
 namespace PN_subdivision_3 {
 namespace internal {

@@ -72,7 +72,7 @@ public:
   bool has_crease_rules() const { return facts().has_crease_rules; }
   /// whether a round transfers curvature to the normals. Such a scheme goes with no normal scheme.
   bool transfers_curvature() const { return facts().transfers_curvature; }
-  /// whether vertices stay, so that `limit_points()` takes it, and not `face_limit_points()`.
+  /// whether vertices stay, so that `limit_points()` are those of the vertices.
   bool keeps_vertices() const
   {
     return visit([](const auto& s) { return std::decay_t<decltype(s)>::Host::keeps_vertices; });

@@ -99,7 +99,7 @@ template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, cla
 Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParameters& np)
 {
   static_assert(Scheme::Host::keeps_vertices,
-                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+                "the limit points of a dual scheme belong to the faces: see limit_points()");
   Limit_report report;
   if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
     using FT = typename Parameters::FT;

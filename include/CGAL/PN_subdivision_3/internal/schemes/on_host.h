@@ -130,8 +130,9 @@ Result on_dual_host(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
     if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices)
-      throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
-                                  " belong to the vertices, not to the faces: see limit_points()");
+      throw std::invalid_argument(
+        "PN_subdivision_3: the limit points of " + name_in_message(s) +
+        " belong to the vertices, not to the faces: give a map of vertices");
     else
       return f(s);
   });
@@ -147,7 +148,7 @@ Result on_primal_host(const Scheme& scheme, const Function& f)
     else
       throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
                                   " belong to the faces, not to the vertices: see "
-                                  "face_limit_points()");
+                                  "limit_points() with a map of faces");
   });
 }
 
