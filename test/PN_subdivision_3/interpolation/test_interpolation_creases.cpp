@@ -5,14 +5,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-// Interpolation with creases that are sharp for ever: limits of the control net, as move_to_limit() has them, are the
+// Interpolation with creases that are sharp for ever: limits of the control net, as subdivide_to_limit() has them, are the
 // data. The limits are evaluated by another call, with the normals and tangents that were written.
 
 #include "Feature_matrix.h"
 
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polyhedron_3.h>
@@ -71,6 +71,12 @@ private:
   }
 };
 
+template <class Any_mesh, class Scheme, class Np>
+void to_limit(Any_mesh& mesh, const Scheme& scheme, const Np& np)
+{
+  PN::subdivide_to_limit(mesh, scheme, PN::parameters::join(params::number_of_iterations(0), np));
+}
+
 double size_of(const Case& c)
 {
   CGAL::Bbox_3 box;
@@ -96,7 +102,7 @@ void expect_limits(Case& c, const Scheme& scheme, const Np& np)
   EXPECT_LE(report.steps, 6u);
   const std::vector<double> net = c.points();
   EXPECT_GT(largest_distance(net, data), 1e-3 * size_of(c)); // it had something to do
-  PN::move_to_limit(c.mesh, scheme, PN::parameters::join(PN::parameters::tolerance(1e-12), np));
+  to_limit(c.mesh, scheme, PN::parameters::join(PN::parameters::tolerance(1e-12), np));
   EXPECT_LE(largest_distance(c.points(), data), 1e-9 * size_of(c));
   for (auto v : c.mesh.vertices()) // a corner is its own limit, bit for bit
     if (c.vertex_sharpness[v] > 0)
@@ -127,7 +133,7 @@ TEST(Interpolation_creases, SomeVertices)
                 c.mesh, scheme, c.with_sharp(points_mode().vertex_is_interpolated_map(chosen)))
                 .is_within_tolerance());
   const std::vector<double> net = c.points();
-  PN::move_to_limit(c.mesh, scheme, c.sharp());
+  to_limit(c.mesh, scheme, c.sharp());
   const std::vector<double> limits = c.points();
   for (auto v : c.mesh.vertices())
     for (std::size_t i = 3 * v.idx(); i < 3 * v.idx() + 3; ++i) {
@@ -154,7 +160,7 @@ TEST(Interpolation_creases, ExactPolyhedron)
     PN::interpolate_limit_points(mesh, scheme, points_mode().border(PN::Border::curve));
   EXPECT_TRUE(report.is_within_tolerance()) << report.residual;
   EXPECT_GT(report.steps, 0u);
-  PN::move_to_limit(mesh, scheme, PN::parameters::border(PN::Border::curve));
+  to_limit(mesh, scheme, PN::parameters::border(PN::Border::curve));
   std::size_t i = 0;
   for (auto v : vertices(mesh)) {
     EXPECT_LE(CGAL::to_double(CGAL::squared_distance(v->point(), data[i])), 1e-18) << i;
