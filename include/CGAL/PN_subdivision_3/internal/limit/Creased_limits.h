@@ -83,7 +83,7 @@ public:
     if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
     if (demand_.surface_normals) {
       const Cut cut(level.level, creases);
-      orient_normals(level, results, for_chunks_, some == nullptr);
+      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
     }
     creases = std::move(limits);
     return results;

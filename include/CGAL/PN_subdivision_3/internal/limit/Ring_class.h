@@ -47,7 +47,8 @@ struct Ring_round
   Ring_pair rings;
 };
 
-// The rows of the next ring over the places of the ring; none if a row leaves the ring.
+// The rows of the next ring over the places of the ring, in the order of these: a mask begins where edges of the
+// level do, and sums shall have the same bits wherever a ring of the kind was met first. None if a row leaves the ring.
 template <class FT, class Host, class Mask>
 std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
                                            const Ring_pair& rings)
@@ -66,6 +67,8 @@ std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
       if (found == place.end()) return std::nullopt;
       matrix.back().emplace_back(found->second, e->weight);
     }
+    std::stable_sort(matrix.back().begin(), matrix.back().end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
   return matrix;
 }
