@@ -319,9 +319,10 @@ void run_curve_command(const Curve_options& options)
   if (polygon.size() >= points_worth_a_report)
     report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
                     " points");
-  const std::string normals = rule.linear           ? "no normals"
-                              : polygon.has_normals ? "normals of the file"
-                                                    : "estimated normals";
+  const std::string normals = rule.linear               ? "no normals"
+                              : options.sharp == "arcs" ? "normals of lines and arcs"
+                              : polygon.has_normals     ? "normals of the file"
+                                                        : "estimated normals";
   std::vector<std::size_t> corners;
   const bool has_arcs = options.sharp == "arcs";
   if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());

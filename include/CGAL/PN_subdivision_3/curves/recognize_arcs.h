@@ -58,8 +58,8 @@ cuts a polygon in a plane into the lines and circular arcs of which it is a tess
 
 As in `recognize_surfaces()` the vertices of a drawing are on its lines and arcs up to the rounding of the file. Three points
 in a row are extended as long as the next ones are on their line or circle up to the tolerance. Three points are
-evidence of a line, five of an arc, four if it is tangent to the edge beside it, three if it is at both ends,
-unless the points beyond leave it as slowly as those of a free-form curve do. Of a circle in fewer than `min_facets`
+evidence of a line, five of an arc (unless edges beside them on both sides are unknown and go on smoothly; six then), four if it is tangent to the edge beside it, three if it is at both ends,
+unless the points beyond leave them as slowly as those of a free-form curve do. Of a circle in fewer than `min_facets`
 steps a turn, whose ends are not both tangent, the sides are lines. Chords that are much longer than all others are lines, too. One or two edges between
 corners and recognized pieces are lines; a corner turns by more than 61 degrees. What is left is `unknown`. Where nothing is recognized, the whole polygon
 is one unknown piece, unless all of its vertices are corners.
@@ -70,7 +70,8 @@ is one unknown piece, unless all of its vertices are corners.
 \param polygon the polygon, in the plane, or in space if it is in a plane there
 \param end whether it is closed; both other values mean open
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`,
-  `parameters::min_facets()` (default 8) and `parameters::surface_tolerance()`, by default that of `recognize_surfaces()`
+  `parameters::min_facets()` (default 8) and `parameters::surface_tolerance()`, by default twice the
+  rounding of the coordinates, as `recognize_surfaces()` finds it, and \f$ 10^{-8} \f$ times the diagonal of the bounding box
 
 \returns the pieces in their order; the first one of a closed polygon begins at its first corner
 

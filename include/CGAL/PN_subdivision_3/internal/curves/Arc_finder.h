@@ -70,6 +70,7 @@ public:
     find(Kind::line);
     find(Kind::circle);
     choose();
+    drop_accidents();
     return pieces();
   }
 
@@ -163,8 +164,11 @@ private:
     if (is_flat_[edge_number(e)]) return false;
     const Point d = edge(e);
     const double x = at(e)[0] + d[0] / 2 - run.center[0], y = at(e)[1] + d[1] / 2 - run.center[1];
-    return side * (x * d[1] - y * d[0]) > 0 &&
-           length(e) <= 2 * run.radius * std::sin(greatest_step() / 2);
+    return side * (x * d[1] - y * d[0]) > 0 && length(e) <= longest_chord(run);
+  }
+  static double longest_chord(const Arc_run& run)
+  {
+    return 2 * run.radius * std::sin(greatest_step() / 2);
   }
 
   Arc_run grown(const Arc_run& seed, double t) const
@@ -215,8 +219,10 @@ private:
       if (is_known[edge_number(i - 1)] && is_known[edge_number(i)]) continue;
       Arc_run run = unknown(i - 1, i + 1);
       run.kind = kind;
-      if (std::abs(turn(i)) > greatest_step() || !settle(run) || !take_flats_out(run)) continue;
-      if (!is_over_determined(run)) {
+      if (std::abs(turn(i)) > greatest_step() || !settle(run)) continue;
+      new_flats_.clear();
+      if (!take_flats_out(run) || !is_over_determined(run)) {
+        for (const Index e : new_flats_) is_flat_[edge_number(e)] = false;
         i += run.edges() / 8; // its neighbors lead to the same
         continue;
       }
@@ -243,6 +249,7 @@ private:
         !(widest > 1.75 * next))
       return true;
     for (const Index e : flats) is_flat_[edge_number(e)] = true;
+    new_flats_.insert(new_flats_.end(), flats.begin(), flats.end());
     return take_rest(run, flats);
   }
   bool take_rest(Arc_run& run, std::vector<Index> flats)
@@ -286,10 +293,11 @@ private:
   // much as at any of the five.
   bool ends_clearly(const Arc_run& run, Index e, Index beyond) const
   {
-    if (!is_edge(e)) return true;
+    if (!is_edge(e) || (run.kind == Kind::circle && is_flat_[edge_number(e)])) return true;
+    if (run.kind == Kind::circle && length(e) > longest_chord(run)) return true;
     const double mean = mean_length(run), ratio = length(e) / mean;
     return ratio > 4 ||
-           run.distance(at(beyond)) > 25 * (std::max)(1., ratio * ratio) * run.residual;
+           run.distance(at(beyond)) > 60 * (std::max)(1., ratio * ratio) * run.residual;
   }
   double mean_length(const Arc_run& run) const
   {
@@ -328,6 +336,21 @@ private:
       chosen_.push_back(run);
     }
   }
+  // Three points are on a line by accident now and then, five on a circle.
+  void drop_accidents()
+  {
+    const auto goes_on = [&](Index i, Index e) {
+      return is_edge(e) && owner_[edge_number(e)] < 0 && std::abs(turn(i)) <= greatest_step();
+    };
+    for (const Arc_run& run : chosen_) {
+      const bool is_short = run.kind == Kind::line
+                              ? run.edges() == 2
+                              : run.edges() <= 5 && !is_tangent(run, run.first - 1, run.first) &&
+                                  !is_tangent(run, run.last, run.last);
+      if (!is_short || !goes_on(run.first, run.first - 1) || !goes_on(run.last, run.last)) continue;
+      for (Index e = run.first; e < run.last; ++e) owner_[edge_number(e)] = -1;
+    }
+  }
   // At their ends two runs may share edges, whose points are on both: they meet where the sum of the distances is least.
   void give_way(Arc_run& run)
   {
@@ -354,13 +377,15 @@ private:
     if (corners.empty()) corners.push_back(0);
     if (closed_) corners.push_back(corners.front() + n_);
     std::vector<Arc_run> result;
-    bool is_known = !chosen_.empty();
+    const bool has_owner =
+      std::any_of(owner_.begin(), owner_.end(), [](Index owner) { return owner >= 0; });
+    bool is_known = has_owner;
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
       result.push_back(piece(corners[k], corners[k + 1]));
       is_known = is_known || result.back().edges() > 1;
     }
     if (!is_known) return lines(0, edges_); // corners everywhere
-    if (chosen_.empty()) return {unknown(0, edges_)};
+    if (!has_owner) return {unknown(0, edges_)};
     std::vector<Arc_run> all;
     for (const Arc_run& run : result)
       if ((run.kind == Kind::circle && !is_round(run)) ||
@@ -397,7 +422,7 @@ private:
   unsigned min_facets_;
   Index n_, edges_;
   std::vector<bool> is_flat_;
-  std::vector<Index> owner_;
+  std::vector<Index> owner_, new_flats_;
   std::vector<Arc_run> found_, chosen_;
 };
 

@@ -43,7 +43,7 @@ public:
     }
     scale(p);
     tolerance_ = tolerance > 0 ? tolerance / scale_
-                               : 4 * recognition::file_rounding(coordinates) / scale_ + 1e-7;
+                               : 2 * recognition::file_rounding(coordinates) / scale_ + 1e-8;
     if (dimension == 3) find_plane(p, closed);
     for (const Vec3& q : p) points_.push_back({dot(u_, q), dot(v_, q)});
   }
