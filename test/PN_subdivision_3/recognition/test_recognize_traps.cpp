@@ -144,3 +144,27 @@ TEST(Recognize_traps, far_from_the_origin)
   expect_right(in_file(shaft(24, 6), File::single, 15 * 3.5));
   expect_right(in_file(bolt(6, 24), File::exact, 15 * 3.5));
 }
+
+// Another program turns and scales a six-digit file, and writes all digits; the points keep the rounding of six.
+TEST(Recognize_traps, six_digits_in_another_frame)
+{
+  Random random(23);
+  for (Part part :
+       {bolt(8, 24), shaft(48, 6), box_with_fillets_and_chamfers(), plate_with_drilled_hole(24)}) {
+    part = in_file(part, File::six_digits);
+    const double before = rounding(part) / diagonal(part.points);
+    Pose pose = random_pose(random, 0, 0);
+    pose.scale = 1.7;
+    place(part, pose);
+    EXPECT_EQ(Part_marks(part, recognition_of(part), 8 * before).text(), "") << part.name;
+    // far from the origin
+    Pose away;
+    away.shift = {1e5, -2e5, 3e4};
+    Part moved = part;
+    place(moved, away);
+    const Recognition r = recognition_of(moved), here = recognition_of(part);
+    EXPECT_EQ(r.segment_of_face, here.segment_of_face) << part.name;
+    place(part, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}, std::ldexp(1., 600)});
+    EXPECT_EQ(recognition_of(part).segment_of_face, here.segment_of_face) << part.name;
+  }
+}

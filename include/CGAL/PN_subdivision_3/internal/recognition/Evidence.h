@@ -10,7 +10,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Grower.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Turn.h>
 
 #include <algorithm>
 #include <cmath>

@@ -120,7 +120,7 @@ public:
     sort_faces(level);
     make_edges(level);
     measure_faces();
-    if (!(tolerance > 0) && widen_tolerance()) measure_faces();
+    if (has_all_digits_ && widen_tolerance()) measure_faces();
     part_.rank_of_vertex = std::move(rank_);
     part_.rank_of_face = std::move(face_rank_);
     return std::move(part_);
@@ -171,8 +171,10 @@ private:
     for (std::size_t i = 0; i < order_.size(); i += stride)
       for (const double x : points[order_[i]]) some.push_back(x);
     some.push_back(largest_);
-    part_.tolerance = tolerance > 0 ? tolerance / part_.scale
-                                    : 4 * file_rounding(some) / part_.scale + 1e-7 * part_.size;
+    const double rounding = file_rounding(some);
+    has_all_digits_ = !(tolerance > 0) && rounding < std::ldexp(largest_, -40);
+    part_.tolerance =
+      tolerance > 0 ? tolerance / part_.scale : 4 * rounding / part_.scale + 1e-7 * part_.size;
   }
 
   // each face from its least vertex on
@@ -241,7 +243,7 @@ private:
       if (h > least) heights.push_back(h);
     }
     std::sort(heights.begin(), heights.end());
-    std::size_t n = 12;
+    std::size_t n = 8;
     while (n < heights.size() && heights[n] < 20 * heights[n - 1]) ++n;
     if (n > heights.size() || heights[n - 1] > 3e-5 * part_.size) return false;
     const double most = heights[3 * n / 4];
@@ -280,6 +282,7 @@ private:
   Part part_;
   std::vector<Index> order_, rank_, face_rank_;
   double largest_ = 0;
+  bool has_all_digits_ = false; // of double
 };
 
 } // namespace recognition

@@ -27,15 +27,15 @@ class Region_borders
 {
 public:
   Region_borders(const Context& context, std::vector<Region>& regions,
-                 const std::vector<Index>& prisms)
+                 const std::vector<std::pair<Index, double>>& prisms)
     : c_(context)
     , regions_(regions)
     , owner_(context.patches.size(), null)
-    , is_prism_(context.patches.size(), false)
+    , prism_step_(context.patches.size(), 0)
   {
     for (Index i = 0; i < regions_.size(); ++i)
       for (const Index p : regions_[i].patches) owner_[p] = i;
-    for (const Index p : prisms) is_prism_[p] = owner_[p] == null;
+    for (const auto& p : prisms) prism_step_[p.first] = owner_[p.first] == null ? p.second : 0;
   }
 
   void operator()()
@@ -47,7 +47,9 @@ public:
   }
 
   const std::vector<Index>& owners() const { return owner_; }
-  bool is_prism(Index p) const { return is_prism_[p]; }
+  // of the prism whose side a patch is; 0: of none
+  double prism_step(Index p) const { return prism_step_[p]; }
+  bool is_prism(Index p) const { return prism_step_[p] > 0; }
 
   // of some faces: edges' midpoints from a region's shape
   template <class Faces>
@@ -144,7 +146,7 @@ private:
     for (int round = 0; round < 20; ++round) {
       std::vector<std::pair<Index, Index>> taken;
       for (Index p = 0; p < c_.patches.size(); ++p) {
-        if (owner_[p] != null || is_prism_[p]) continue;
+        if (owner_[p] != null || is_prism(p)) continue;
         const Index region = absorbing_neighbor(p);
         if (region != null) taken.emplace_back(p, region);
       }
@@ -271,7 +273,7 @@ private:
   const Context& c_;
   std::vector<Region>& regions_;
   std::vector<Index> owner_;
-  std::vector<bool> is_prism_;
+  std::vector<double> prism_step_;
   std::vector<double> own_midpoints_;
 };
 

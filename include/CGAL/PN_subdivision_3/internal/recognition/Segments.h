@@ -229,6 +229,7 @@ private:
   {
     const Index label = new_label(plane_of(patches));
     for (const Index p : patches) set_label(p, label);
+    labels_[label].widest_step = borders_.prism_step(patches[0]);
   }
 
   // over joints of at most 30 degrees; one or two facets are planes
