@@ -169,18 +169,18 @@ TEST(Recognize_arcs, SlotsAndKeyholes)
     expect_pieces(slot, Curve_end::closed, "slot of " + std::to_string(edges));
   }
   for (const int edges : {12, 25, 70}) {
-    const double half = std::asin(0.6);
+    const double sine = edges < 20 ? 0.6 : 0.25, half = std::asin(sine);
     Drawing disk; // with a flat
     disk.turn(half);
     disk.arc(2, 2 * (pi - half), edges);
     Drawing keyhole = disk;
     disk.heading = 0;
-    disk.line(2.4);
+    disk.line(4 * sine);
     disk.close();
     expect_pieces(disk, Curve_end::closed, "flat disk of " + std::to_string(edges));
     for (const double direction : {-pi / 2, 0., pi / 2}) {
       keyhole.heading = direction;
-      keyhole.line(direction == 0 ? 2.4 : 3);
+      keyhole.line(direction == 0 ? 4 * sine : 3);
     }
     keyhole.close();
     expect_pieces(keyhole, Curve_end::closed, "keyhole of " + std::to_string(edges));
@@ -281,6 +281,14 @@ TEST(Recognize_arcs, UnknownPiecesMeetTheirNeighborsSmoothly)
     PN::estimate_control_normals(Polygon(polygon.begin() + 3, polygon.end()), Curve_end::reflect);
   EXPECT_NE(estimated.front().second, parts[1].front().second);
   for (std::size_t i = 1; i < parts[1].size(); ++i) EXPECT_EQ(parts[1][i], estimated[i]) << i;
+  // not at corners
+  Polygon bent{Point(-2, 0), Point(-1.5, 0), Point(-1, 0), Point(0, 0)};
+  for (int i = 1; i <= 8; ++i) bent.push_back(Point(0.2 * i, 0.2 * i + 0.02 * i * i));
+  const auto corner =
+    PN::split_at_arcs(bent, Curve_end::reflect, PN::recognize_arcs(bent, Curve_end::reflect));
+  ASSERT_EQ(corner.size(), 2u);
+  EXPECT_EQ(corner[1], PN::estimate_control_normals(Polygon(bent.begin() + 3, bent.end()),
+                                                    Curve_end::reflect));
   // normals that are given stay, but for those of lines and arcs
   Curve_2<Double> with_normals;
   for (const Point& p : polygon) with_normals.push_back({p, Double::Vector_2(0.6, 0.8)});
@@ -318,6 +326,15 @@ TEST(Recognize_arcs, EllipsesAreUnknown)
     }
 }
 
+TEST(Recognize_arcs, ThreePointsOfAFreeFormCurveAreNoLine)
+{
+  const Polygon polygon{Point(0, 0),    Point(1, 0.3), Point(2, 0.1), Point(3, 0),
+                        Point(4, -0.1), Point(5, 0.3), Point(6, 0.4)};
+  const auto arcs = PN::recognize_arcs(polygon, Curve_end::reflect);
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_EQ(arcs[0].kind, Kind::unknown);
+}
+
 TEST(Recognize_arcs, NoiseIsUnknown)
 {
   std::mt19937 engine(2);
@@ -349,7 +366,8 @@ TEST(Recognize_arcs, PolygonsOfFewSidesAreLines)
   ASSERT_EQ(six.size(), 1u);
   EXPECT_EQ(six[0].kind, Kind::circle);
   EXPECT_NEAR(six[0].radius, 1, 1e-14);
-  for (const auto& item : refined_parts(regular(6), Curve_end::closed, six, 3)[0])
+  const auto circle = refined_parts(regular(6), Curve_end::closed, six, 3);
+  for (const auto& item : circle[0])
     EXPECT_NEAR(std::hypot(item.first.x(), item.first.y()), 1, 1e-14);
 }
 

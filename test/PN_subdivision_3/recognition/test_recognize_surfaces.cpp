@@ -240,3 +240,18 @@ TEST(Recognize_surfaces, elliptic_cylinder_is_unknown)
   EXPECT_GT(sharp, 0u);
   EXPECT_EQ(s.creases.size(), 80 + sharp);
 }
+
+// Prisms of few sides stay, and their sides say so.
+TEST(Recognize_surfaces, sides_of_prisms_that_are_left)
+{
+  for (int n : {6, 7}) {
+    std::size_t sides = 0;
+    for (const Recognized_surface& r : recognition_of(regular_prism(n)).surfaces) {
+      EXPECT_EQ(r.kind, Recognized_kind::plane);
+      if (r.widest_step == 0) continue;
+      ++sides;
+      EXPECT_NEAR(2 * pi / r.widest_step, n, 1e-6);
+    }
+    EXPECT_EQ(sides, std::size_t(n));
+  }
+}

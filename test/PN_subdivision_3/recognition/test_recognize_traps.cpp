@@ -150,7 +150,7 @@ TEST(Recognize_traps, six_digits_in_another_frame)
 {
   Random random(23);
   for (Part part :
-       {bolt(8, 24), shaft(48, 6), box_with_fillets_and_chamfers(), plate_with_drilled_hole(24)}) {
+       {bolt(8, 24), shaft(48, 6), plate_with_drilled_hole(24), grooved_shaft(24, 8)}) {
     part = in_file(part, File::six_digits);
     const double before = rounding(part) / diagonal(part.points);
     Pose pose = random_pose(random, 0, 0);
@@ -167,4 +167,10 @@ TEST(Recognize_traps, six_digits_in_another_frame)
     place(part, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}, std::ldexp(1., 600)});
     EXPECT_EQ(recognition_of(part).segment_of_face, here.segment_of_face) << part.name;
   }
+}
+
+// All corners of a plane that cuts a cylinder are on it, and some of its edges turn by little.
+TEST(Recognize_traps, oblique_end_of_a_cylinder)
+{
+  for (const double slope : {0.5, 1., 1.7}) expect_right(oblique_cylinder(24, slope));
 }

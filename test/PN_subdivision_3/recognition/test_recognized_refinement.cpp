@@ -170,8 +170,8 @@ Guarded guarded(const Part& part, const Scheme& scheme)
 TEST(Recognized_refinement, rounds_beside_what_is_unknown_are_no_worse_than_linear)
 {
   std::size_t rounds = 0;
-  for (int n : {16, 24, 32})
-    for (double size : {0.003, 0.01, 0.03, 0.06}) {
+  for (int n : {12, 24})
+    for (double size : {0.01, 0.05, 0.1, 0.2}) {
       const Part part = damaged(shaft(n, 4), size);
       const Guarded pn = guarded(part, PN::Loop_scheme()),
                     linear = guarded(part, PN::linear(PN::Loop_scheme()));
@@ -183,5 +183,5 @@ TEST(Recognized_refinement, rounds_beside_what_is_unknown_are_no_worse_than_line
           << "shaft of " << n << ", noise " << size << ", face " << f;
       }
     }
-  EXPECT_GT(rounds, 500u);
+  EXPECT_GT(rounds, 100u);
 }

@@ -57,7 +57,7 @@ private:
     case Kind::cone:
       return is_cone(r);
     case Kind::sphere:
-      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r) && !is_frustum(r);
+      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r);
     case Kind::torus:
       return is_torus(r);
     default:
@@ -127,24 +127,6 @@ private:
     }
     return false;
   }
-  // two circles about one axis are on a sphere anyway: a cap and a row of facets
-  bool is_frustum(const Region& r) const
-  {
-    if (r.patches.size() > 30) return false;
-    for (const Index p : r.patches)
-      if (levels_along(c_.patches[p].normal, r) <= 2) return true;
-    return false;
-  }
-  std::size_t levels_along(const Vec3& direction, const Region& r) const
-  {
-    std::vector<double> levels;
-    for (const Index v : r.vertices) levels.push_back(dot(direction, c_.point(v)));
-    std::sort(levels.begin(), levels.end());
-    std::size_t result = 1;
-    for (std::size_t i = 1; i < levels.size(); ++i)
-      result += levels[i] - levels[i - 1] > 8 * c_.tolerance();
-    return result;
-  }
   bool are_others_in_a_plane(const Region& r, Index hub) const
   {
     Vec3 mean;
@@ -163,21 +145,10 @@ private:
   {
     return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
   }
-  static bool has_even_gaps(const Turn& turn)
-  {
-    double least = 0, most = 0;
-    for (std::size_t i = 0; i + 1 < turn.positions.size(); ++i) {
-      const double gap = turn.positions[i + 1] - turn.positions[i];
-      least = i == 0 ? gap : (std::min)(least, gap);
-      most = (std::max)(most, gap);
-    }
-    return most <= 1.75 * least;
-  }
   static bool is_torus(const Region& r)
   {
     const std::size_t n = r.turn.positions.size(), m = r.meridian.positions.size();
     return r.inner_vertices >= 2 && n >= 4 && m >= (r.has_tangent_end ? 3u : 4u) &&
-           (n > 4 || has_even_gaps(r.turn)) && (m > 4 || has_even_gaps(r.meridian)) &&
            (r.has_tangent_end || r.patches.size() >= 10);
   }
 
