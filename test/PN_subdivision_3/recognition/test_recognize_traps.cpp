@@ -9,6 +9,7 @@
 // Parts that look like what they are not.
 
 #include "Part_marks.h"
+#include "Random_parts.h"
 #include "Trap_parts.h"
 
 #include <gtest/gtest.h>
@@ -149,8 +150,7 @@ TEST(Recognize_traps, far_from_the_origin)
 TEST(Recognize_traps, six_digits_in_another_frame)
 {
   Random random(23);
-  for (Part part :
-       {bolt(8, 24), shaft(48, 6), plate_with_drilled_hole(24), grooved_shaft(24, 8)}) {
+  for (Part part : {bolt(8, 24), shaft(48, 6), plate_with_drilled_hole(24), grooved_shaft(24, 8)}) {
     part = in_file(part, File::six_digits);
     const double before = rounding(part) / diagonal(part.points);
     Pose pose = random_pose(random, 0, 0);
@@ -173,4 +173,10 @@ TEST(Recognize_traps, six_digits_in_another_frame)
 TEST(Recognize_traps, oblique_end_of_a_cylinder)
 {
   for (const double slope : {0.5, 1., 1.7}) expect_right(oblique_cylinder(24, slope));
+}
+
+// Few facets, unevenly wide, of a cone and of the cylinder beside it are on a torus.
+TEST(Recognize_traps, uneven_facets_on_a_torus)
+{
+  expect_right(Random_part(1134).part());
 }

@@ -145,10 +145,21 @@ private:
   {
     return number_of_positions(r) >= 4 && r.vertices.size() >= (r.turn.is_full ? 7u : 8u);
   }
+  static bool has_even_gaps(const Turn& turn)
+  {
+    double least = 0, most = 0;
+    for (std::size_t i = 0; i + 1 < turn.positions.size(); ++i) {
+      const double gap = turn.positions[i + 1] - turn.positions[i];
+      least = i == 0 ? gap : (std::min)(least, gap);
+      most = (std::max)(most, gap);
+    }
+    return most <= 1.75 * least;
+  }
   static bool is_torus(const Region& r)
   {
     const std::size_t n = r.turn.positions.size(), m = r.meridian.positions.size();
     return r.inner_vertices >= 2 && n >= 4 && m >= (r.has_tangent_end ? 3u : 4u) &&
+           (n > 4 || has_even_gaps(r.turn)) && (m > 4 || has_even_gaps(r.meridian)) &&
            (r.has_tangent_end || r.patches.size() >= 10);
   }
 
