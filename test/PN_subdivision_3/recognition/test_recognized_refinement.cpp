@@ -13,7 +13,6 @@
 #include "Trap_parts.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Fallback.h>
 
 #include <gtest/gtest.h>
 
@@ -96,92 +95,4 @@ TEST(Recognized_refinement, cones_and_tori_are_nearer_than_linear)
       EXPECT_LT(pn[i], 0.1 * linear[i]) << part.name << ", " << name_of(k);
     }
   }
-}
-
-namespace {
-
-// The points on one side of a part, but for those on its planes, moved by chance.
-Part damaged(Part part, double size)
-{
-  Random random(52);
-  std::vector<bool> is_on_plane(part.points.size(), false);
-  for (std::size_t f = 0; f < part.faces.size(); ++f)
-    if (part.surfaces[part.surface_of_face[f]].kind == Kind::plane)
-      for (std::size_t v : part.faces[f]) is_on_plane[v] = true;
-  for (std::size_t v = 0; v < part.points.size(); ++v) {
-    Vec& p = part.points[v];
-    const Vec d{random(-size, size), random(-size, size), random(-size, size)};
-    if (!is_on_plane[v] && p[0] > 0.1) p = p + d;
-  }
-  return part;
-}
-
-struct Guarded
-{
-  std::vector<bool> is_round;
-  std::vector<double> deviation; // of control faces from their recognized surfaces
-  std::vector<std::size_t> high;
-};
-
-template <class Scheme>
-Guarded guarded(const Part& part, const Scheme& scheme)
-{
-  Mesh mesh = mesh_of<Mesh>(part);
-  const auto patches = mesh.add_property_map<Mesh::Face_index, int>("f:p").first;
-  const auto origin = mesh.add_property_map<Mesh::Face_index, int>("f:o").first;
-  const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:s", false).first;
-  const auto corner = mesh.add_property_map<Mesh::Vertex_index, bool>("v:c", false).first;
-  const auto normals = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:n").first;
-  auto surfaces = PN::recognize_surfaces(mesh, patches);
-  const auto fallback =
-    PN::internal::never_worse_than_linear(mesh, patches, surfaces, sharp, normals);
-  for (const std::size_t v : fallback.corners)
-    corner[Mesh::Vertex_index(static_cast<Mesh::size_type>(v))] = true;
-  Guarded result{{}, std::vector<double>(part.faces.size(), 0), fallback.high_faces};
-  std::vector<Recognized_surface> own;
-  int number = 0;
-  for (const auto f : mesh.faces()) {
-    origin[f] = number++;
-    own.push_back(surfaces[static_cast<std::size_t>(patches[f])]);
-    result.is_round.push_back(own.back().kind != Recognized_surface::Kind::unknown &&
-                              own.back().kind != Recognized_surface::Kind::plane);
-  }
-  PN::subdivide(mesh, scheme,
-                CGAL::parameters::number_of_iterations(2)
-                  .edge_is_constrained_map(sharp)
-                  .vertex_is_constrained_map(corner)
-                  .vertex_normal_map(normals),
-                PN::attributes(PN::face_attribute(origin)));
-  for (const auto f : mesh.faces()) {
-    const auto o = static_cast<std::size_t>(origin[f]);
-    if (!result.is_round[o]) continue;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
-      const auto& p = mesh.point(v);
-      double& d = result.deviation[o];
-      d = (std::max)(d, std::abs(signed_distance(as_truth(own[o]), {p.x(), p.y(), p.z()})));
-    }
-  }
-  return result;
-}
-
-} // namespace
-
-// What has not been recognized must not draw its neighbors off their surfaces.
-TEST(Recognized_refinement, rounds_beside_what_is_unknown_are_no_worse_than_linear)
-{
-  std::size_t rounds = 0;
-  for (int n : {12, 24})
-    for (double size : {0.01, 0.05, 0.1, 0.2}) {
-      const Part part = damaged(shaft(n, 4), size);
-      const Guarded pn = guarded(part, PN::Loop_scheme()),
-                    linear = guarded(part, PN::linear(PN::Loop_scheme()));
-      const double margin = 2e-5 * diagonal(part.points);
-      for (std::size_t f = 0; f < part.faces.size(); ++f) {
-        if (!pn.is_round[f] || std::binary_search(pn.high.begin(), pn.high.end(), f)) continue;
-        ++rounds;
-        EXPECT_LE(pn.deviation[f], 1.25 * linear.deviation[f] + margin)
-          << "shaft of " << n << ", noise " << size << ", face " << f;
-      }
-    }
-  EXPECT_GT(rounds, 100u);
 }
