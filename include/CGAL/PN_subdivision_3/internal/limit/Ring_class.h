@@ -127,7 +127,8 @@ public:
   // Of the scheme in some rounds, each on the level that the one before makes; not valid if the rows leave
   // the ring, or if the limit mask does not exist.
   Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
-    : size_(rounds.front().rings.ring.size())
+    : block_(average_of<Average>(scheme))
+    , size_(rounds.front().rings.ring.size())
   {
     for (const Ring_round& r : rounds)
       largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
@@ -265,20 +266,20 @@ private:
     return result;
   }
 
-  static void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>* normal_rows,
-                      const Stored_value* old, Value* result)
+  void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>* normal_rows,
+               const Stored_value* old, Value* result) const
   {
-    const Block block{};
     for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
       const Stencil_block<FT>& part = rows.blocks()[b];
       if constexpr (has_normal_rows)
-        block(part, normal_rows->blocks()[b], old, result);
+        block_(part, normal_rows->blocks()[b], old, result);
       else
-        block(part, old, result);
+        block_(part, old, result);
       result += part.number_of_rows();
     }
   }
 
+  Block block_;
   std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   Rules points_, normals_;

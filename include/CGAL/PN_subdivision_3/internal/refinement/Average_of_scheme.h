@@ -36,6 +36,18 @@ using Average_of_scheme =
   std::conditional_t<is_pn_v<Scheme> && may_vary_in_roundness_v<Scheme>,
                      Average_with_roundness<FT, 3>, Average_of<is_pn_v<Scheme>, FT, 3>>;
 
+// the average with the roundness of the scheme, where that is one number
+template <class Average, class Scheme>
+Average average_of([[maybe_unused]] const Scheme& scheme)
+{
+  Average average{};
+  if constexpr (!std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>> &&
+                has_normal_v<typename Average::Value> && !has_roundness_v<typename Average::Value>)
+    if (const auto* given = outermost<Is_with_roundness>(scheme)->given)
+      average.roundness = given->of_all.value_or(average.roundness);
+  return average;
+}
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
