@@ -48,9 +48,10 @@ Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule
   options.mode = mode;
   return std::visit(
     [&](auto& points) {
+      const auto np = PN::parameters::roundness(rule.roundness);
       auto result = rule.linear
-                      ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, options)
-                      : PN::interpolate_curve(points, *mask, rule.end, options);
+                      ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, options, np)
+                      : PN::interpolate_curve(points, *mask, rule.end, options, np);
       points = std::move(result.first);
       return result.second;
     },

@@ -56,7 +56,8 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_
   std::visit(
     [&](auto& points) {
       with_mask(rule, [&](const auto& mask) {
-        auto limits = PN::curve_limit_points(points, mask, rule.end, options);
+        auto limits = PN::curve_limit_points(points, mask, rule.end, options,
+                                             PN::parameters::roundness(rule.roundness));
         write(points, limits.first, choice);
         report = limits.second;
       });

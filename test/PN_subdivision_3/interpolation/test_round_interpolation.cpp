@@ -162,6 +162,73 @@ TEST(Round_interpolation, HasTheUsualEnds)
     }
 }
 
+// Without a map of normals the result is for calls without one: they estimate normals and roundness from its points.
+template <class Scheme>
+void expect_limits_of_estimates_at_data(const Scheme& scheme, bool triangles)
+{
+  for (const Surface_mesh& data : meshes_of(triangles))
+    for (const Mode mode : {Mode::slide, Mode::limit_points}) {
+      Surface_mesh mesh = data;
+      PN::Limit_interpolation_options<> options;
+      options.mode = mode;
+      options.tolerance = 1e-10;
+      options.max_steps = 200;
+      const auto report = PN::interpolate_limit_points(mesh, scheme, options);
+      EXPECT_LE(report.residual, report.tolerance);
+      EXPECT_GT(report.steps, 0u);
+      PN::Limit_options close;
+      close.tolerance = 1e-13;
+      PN::move_to_limit(mesh, scheme, close);
+      for (auto v : mesh.vertices())
+        EXPECT_LE(std::sqrt(CGAL::squared_distance(mesh.point(v), data.point(v))),
+                  1.1 * report.tolerance);
+    }
+}
+
+TEST(Round_interpolation, WithoutNormalsIsThatOfEstimatedOnes)
+{
+  expect_limits_of_estimates_at_data(PN::CatmullClark_scheme(), false);
+  expect_limits_of_estimates_at_data(PN::Loop_scheme(), true);
+}
+
+TEST(Round_interpolation, WithoutNormalsTakesRoundnessAndEstimateThatAreGiven)
+{
+  for (const Surface_mesh& data : meshes_of(true)) {
+    Surface_mesh mesh = data;
+    PN::Limit_interpolation_options<> options;
+    options.max_steps = 200;
+    const auto np = PN::parameters::roundness(
+      .5, PN::parameters::control_normal_estimate(PN::Control_normal_estimate::angle));
+    const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+    EXPECT_LE(report.residual, report.tolerance);
+    PN::move_to_limit(mesh, PN::Loop_scheme(), PN::Limit_options(), np);
+    for (auto v : mesh.vertices())
+      EXPECT_LE(CGAL::squared_distance(mesh.point(v), data.point(v)), 1e-16);
+  }
+}
+
+TEST(Round_interpolation, WithoutNormalsOthersDoNotMove)
+{
+  Surface_mesh data = meshes_of(true).front(), mesh = data;
+  const auto some = [](Vertex v) { return v.idx() % 2 == 0; };
+  PN::Limit_interpolation_options<> smooth;
+  smooth.mode = Mode::limit_points;
+  smooth.free = PN::Limit_interpolation_free::smooth;
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth),
+               std::invalid_argument);
+  auto chosen = mesh.add_property_map<Vertex, bool>("v:chosen", false).first;
+  for (auto v : mesh.vertices()) chosen[v] = some(v);
+  PN::Limit_interpolation_options<decltype(chosen)> options;
+  options.vertices = chosen;
+  options.max_steps = 200;
+  const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options);
+  EXPECT_LE(report.residual, report.tolerance);
+  for (auto v : mesh.vertices())
+    if (!some(v)) {
+      EXPECT_EQ(mesh.point(v), data.point(v));
+    }
+}
+
 // the data point and the limit are the ends of an arc, along which the normal turns from one to the other
 TEST(Round_interpolation, SlidesAlongArcs)
 {

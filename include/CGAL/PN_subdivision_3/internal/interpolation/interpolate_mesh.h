@@ -105,7 +105,7 @@ constexpr void check_interpolation_arguments()
     are_used_v<Interpolation_parameters, NamedParameters>,
     "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
     "vertex_point_map, vertex_normal_map, vertex_roundness_map, roundness, geom_traits, "
-    "edge_is_constrained_map, vertex_is_constrained_map");
+    "edge_is_constrained_map, vertex_is_constrained_map, control_normal_estimate");
   static_assert(
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "

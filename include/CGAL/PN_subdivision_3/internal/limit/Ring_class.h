@@ -128,11 +128,13 @@ public:
   // the ring, or if the limit mask does not exist.
   Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
     : block_(average_of<Average>(scheme))
+    , roundness_(1)
     , size_(rounds.front().rings.ring.size())
   {
     for (const Ring_round& r : rounds)
       largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
     copies_ = (std::max)(std::size_t(1), block_size_v<FT> / largest_size_);
+    if constexpr (is_pn_v<Scheme>) roundness_ = close_double(average_of<Average>(scheme).roundness);
     const auto matrix_of = [&](auto number, const Ring_round& r) {
       using Number = decltype(number);
       const typename Scheme::Host host(r.level, r.number);
@@ -193,6 +195,15 @@ public:
   bool is_at_border() const { return is_at_border_; }
   // of a vertex, which is at place 0; 0 about faces
   std::size_t number_of_neighbors() const { return number_of_neighbors_; }
+
+  // at a limit
+  double roundness_at([[maybe_unused]] const Value& limit) const
+  {
+    if constexpr (has_roundness_v<Value>)
+      return close_double(limit.roundness);
+    else
+      return roundness_;
+  }
 
   // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
   Level_connectivity::Index transfer_valence() const { return transfer_valence_; }
@@ -280,6 +291,7 @@ private:
   }
 
   Block block_;
+  double roundness_; // of values that have none of their own
   std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   Rules points_, normals_;

@@ -55,7 +55,8 @@ using Creased_limit_parameters =
 using Interpolation_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
                   internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
+                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
+                  control_normal_estimate_t>;
 using Rounded_mesh_parameters =
   Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, vertex_roundness_map_t,
                   roundness_t>;

@@ -36,7 +36,16 @@ using Average_of_scheme =
   std::conditional_t<is_pn_v<Scheme> && may_vary_in_roundness_v<Scheme>,
                      Average_with_roundness<FT, 3>, Average_of<is_pn_v<Scheme>, FT, 3>>;
 
-// the average with the roundness of the scheme, where that is one number
+// the average of values that have one roundness; of points alone it plays no part
+template <class Average>
+Average average_of_roundness([[maybe_unused]] const typename Average::FT& roundness)
+{
+  Average average{};
+  if constexpr (has_normal_v<typename Average::Value>) average.roundness = roundness;
+  return average;
+}
+
+// with the roundness of the scheme, where that is one number
 template <class Average, class Scheme>
 Average average_of([[maybe_unused]] const Scheme& scheme)
 {
