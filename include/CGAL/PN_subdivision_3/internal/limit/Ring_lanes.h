@@ -48,7 +48,7 @@ public:
   // --- input ---
   std::vector<Place> ring;
   Place limit;
-  Lanes roundness;
+  Lanes roundness = {1, 1, 1, 1};
 
   // --- output ---
   bool is_found[lanes];
