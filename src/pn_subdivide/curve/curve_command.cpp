@@ -55,15 +55,7 @@ double roundness_of(const Curve_options& options)
   if (options.linear)
     throw Usage_error("--roundness and --linear exclude each other: without normals nothing is "
                       "round");
-  const double roundness = parse_roundness(*options.roundness);
-  const bool has_limit = options.limit.is_used() || options.interpolate;
-  if (roundness != 1 && has_limit)
-    throw Usage_error(std::string("--roundness and ") +
-                      (options.interpolate    ? "--interpolate"
-                       : options.limit.points ? "--limit"
-                                              : "--curve-normals") +
-                      " exclude each other: limits of curves are known with roundness 1 only");
-  return roundness;
+  return parse_roundness(*options.roundness);
 }
 
 // Limits are those of the last mask.
