@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <Eigen/Dense>
 

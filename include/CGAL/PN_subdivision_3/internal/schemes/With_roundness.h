@@ -99,13 +99,13 @@ template <class Entry, std::size_t n, class Roundness_of>
 auto averaged_roundness(const std::array<Entry, n>& entries, const Roundness_of& of)
 {
   const auto first = of(0);
-  auto sum = entries[0].weight * first;
+  std::decay_t<decltype(first)> sum = entries[0].weight * first; // a number, not the expression of one
   bool are_equal = true;
   for (std::size_t j = 1; j < n; ++j) {
     sum += entries[j].weight * of(j);
     are_equal = are_equal && CGAL::certainly(of(j) == first);
   }
-  return are_equal ? first : std::decay_t<decltype(first)>(sum);
+  return are_equal ? first : sum;
 }
 
 } // namespace internal
