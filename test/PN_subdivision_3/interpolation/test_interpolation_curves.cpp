@@ -131,8 +131,8 @@ TEST(Interpolating_curves, StrictLimitsOfAnyRoundnessAreThePoints)
   const Curve_2 data = ellipse(9, 3, 1);
   for (const double w : {0., .5})
     for (const auto end : {PN::Curve_end::closed, PN::Curve_end::reflect}) {
-      const auto [net, report] =
-        PN::interpolate_curve(data, cubic, end, strict(), PN::parameters::roundness(w));
+      const auto [net, report] = PN::interpolate_curve(
+        data, cubic, end, PN::parameters::join(strict().pack(), PN::parameters::roundness(w)));
       EXPECT_LE(report.residual, report.tolerance);
       for (std::size_t i = 0; i < data.size(); ++i)
         EXPECT_LE(

@@ -187,16 +187,19 @@ void expect_limits_of_estimates_at_data(const Scheme& scheme, bool triangles)
   Mode mode = Mode::slide; // it plays no part
   for (const Surface_mesh& data : meshes_of(triangles)) {
     Surface_mesh mesh = data, limits = data;
-    PN::Limit_interpolation_options<> options;
+    test_options::Limit_interpolation_options<> options;
     options.mode = std::exchange(mode, Mode::limit_points);
     options.tolerance = 1e-10;
     options.max_steps = 100;
-    const auto report = PN::interpolate_limit_points(mesh, scheme, options);
+    const auto report = PN::interpolate_limit_points(mesh, scheme, options.pack());
     EXPECT_GT(report.steps, 0u);
-    PN::Limit_options close;
+    test_options::Limit_options close;
     close.tolerance = 1e-13;
-    PN::move_to_limit(mesh, scheme, close);
-    PN::move_to_limit(limits, scheme, close);
+    PN::subdivide_to_limit(
+      mesh, scheme, PN::parameters::join(CGAL::parameters::number_of_iterations(0), close.pack()));
+    PN::subdivide_to_limit(
+      limits, scheme,
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0), close.pack()));
     const double left = largest_distance(mesh, data), before = largest_distance(limits, data);
     EXPECT_LE(left, 1.1 * (std::max)(report.residual, report.tolerance));
     EXPECT_LE(left, before / 4);
@@ -216,13 +219,14 @@ TEST(Round_interpolation, WithoutNormalsTakesRoundnessAndEstimateThatAreGiven)
 {
   for (const Surface_mesh& data : meshes_of(true)) {
     Surface_mesh mesh = data;
-    PN::Limit_interpolation_options<> options;
+    test_options::Limit_interpolation_options<> options;
     options.max_steps = 200;
-    const auto np = PN::parameters::roundness(
-      .5, PN::parameters::control_normal_estimate(PN::Control_normal_estimate::angle));
-    const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+    const auto np =
+      PN::parameters::roundness(.5).control_normal_estimate(PN::Control_normal_estimate::angle);
+    const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(),
+                                                     PN::parameters::join(options.pack(), np));
     EXPECT_LE(report.residual, report.tolerance);
-    PN::move_to_limit(mesh, PN::Loop_scheme(), PN::Limit_options(), np);
+    PN::subdivide_to_limit(mesh, PN::Loop_scheme(), np.number_of_iterations(0));
     for (auto v : mesh.vertices())
       EXPECT_LE(CGAL::squared_distance(mesh.point(v), data.point(v)), 1e-16);
   }
@@ -232,17 +236,17 @@ TEST(Round_interpolation, WithoutNormalsOthersDoNotMove)
 {
   Surface_mesh data = meshes_of(true).back(), mesh = data;
   const auto some = [](Vertex v) { return v.idx() % 2 == 0; };
-  PN::Limit_interpolation_options<> smooth;
+  test_options::Limit_interpolation_options<> smooth;
   smooth.mode = Mode::limit_points;
   smooth.free = PN::Limit_interpolation_free::smooth;
-  EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth),
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth.pack()),
                std::invalid_argument);
   auto chosen = mesh.add_property_map<Vertex, bool>("v:chosen", false).first;
   for (auto v : mesh.vertices()) chosen[v] = some(v);
-  PN::Limit_interpolation_options<decltype(chosen)> options;
+  test_options::Limit_interpolation_options<decltype(chosen)> options;
   options.vertices = chosen;
   options.max_steps = 200;
-  const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options);
+  const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options.pack());
   EXPECT_LE(report.residual, report.tolerance);
   for (auto v : mesh.vertices())
     if (!some(v)) {

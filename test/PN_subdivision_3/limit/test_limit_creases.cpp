@@ -196,7 +196,7 @@ void expect_round_limit_of_rounds(const Control& control, const Scheme& scheme,
     unsigned i = 0;
     for (const auto v : t.mesh.vertices())
       put(t.roundness, v, any_roundness < 0 ? (7 * i++ % 9) / 8. : any_roundness);
-    to_round_limit(t, PN::with_border(scheme, control.border), rounds, close(1e-11));
+    to_round_limit(t, PN::internal::with_border(scheme, control.border), rounds, close(1e-11));
     of_rounds.emplace_back();
     for (std::size_t v = 0; v < control.points.size(); ++v)
       of_rounds.back().push_back(vector(t.mesh.point(Mesh::Vertex_index(Mesh::size_type(v)))));

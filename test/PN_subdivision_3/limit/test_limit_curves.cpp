@@ -172,8 +172,9 @@ TEST(Curve_limits, OfARoundnessEqualBruteForce)
   for (const auto& s : schemes())
     for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
       const auto [limits, report] = with_mask(s, [&](const auto& mask) {
-        return PN::curve_limit_points(polygon, mask, end, close(1e-13),
-                                      PN::parameters::roundness(.5));
+        return PN::curve_limit_points(
+          polygon, mask, end,
+          PN::parameters::join(close(1e-13).pack(), PN::parameters::roundness(.5)));
       });
       reference::Curve_limit_by_rounds brute(s, s, false, Real(1) / 2);
       expect_brute_force(polygon, limits, brute, end, {2e-12, 1e-6, s.interpolating ? .02 : .002},
@@ -189,12 +190,14 @@ TEST(Curve_limits, OfRoundnessZeroAreThoseOfLinearTwins)
     for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
       const auto linear =
         with_mask(s, [&](const auto& mask) {
-          return PN::curve_limit_points(polygon, PN::linear(mask), end, close(1e-13));
+          return PN::curve_limit_points(polygon, PN::linear(mask), end, close(1e-13).pack());
         }).first;
-      const auto limits = with_mask(s, [&](const auto& mask) {
-                            return PN::curve_limit_points(polygon, mask, end, close(1e-13),
-                                                          PN::parameters::roundness(0.));
-                          }).first;
+      const auto limits =
+        with_mask(s, [&](const auto& mask) {
+          return PN::curve_limit_points(
+            polygon, mask, end,
+            PN::parameters::join(close(1e-13).pack(), PN::parameters::roundness(0.)));
+        }).first;
       ASSERT_EQ(limits.size(), linear.size());
       for (std::size_t i = 0; i < limits.size(); ++i) {
         EXPECT_LE(CGAL::squared_distance(limits[i].point, linear[i].point), 1e-26);
@@ -210,12 +213,14 @@ TEST(Curve_limits, ErrorsOfAnyRoundnessAreNoLargerThanTheirEstimates)
   const Curve_3<Double> polygon = wave(12);
   const PN::B_spline_mask mask(3);
   const auto np = PN::parameters::roundness(.5);
-  const auto exact = PN::curve_limit_points(polygon, mask, Curve_end::closed, close(1e-14), np);
+  const auto exact = PN::curve_limit_points(polygon, mask, Curve_end::closed,
+                                            PN::parameters::join(close(1e-14).pack(), np));
   for (const unsigned depth : {2u, 4u, 6u}) {
-    PN::Curve_limit_options options = close(0, 0);
+    test_options::Curve_limit_options options = close(0, 0);
     options.max_depth = depth;
     options.curvatures = false;
-    const auto rough = PN::curve_limit_points(polygon, mask, Curve_end::closed, options, np);
+    const auto rough = PN::curve_limit_points(polygon, mask, Curve_end::closed,
+                                              PN::parameters::join(options.pack(), np));
     for (std::size_t i = 0; i < exact.first.size(); ++i) {
       const auto &a = rough.first[i], &b = exact.first[i];
       EXPECT_LE(std::sqrt(CGAL::squared_distance(a.point, b.point)), 1.01 * a.error + 1e-14);

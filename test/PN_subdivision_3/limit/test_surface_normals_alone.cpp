@@ -320,11 +320,12 @@ TEST(Surface_normals, OfRoundnessZeroAreThoseOfTheLinearTwin)
     mesh.add_property_map<Surface_mesh::Vertex_index, PN::Limit_point<Kernel>>("f").first;
   auto linear =
     mesh.add_property_map<Surface_mesh::Vertex_index, PN::Limit_point<Kernel>>("l").first;
-  PN::Limit_options options = close(1, 1);
+  test_options::Limit_options options = close(1, 1);
   PN::limit_points(
-    mesh, PN::CatmullClark_scheme(), found, options,
-    PN::parameters::roundness(0., CGAL::parameters::vertex_normal_map(normal_map(mesh))));
-  PN::limit_points(mesh, PN::linear(PN::CatmullClark_scheme()), linear, options);
+    mesh, PN::CatmullClark_scheme(), found,
+    PN::parameters::join(options.pack(),
+                         PN::parameters::roundness(0.).vertex_normal_map(normal_map(mesh))));
+  PN::limit_points(mesh, PN::linear(PN::CatmullClark_scheme()), linear, options.pack());
   for (auto v : mesh.vertices())
     EXPECT_LE((found[v].surface_normal - linear[v].surface_normal).squared_length(), 1e-24);
 }

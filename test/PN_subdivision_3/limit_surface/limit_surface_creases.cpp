@@ -30,7 +30,8 @@ TEST(LimitSurface, Parts)
     part.place();
     const auto data = part.control();
     tagged_meshes::Tagged<Mesh> control(data);
-    PN::Limit_surface surface(control.mesh, PN::with_border(PN::CatmullClark_scheme(), data.border),
+    PN::Limit_surface surface(control.mesh,
+                              PN::internal::with_border(PN::CatmullClark_scheme(), data.border),
                               params::vertex_normal_map(control.normals)
                                 .edge_is_constrained_map(control.sharp)
                                 .vertex_is_constrained_map(control.corners));

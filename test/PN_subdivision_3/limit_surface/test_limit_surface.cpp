@@ -10,6 +10,7 @@
 
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/Limit_surface.h>
@@ -272,9 +273,9 @@ void expect_limits(const Surface_mesh& control, Surface_mesh& refined, const Sch
                    const Parameters& np, const Parameters& np_refined, unsigned rounds,
                    double tolerance)
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.tolerance = 1e-10;
-  PN::subdivide_to_limit(refined, scheme, options, np_refined);
+  PN::subdivide_to_limit(refined, scheme, PN::parameters::join(options.pack(), np_refined));
   PN::Limit_surface surface(control, scheme, np);
   surface.set_tolerance(tolerance);
   std::vector<Location> places;
@@ -387,7 +388,7 @@ TEST(LimitSurface, Roundness0IsTheLinearScheme)
   Surface_mesh mesh = to_surface_mesh(shape);
   const PN::Limit_surface linear(mesh, PN::linear(PN::CatmullClark_scheme())),
     surface(mesh, PN::CatmullClark_scheme(),
-            PN::parameters::roundness(0., params::vertex_normal_map(normal_map(mesh))));
+            PN::parameters::roundness(0.).vertex_normal_map(normal_map(mesh)));
   for (Face f : mesh.faces())
     EXPECT_LE(length(surface.point(f, 0.3, 0.6) - linear.point(f, 0.3, 0.6)), 1e-12);
 }

@@ -326,9 +326,9 @@ TEST(Roundness_of_values, OfANumberIsThatOfAConstantMapAlongCreases)
         .vertex_normal_map(normal_map(m))
         .edge_is_constrained_map(edges(m));
     };
-    PN::CatmullClark_subdivision(a, PN::parameters::roundness(0.5, np(a)));
+    PN::CatmullClark_subdivision(a, PN::parameters::join(PN::parameters::roundness(0.5), np(a)));
     PN::CatmullClark_subdivision(
-      b, PN::parameters::vertex_roundness_map(roundness_map(b, 0.5), np(b)));
+      b, PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(b, 0.5)), np(b)));
     expect_same_points(a, b, "creases");
   }
 }
