@@ -342,9 +342,11 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("--end", options.end,
                    "Ends of an open polygon: reflect (default for primal schemes: up to the end "
                    "points) or none (default for dual ones: as far as whole stencils reach)");
-  curve.add_option("--sharp", options.sharp,
-                   "File with the numbers of the vertices, from 0 on, that are corners (primal "
-                   "schemes)");
+  curve.add_option(
+    "--sharp", options.sharp,
+    "arcs (lines and circular arcs of a plane drawing are recognized and kept; ./arcs "
+    "is a file), or a file with the numbers of the vertices, from 0 on, that are "
+    "corners (primal schemes)");
   add_interpolate(curve, options.interpolate, "The limit curve (bspline:3)");
   add_limit_options(curve, options.limit, "points (of dual schemes the middles of the edges)");
   curve.add_option("--comb", options.comb,

@@ -248,10 +248,10 @@ and errors are computed in `double`, from differences in the number type.
 \param mask the mask
 \param end whether the polygon is closed, and if not, what happens at its ends. With `Curve_end::none` only
   vertices and edges have limits whose neighborhoods do not leave the polygon.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated. What is computed, and how
-  well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and `curvatures` of
-  `CGAL::PN_subdivision_3::parameters`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
+   `geom_traits` and `roundness`, as for `subdivide_curve()`; normals of points that have none are estimated. What is
+   computed, and how well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and `curvatures` of
+   `CGAL::PN_subdivision_3::parameters`
 
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
@@ -268,8 +268,6 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
-  static_assert(!Parameters::has_roundness,
-                "PN_subdivision_3: limits of curves are known with roundness 1 only: leave it out");
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
     using FT = typename Parameters::FT;
     constexpr int dimension = Parameters::dimension;
@@ -279,7 +277,7 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
     const auto values = internal::limit_polygon<Limits, Parameters>(polygon, end, np);
     const internal::Curve_limit_demand demand = internal::curve_limit_demand<FT>(
       internal::limit_options(np), internal::box_size<Limits>(values));
-    Limits limits(mask, end, demand);
+    Limits limits(mask, end, demand, Parameters::roundness(np));
     std::vector<typename Maker::Limit> result;
     Limit_report report;
     report.tolerance = demand.tolerance;

@@ -175,9 +175,9 @@ For corners split the polygon by `split_at_corners()` and interpolate part by pa
 \param mask the cubic `B_spline_mask`, a mask that interpolates, or its `linear()` twin
 \param end whether the polygon is closed; the ends of an open one are reflected, and their limit is the
   points themselves
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`, and `interpolation_mode`, `interpolation_normals`, `tolerance`, `max_depth` and `max_steps` of
-  `CGAL::PN_subdivision_3::parameters`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
+  `geom_traits` and `roundness`, that of the curve, as for `subdivide_curve()`, and `interpolation_mode`,
+  `interpolation_normals`, `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
 \returns the points and normals of the control polygon, and what was reached
 
@@ -203,6 +203,7 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   if (end == Curve_end::none)
     throw std::invalid_argument("PN_subdivision_3: a curve without its ends does not pass through "
                                 "them: take Curve_end::reflect");
+  const auto roundness = internal::Curve_parameters<Range, NamedParameters>::roundness(np);
   auto result = internal::points_with_normals(polygon, np);
   Limit_interpolation_report report;
   if (limit == internal::Curve_limit::cubic) {
@@ -213,6 +214,8 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
     internal::divide_by_size(data);
     internal::set_curve_surroundings(end == Curve_end::closed, data);
     data.takes_normals = !is_linear;
+    if constexpr (internal::Curve_parameters<Range, NamedParameters>::has_roundness)
+      data.roundness.assign(result.size(), internal::close_double(roundness));
     data.tolerance = options.tolerance * internal::box_size(data.points);
     data.max_depth = (std::max)(1u, options.max_depth);
     data.max_steps = options.max_steps;

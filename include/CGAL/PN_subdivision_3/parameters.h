@@ -274,6 +274,18 @@ auto rounds_done(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+whether the vertices of `Surface_pieces` are put on the limit surface, as `subdivide_to_limit()` does it, by default not. Then
+`points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth` say what limits are to have, and how well.
+\param yes a `bool`; what limits need is compiled if the parameter is given
+*/
+template <class Bool>
+auto to_limit(const Bool& yes)
+{
+  return internal::with_parameter<internal::to_limit_t>(yes);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 what interpolation makes of a vertex, by default `Limit_interpolation_mode::slide`.
 \param mode a `Limit_interpolation_mode`
 */

@@ -55,15 +55,7 @@ double roundness_of(const Curve_options& options)
   if (options.linear)
     throw Usage_error("--roundness and --linear exclude each other: without normals nothing is "
                       "round");
-  const double roundness = parse_roundness(*options.roundness);
-  const bool has_limit = options.limit.is_used() || options.interpolate;
-  if (roundness != 1 && has_limit)
-    throw Usage_error(std::string("--roundness and ") +
-                      (options.interpolate    ? "--interpolate"
-                       : options.limit.points ? "--limit"
-                                              : "--curve-normals") +
-                      " exclude each other: limits of curves are known with roundness 1 only");
-  return roundness;
+  return parse_roundness(*options.roundness);
 }
 
 // Limits are those of the last mask.
@@ -91,6 +83,10 @@ Curve_rule parse_rule(const Curve_options& options)
   if (options.sharp && rule.end == PN::Curve_end::none)
     throw Usage_error("--sharp and --end none exclude each other: the parts between corners end "
                       "where the corners are");
+  if (options.sharp == "arcs" && options.interpolate)
+    throw Usage_error(
+      "--sharp arcs and --interpolate exclude each other: lines and arcs pass through "
+      "their points already");
   if (options.roundness) rule.roundness = roundness_of(options);
   if (!options.normal_scheme) return rule;
   if (options.linear)
@@ -120,8 +116,9 @@ std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
 void require_writable_places(const Curve_options& options)
 {
   require_writable_place(options.output);
-  require_report_place(options.report, {options.input, options.output, options.comb.value_or(""),
-                                        options.sharp.value_or("")});
+  require_report_place(options.report,
+                       {options.input, options.output, options.comb.value_or(""),
+                        options.sharp.value_or("arcs") == "arcs" ? "" : *options.sharp});
   if (!options.comb) return;
   require_writable_place(*options.comb);
   if (!boost::algorithm::iends_with(*options.comb, ".svg"))
@@ -147,6 +144,20 @@ void require_a_turn(const std::vector<Curve_data>& parts)
 }
 
 // The polygon with its normals; in parts if it has corners.
+std::vector<Curve_data> arcs_of(const Curve_data& polygon, const Curve_rule& rule,
+                                std::vector<std::size_t>& corners, const std::string& title,
+                                Report& report)
+{
+  Arc_parts arcs = split_into_arcs(polygon, rule.end, rule.linear);
+  if (arcs.found_any)
+    report.note("recognized: " + arcs.summary);
+  else
+    report.warn(title +
+                ": no lines and arcs are recognized; the curve is that without --sharp arcs");
+  corners = std::move(arcs.corners);
+  return std::move(arcs.parts);
+}
+
 std::vector<Curve_data> control_parts(const Curve_data& polygon, const Curve_rule& rule,
                                       const std::vector<std::size_t>& corners)
 {
@@ -300,14 +311,18 @@ void run_curve_command(const Curve_options& options)
   if (polygon.size() >= points_worth_a_report)
     report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
                     " points");
-  const std::string normals = rule.linear           ? "no normals"
-                              : polygon.has_normals ? "normals of the file"
-                                                    : "estimated normals";
+  const std::string normals = rule.linear               ? "no normals"
+                              : options.sharp == "arcs" ? "normals of lines and arcs"
+                              : polygon.has_normals     ? "normals of the file"
+                                                        : "estimated normals";
   std::vector<std::size_t> corners;
-  if (options.sharp) corners = read_corners(*options.sharp, polygon.size());
+  const bool has_arcs = options.sharp == "arcs";
+  if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());
   const Refined_curve refined = naming(input_title(options), [&] {
     const std::size_t size = polygon.size();
-    std::vector<Curve_data> parts = control_parts(polygon, rule, corners);
+    std::vector<Curve_data> parts =
+      has_arcs ? arcs_of(polygon, rule, corners, input_title(options), report)
+               : control_parts(polygon, rule, corners);
     if (interpolation)
       interpolate_parts(parts, rule, corners, *interpolation, input_title(options), report);
     // normals of unit length, as the drawing shows them too

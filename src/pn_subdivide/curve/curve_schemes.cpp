@@ -108,12 +108,9 @@ Curve_data refine(const Curve_data& curve, const Curve_rule& rule, unsigned leve
   std::visit(
     [&](const auto& points) {
       refined.points = with_mask(rule, [&](const auto& mask) {
-        const auto np = CGAL::parameters::number_of_iterations(levels);
-        if (rule.linear || rule.roundness == 1)
-          return PN::subdivide_curve(points, mask, rule.end, np);
         return PN::subdivide_curve(
           points, mask, rule.end,
-          PN::parameters::join(PN::parameters::roundness(rule.roundness), np));
+          PN::parameters::roundness(rule.roundness).number_of_iterations(levels));
       });
     },
     curve.points);

@@ -56,7 +56,7 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_
       with_mask(rule, [&](const auto& mask) {
         auto limits = PN::curve_limit_points(
           points, mask, rule.end,
-          PN::parameters::tolerance(tolerance).curve_normals(choice.normals));
+          PN::parameters::tolerance(tolerance).curve_normals(choice.normals).roundness(rule.roundness));
         write(points, limits.first, choice);
         report = limits.second;
       });

@@ -133,11 +133,9 @@ Limit_map write_limits(Surface& surface, std::optional<Normal_map> normals,
   });
 }
 
-constexpr double default_tolerance = 1e-9;
-
 auto make_options(const Limit_choice& choice, unsigned levels)
 {
-  return PN::parameters::tolerance(choice.tolerance.value_or(default_tolerance))
+  return PN::parameters::tolerance(choice.tolerance.value_or(default_limit_tolerance))
     .points(choice.points)
     .surface_normals(choice.normals)
     .rounds_done(levels);
@@ -166,7 +164,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
   if (choice.normals && !control) written = add_normals(surface);
   const Limit_report report =
     limits_of(surface, control, scheme, write_limits(surface, written, choice), options);
-  return {report, report.tolerance / choice.tolerance.value_or(default_tolerance)};
+  return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
@@ -178,7 +176,7 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 #endif
   const auto options = make_options(choice, levels).border(creases.border);
   const Limit_report report = move_to_limits_of(surface, scheme, creases, choice.normals, options);
-  return {report, report.tolerance / choice.tolerance.value_or(default_tolerance)};
+  return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
 }
 
 } // namespace pn_subdivide

@@ -325,20 +325,24 @@ Kept_normals control_normals_at_limits(const Surface& surface, const Plan& plan,
   return kept_normals(copy);
 }
 
-void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
-                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
-                    Report& report)
+void report_limits(const Limit_summary& summary, const Plan& plan, Report& report)
 {
-  const Limit_summary summary = limits(surface, plan, options, scheme, creases, plan.limit);
   report.note(summary.description(plan.limit));
   report.set_limit(summary.numbers(plan.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
 }
 
+void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
+                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
+                    Report& report)
+{
+  report_limits(limits(surface, plan, options, scheme, creases, plan.limit), plan, report);
+}
+
 // The mesh becomes a control net of the surface through its vertices.
 void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme,
-                 bool has_file_normals, Report& report)
+                 bool has_file_normals, const std::optional<Crease_maps>& creases, Report& report)
 {
   using Source = Normals_option::Source;
   Interpolation interpolation;
@@ -348,7 +352,7 @@ void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme
   interpolation.improves_normals =
     interpolation.mode == Interpolation_mode::slide &&
     (source == Source::estimate || (source == Source::automatic && !has_file_normals));
-  const Interpolation_report result = interpolate_surface(surface, scheme, interpolation);
+  const Interpolation_report result = interpolate_surface(surface, scheme, interpolation, creases);
   report.note(description(result));
   const std::string text = warning(result);
   if (!text.empty()) report.warn(plan.input.title("standard input") + ": " + text);
@@ -444,11 +448,14 @@ void process(Mesh_data& mesh, const Plan& plan, const Surface_options& options,
   announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
-  if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
   Wedge_list wedges;
   rounds.wedges = &wedges;
-  if (is_creased) rounds.creases = add_creases(surface, creases, plan.limit.is_used() || has_tags);
+  if (is_creased)
+    rounds.creases = add_creases(
+      surface, creases, plan.limit.is_used() || has_tags || plan.interpolation.has_value());
+  if (plan.interpolation)
+    interpolate(surface, plan, scheme, has_file_normals, rounds.creases, report);
   if (check) check->set_net(surface, rounds.creases);
   if (options.levels > 0) {
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
@@ -504,16 +511,22 @@ void require_limit_of_creases(const Creases& creases, const Limit_choice& limit,
                     std::to_string(static_cast<unsigned long>(std::ceil(sharpness))) + " or more");
 }
 
-// Interpolation takes the mesh as a smooth surface.
-void require_interpolation_without_creases(const Creases& creases, const Plan& plan)
+// Control points slide on smooth surfaces only, and limits are those of what is smooth or sharp for ever.
+void require_interpolation_of_creases(const Creases& creases, const Plan& plan)
 {
   if (!plan.interpolation) return;
-  if (creases.any())
-    throw Error(
-      "--interpolate: surfaces with sharp edges cannot be made to pass through points; leave "
-      "it out, or take --sharp none");
-  if (creases.border != Border::surface)
-    throw Usage_error("--interpolate is known with --border surface only");
+  const bool slides = *plan.interpolation == Interpolation_mode::slide;
+  if (creases.any() && slides)
+    throw Error("--interpolate slide: control points slide on surfaces without sharp edges only; "
+                "take --interpolate points, or --sharp none");
+  if (creases.border != Border::surface && slides)
+    throw Usage_error("--interpolate slide is known with --border surface only: take --interpolate "
+                      "points");
+  const auto is_finite = [](double s) { return s > 0 && !std::isinf(s); };
+  if (std::any_of(creases.edges.begin(), creases.edges.end(), is_finite) ||
+      std::any_of(creases.vertices.begin(), creases.vertices.end(), is_finite))
+    throw Error("--interpolate points: limits are known only of edges that are smooth or sharp for "
+                "ever; leave out --sharpness, or take --sharp none");
 }
 
 void warn_of_lost_normals(bool has_corner_normals, const Plan& plan, Report& report)
@@ -626,7 +639,8 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
   warn_of_lost_normals(job.has_lost_normals, plan, report);
-  write_pieces(job, plan.output.name, plan.threads, report);
+  const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
+  if (plan.limit.is_used()) report_limits(limits, plan, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals +
@@ -671,7 +685,7 @@ void run_surface_command(const Surface_options& given_options)
     if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan.limit, options.levels);
-    require_interpolation_without_creases(creases, plan);
+    require_interpolation_of_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals);
     const bool has_file_normals = mesh.has_normals();
     normals = takes_surface_normals(plan, part)
@@ -682,7 +696,7 @@ void run_surface_command(const Surface_options& given_options)
     turning = turning_edges(mesh, plan, options, scheme, creases);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
-                               plan.output_normals);
+                               plan.output_normals, plan.limit);
     else {
       const double chord = plan.chord ? plan.chord->of(mesh) : 0;
       if (part) table.emplace(*part, mesh);

@@ -60,7 +60,8 @@ Curve_2 ellipse(int n, double a, double b, bool uneven = true)
 
 // where a vertex of the control polygon comes to lie after many rounds
 template <class Curve, class Mask>
-auto limit_by_rounds(const Curve& net, const Mask& mask, PN::Curve_end end, std::size_t vertex)
+auto limit_by_rounds(const Curve& net, const Mask& mask, PN::Curve_end end, std::size_t vertex,
+                     double roundness = 1)
 {
   // its neighborhood, refined again and again
   Curve curve = net;
@@ -77,7 +78,7 @@ auto limit_by_rounds(const Curve& net, const Mask& mask, PN::Curve_end end, std:
       vertex -= from;
       end = PN::Curve_end::reflect;
     }
-    curve = PN::subdivide_curve(curve, mask, end);
+    curve = PN::subdivide_curve(curve, mask, end, PN::parameters::roundness(roundness));
     vertex *= 2;
   }
   return curve[vertex].first;
@@ -125,6 +126,21 @@ TEST(Interpolating_curves, StrictLimitsAreThePoints)
 }
 
 // The system of classic interpolation, solved here.
+TEST(Interpolating_curves, StrictLimitsOfAnyRoundnessAreThePoints)
+{
+  const Curve_2 data = ellipse(9, 3, 1);
+  for (const double w : {0., .5})
+    for (const auto end : {PN::Curve_end::closed, PN::Curve_end::reflect}) {
+      const auto [net, report] =
+        PN::interpolate_curve(data, cubic, end, strict(), PN::parameters::roundness(w));
+      EXPECT_LE(report.residual, report.tolerance);
+      for (std::size_t i = 0; i < data.size(); ++i)
+        EXPECT_LE(
+          std::sqrt(CGAL::squared_distance(limit_by_rounds(net, cubic, end, i, w), data[i].first)),
+          1e-9);
+    }
+}
+
 TEST(Interpolating_curves, LinearIsClassicInterpolation)
 {
   const Curve_2 data = ellipse(9, 2, 1);

@@ -28,6 +28,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
@@ -99,10 +100,9 @@ double distance_of_limits(Surface_mesh mesh, const Scheme& scheme, const Surface
 {
   test_options::Limit_options options;
   options.tolerance = 1e-13;
-  PN::subdivide_to_limit(
-    mesh, scheme,
-    PN::parameters::join(CGAL::parameters::number_of_iterations(0),
-                         PN::parameters::join(options.pack(), with_maps(mesh))));
+  PN::subdivide_to_limit(mesh, scheme,
+                         PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                              options.pack(), with_maps(mesh)));
   double farthest = 0;
   for (auto v : mesh.vertices())
     farthest =
@@ -171,6 +171,85 @@ TEST(Round_interpolation, HasTheUsualEnds)
     }
 }
 
+double largest_distance(const Surface_mesh& a, const Surface_mesh& b)
+{
+  double largest = 0;
+  for (auto v : a.vertices())
+    largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(a.point(v), b.point(v))));
+  return largest;
+}
+
+// Without a map of normals the result is for calls without one: they estimate normals and roundness from its points. Where
+// the tolerance cannot be met, as about antiprisms cut into triangles, the report says how far they are.
+template <class Scheme>
+void expect_limits_of_estimates_at_data(const Scheme& scheme, bool triangles)
+{
+  Mode mode = Mode::slide; // it plays no part
+  for (const Surface_mesh& data : meshes_of(triangles)) {
+    Surface_mesh mesh = data, limits = data;
+    PN::Limit_interpolation_options<> options;
+    options.mode = std::exchange(mode, Mode::limit_points);
+    options.tolerance = 1e-10;
+    options.max_steps = 100;
+    const auto report = PN::interpolate_limit_points(mesh, scheme, options);
+    EXPECT_GT(report.steps, 0u);
+    PN::Limit_options close;
+    close.tolerance = 1e-13;
+    PN::move_to_limit(mesh, scheme, close);
+    PN::move_to_limit(limits, scheme, close);
+    const double left = largest_distance(mesh, data), before = largest_distance(limits, data);
+    EXPECT_LE(left, 1.1 * (std::max)(report.residual, report.tolerance));
+    EXPECT_LE(left, before / 4);
+    if (!triangles || options.mode == Mode::limit_points) {
+      EXPECT_LE(report.residual, report.tolerance);
+    }
+  }
+}
+
+TEST(Round_interpolation, WithoutNormalsIsThatOfEstimatedOnes)
+{
+  expect_limits_of_estimates_at_data(PN::CatmullClark_scheme(), false);
+  expect_limits_of_estimates_at_data(PN::Loop_scheme(), true);
+}
+
+TEST(Round_interpolation, WithoutNormalsTakesRoundnessAndEstimateThatAreGiven)
+{
+  for (const Surface_mesh& data : meshes_of(true)) {
+    Surface_mesh mesh = data;
+    PN::Limit_interpolation_options<> options;
+    options.max_steps = 200;
+    const auto np = PN::parameters::roundness(
+      .5, PN::parameters::control_normal_estimate(PN::Control_normal_estimate::angle));
+    const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+    EXPECT_LE(report.residual, report.tolerance);
+    PN::move_to_limit(mesh, PN::Loop_scheme(), PN::Limit_options(), np);
+    for (auto v : mesh.vertices())
+      EXPECT_LE(CGAL::squared_distance(mesh.point(v), data.point(v)), 1e-16);
+  }
+}
+
+TEST(Round_interpolation, WithoutNormalsOthersDoNotMove)
+{
+  Surface_mesh data = meshes_of(true).back(), mesh = data;
+  const auto some = [](Vertex v) { return v.idx() % 2 == 0; };
+  PN::Limit_interpolation_options<> smooth;
+  smooth.mode = Mode::limit_points;
+  smooth.free = PN::Limit_interpolation_free::smooth;
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth),
+               std::invalid_argument);
+  auto chosen = mesh.add_property_map<Vertex, bool>("v:chosen", false).first;
+  for (auto v : mesh.vertices()) chosen[v] = some(v);
+  PN::Limit_interpolation_options<decltype(chosen)> options;
+  options.vertices = chosen;
+  options.max_steps = 200;
+  const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options);
+  EXPECT_LE(report.residual, report.tolerance);
+  for (auto v : mesh.vertices())
+    if (!some(v)) {
+      EXPECT_EQ(mesh.point(v), data.point(v));
+    }
+}
+
 // the data point and the limit are the ends of an arc, along which the normal turns from one to the other
 TEST(Round_interpolation, SlidesAlongArcs)
 {
@@ -182,10 +261,9 @@ TEST(Round_interpolation, SlidesAlongArcs)
     test_options::Limit_options options;
     options.tolerance = 1e-13;
     options.surface_normals = !report.fallback;
-    PN::subdivide_to_limit(
-      limit, PN::CatmullClark_scheme(),
-      PN::parameters::join(CGAL::parameters::number_of_iterations(0),
-                           PN::parameters::join(options.pack(), with_maps(limit))));
+    PN::subdivide_to_limit(limit, PN::CatmullClark_scheme(),
+                           PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                                options.pack(), with_maps(limit)));
     double farthest = 0;
     for (auto v : mesh.vertices()) {
       farthest = (std::max)(farthest, CGAL::squared_distance(data.point(v), limit.point(v)));
@@ -217,10 +295,9 @@ TEST(Round_interpolation, PrescribesPointsAndNormals)
     test_options::Limit_options options;
     options.tolerance = 1e-13;
     options.surface_normals = true;
-    PN::subdivide_to_limit(
-      mesh, PN::Loop_scheme(),
-      PN::parameters::join(CGAL::parameters::number_of_iterations(0),
-                           PN::parameters::join(options.pack(), with_maps(mesh))));
+    PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
+                           PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                                options.pack(), with_maps(mesh)));
     EXPECT_LT(CGAL::squared_distance(mesh.point(v), *points[v]), 1e-22);
     EXPECT_LT((normal_map(mesh)[v] - *normals[v]).squared_length(), 1e-12);
   }

@@ -126,11 +126,10 @@ TEST(Limit_creases, SubdivideAndMoveAreTheSameByTwoCalls)
       options.rounds_done = 2;
       const PN::Limit_report moved = PN::subdivide_to_limit(
         two.mesh, scheme(others),
-        PN::parameters::join(
-          CGAL::parameters::number_of_iterations(0),
-          PN::parameters::join(options.pack(), np::edge_is_constrained_map(two.sharp)
-                                                 .vertex_is_constrained_map(two.corners)
-                                                 .vertex_normal_map(two.normals))));
+        PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                             np::edge_is_constrained_map(two.sharp)
+                               .vertex_is_constrained_map(two.corners)
+                               .vertex_normal_map(two.normals)));
       EXPECT_TRUE(state(one) == state(two)) << seed;
       for (const auto h : one.mesh.halfedges()) EXPECT_EQ(tangents[h], others[h]);
       EXPECT_EQ(report.error, moved.error);

@@ -73,9 +73,8 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
       options.rounds_done = rounds;
       const PN::Limit_report expected = PN::subdivide_to_limit(
         two.mesh, scheme,
-        PN::parameters::join(
-          CGAL::parameters::number_of_iterations(0),
-          PN::parameters::join(options.pack(), params::vertex_normal_map(two.normals))));
+        PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                             params::vertex_normal_map(two.normals)));
       // what is not asked for is not set at new vertices
       const bool has_all_normals = surface_normals || !PN::internal::Is_linear<Scheme>::value;
       expect_same(one, two, has_all_normals ? num_vertices(one.mesh) : old_vertices);

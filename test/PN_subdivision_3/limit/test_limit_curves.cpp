@@ -165,6 +165,65 @@ TEST(Curve_limits, EqualBruteForce)
     }
 }
 
+// the tangents to the same tolerance, that is, they converge no slower than with roundness 1
+TEST(Curve_limits, OfARoundnessEqualBruteForce)
+{
+  const Curve_3<Double> polygon = wave(12);
+  for (const auto& s : schemes())
+    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+      const auto [limits, report] = with_mask(s, [&](const auto& mask) {
+        return PN::curve_limit_points(polygon, mask, end, close(1e-13),
+                                      PN::parameters::roundness(.5));
+      });
+      reference::Curve_limit_by_rounds brute(s, s, false, Real(1) / 2);
+      expect_brute_force(polygon, limits, brute, end, {2e-12, 1e-6, s.interpolating ? .02 : .002},
+                         name_of(s, end));
+    }
+}
+
+// tangents and curvatures, too, although those of a point-normal curve are found in another way
+TEST(Curve_limits, OfRoundnessZeroAreThoseOfLinearTwins)
+{
+  const Curve_3<Double> polygon = wave(12);
+  for (const auto& s : schemes())
+    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+      const auto linear =
+        with_mask(s, [&](const auto& mask) {
+          return PN::curve_limit_points(polygon, PN::linear(mask), end, close(1e-13));
+        }).first;
+      const auto limits = with_mask(s, [&](const auto& mask) {
+                            return PN::curve_limit_points(polygon, mask, end, close(1e-13),
+                                                          PN::parameters::roundness(0.));
+                          }).first;
+      ASSERT_EQ(limits.size(), linear.size());
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        EXPECT_LE(CGAL::squared_distance(limits[i].point, linear[i].point), 1e-26);
+        EXPECT_LE((limits[i].tangent - linear[i].tangent).squared_length(), 1e-16);
+        EXPECT_NEAR(limits[i].curvature, linear[i].curvature, 1e-5) << name_of(s, end);
+      }
+    }
+}
+
+// what they are with fewer rounds is no farther away than they say
+TEST(Curve_limits, ErrorsOfAnyRoundnessAreNoLargerThanTheirEstimates)
+{
+  const Curve_3<Double> polygon = wave(12);
+  const PN::B_spline_mask mask(3);
+  const auto np = PN::parameters::roundness(.5);
+  const auto exact = PN::curve_limit_points(polygon, mask, Curve_end::closed, close(1e-14), np);
+  for (const unsigned depth : {2u, 4u, 6u}) {
+    PN::Curve_limit_options options = close(0, 0);
+    options.max_depth = depth;
+    options.curvatures = false;
+    const auto rough = PN::curve_limit_points(polygon, mask, Curve_end::closed, options, np);
+    for (std::size_t i = 0; i < exact.first.size(); ++i) {
+      const auto &a = rough.first[i], &b = exact.first[i];
+      EXPECT_LE(std::sqrt(CGAL::squared_distance(a.point, b.point)), 1.01 * a.error + 1e-14);
+      EXPECT_LE(std::sqrt((a.tangent - b.tangent).squared_length()), 1.01 * a.tangent_error);
+    }
+  }
+}
+
 TEST(Curve_limits, OfLinearTwinsEqualBruteForce)
 {
   const Curve_3<Double> polygon = wave(12);

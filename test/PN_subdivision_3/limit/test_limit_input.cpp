@@ -115,9 +115,8 @@ TEST(Move_to_limit, WritesPointsAndTheNormalsAskedFor)
     const Limits all = limits(mesh, PN::Loop_scheme(), options);
     const PN::Limit_report report = PN::subdivide_to_limit(
       mesh, PN::Loop_scheme(),
-      PN::parameters::join(
-        CGAL::parameters::number_of_iterations(0),
-        PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh)))));
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                           params::vertex_normal_map(normal_map(mesh))));
     EXPECT_EQ(report.error, all.report.error);
     for (auto v : mesh.vertices()) {
       EXPECT_EQ(mesh.point(v), all.at[v].point);
@@ -136,11 +135,10 @@ TEST(Move_to_limit, OfALinearSchemeWritesNormalsOnlyWhenAskedFor)
   EXPECT_EQ(normal_map(mesh)[Surface_mesh::Vertex_index(0)], before);
   test_options::Limit_options options;
   options.surface_normals = true;
-  PN::subdivide_to_limit(
-    mesh, PN::linear(PN::Loop_scheme()),
-    PN::parameters::join(
-      CGAL::parameters::number_of_iterations(0),
-      PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh)))));
+  PN::subdivide_to_limit(mesh, PN::linear(PN::Loop_scheme()),
+                         PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                              options.pack(),
+                                              params::vertex_normal_map(normal_map(mesh))));
   EXPECT_NE(normal_map(mesh)[Surface_mesh::Vertex_index(0)], before);
 }
 

@@ -154,10 +154,8 @@ TEST(Limit_normals, OfWedgesAreOnTheSideOfTheirFaces)
   options.surface_normals = true;
   PN::subdivide_to_limit(
     s.mesh, PN::CatmullClark_scheme(),
-    PN::parameters::join(
-      CGAL::parameters::number_of_iterations(0),
-      PN::parameters::join(options.pack(),
-                           np::edge_is_constrained_map(sharp).vertex_normal_map(normals))));
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                         np::edge_is_constrained_map(sharp).vertex_normal_map(normals)));
   int smooth = 0;
   for (const auto v : s.mesh.vertices()) {
     int creases = 0;

@@ -220,11 +220,10 @@ TYPED_TEST(Strong_guarantee_of_features, Limits)
   const auto job = [](auto& t) {
     test_options::Limit_options options;
     options.max_depth = 3;
-    PN::subdivide_to_limit(
-      t.mesh, PN::Loop_scheme(),
-      PN::parameters::join(
-        CGAL::parameters::number_of_iterations(0),
-        PN::parameters::join(options.pack(), params::vertex_normal_map(failing(t.normals)))));
+    PN::subdivide_to_limit(t.mesh, PN::Loop_scheme(),
+                           PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                                options.pack(),
+                                                params::vertex_normal_map(failing(t.normals))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4);
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 4);
@@ -243,9 +242,8 @@ TYPED_TEST(Strong_guarantee_of_features, CreasedLimits)
   const auto moved = [&](auto& t) {
     PN::subdivide_to_limit(
       t.mesh, scheme,
-      PN::parameters::join(CGAL::parameters::number_of_iterations(0),
-                           PN::parameters::join(options.pack(), params::vertex_normal_map(
-                                                                  failing(t.corner_normals)))));
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                           params::vertex_normal_map(failing(t.corner_normals))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, true), 24);
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, false), 10);

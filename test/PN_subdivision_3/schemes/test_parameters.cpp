@@ -137,7 +137,7 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
   EXPECT_EQ(faces, 36u);
 
   Mesh at_limit = bowl();
-  PN::subdivide_to_limit(at_limit, scheme, fixed);
+  PN::subdivide_to_limit(at_limit, scheme, fixed.pack());
   expect_fixed_border(at_limit);
   PN::subdivide_to_limit(
     mesh, scheme,
@@ -146,7 +146,7 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
   Mesh control = bowl();
   const auto limits =
     control.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>("v:limit").first;
-  PN::limit_points(control, scheme, limits, fixed);
+  PN::limit_points(control, scheme, limits, fixed.pack());
   for (const auto v : control.vertices())
     if (control.is_border(v)) {
       EXPECT_EQ(limits[v].point, control.point(v));

@@ -184,11 +184,9 @@ void expect_composition(const Control_mesh& control, bool has_normals)
       if (has_normals) {
         PN::subdivide_to_limit(
           plain, scheme,
-          PN::parameters::join(
-            CGAL::parameters::number_of_iterations(0),
-            PN::parameters::join(later.pack(),
-                                 PN::parameters::vertex_roundness_map(roundness_map(plain))
-                                   .vertex_normal_map(normal_map(plain)))));
+          PN::parameters::join(CGAL::parameters::number_of_iterations(0), later.pack(),
+                               PN::parameters::vertex_roundness_map(roundness_map(plain))
+                                 .vertex_normal_map(normal_map(plain))));
         double largest = 0;
         for (auto v : plain.vertices())
           largest = (std::max)(largest, CGAL::squared_distance(plain.point(v), at_limit.point(v)));
@@ -297,6 +295,41 @@ TEST(Roundness_of_values, OutsideOfItsRangeIsRefusedAndTheMeshIsAsItWas)
     }
     EXPECT_THROW(refine_with_constant<CatmullClark_description>(mesh, w, 2), std::invalid_argument);
     expect_same_points(control, mesh, "as it was");
+  }
+}
+
+// A number is no map: values do not have it, and the result is the same bit for bit.
+TYPED_TEST(Roundness, OfANumberIsThatOfAConstantMap)
+{
+  for (const Control_mesh& control : meshes_for<TypeParam>())
+    for (const double w : {0.25, 0.5}) {
+      Surface_mesh number = to_surface_mesh(control), map = number;
+      roundness_map(map, w);
+      refine_with_constant<TypeParam>(number, w, 2);
+      refine_with_roundness<TypeParam>(map, 2);
+      expect_same_points(number, map, control.name);
+    }
+}
+
+TEST(Roundness_of_values, OfANumberIsThatOfAConstantMapAlongCreases)
+{
+  Surface_mesh number = bipyramid_in_quads(4);
+  auto sharp = number.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+  for (auto e : number.edges()) sharp[e] = e.idx() % 3 == 0; // creases, corners, darts
+  for (const unsigned rounds : {1u, 3u}) {
+    Surface_mesh a = number, b = number;
+    const auto edges = [](Surface_mesh& m) {
+      return m.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+    };
+    const auto np = [&](Surface_mesh& m) {
+      return CGAL::parameters::number_of_iterations(rounds)
+        .vertex_normal_map(normal_map(m))
+        .edge_is_constrained_map(edges(m));
+    };
+    PN::CatmullClark_subdivision(a, PN::parameters::roundness(0.5, np(a)));
+    PN::CatmullClark_subdivision(
+      b, PN::parameters::vertex_roundness_map(roundness_map(b, 0.5), np(b)));
+    expect_same_points(a, b, "creases");
   }
 }
 

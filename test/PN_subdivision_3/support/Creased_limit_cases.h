@@ -50,6 +50,19 @@ PN::Limit_report to_limit(Tagged<Any_mesh>& t, const Scheme& scheme, unsigned ro
                                            .vertex_normal_map(t.normals)));
 }
 
+// the same with the roundness of the vertices
+template <class Any_mesh, class Scheme>
+PN::Limit_report to_round_limit(Tagged<Any_mesh>& t, const Scheme& scheme, unsigned rounds,
+                                const PN::Limit_options& options)
+{
+  return PN::subdivide_to_limit(
+    t.mesh, scheme, options,
+    PN::parameters::vertex_roundness_map(t.roundness, np::number_of_iterations(rounds)
+                                                        .edge_is_constrained_map(t.sharp)
+                                                        .vertex_is_constrained_map(t.corners)
+                                                        .vertex_normal_map(t.normals)));
+}
+
 // the limits at the control vertices, after some rounds: points, and the normals of all corners
 struct Limits
 {

@@ -84,17 +84,25 @@ inline mesh_cases::Soup two_quads()
           {{0, 1, 2, 3}, {1, 4, 5, 2}}};
 }
 
+// a small one that the scheme takes
+inline mesh_cases::Soup soup_for(const std::string& scheme_name)
+{
+  return PN::any_scheme(scheme_name).needs_triangles() ? mesh_cases::triangles_with_border()
+         : scheme_name == "kobbelt"                    ? two_quads() // it takes quadrilaterals only
+                                                       : mesh_cases::mixed_with_border();
+}
+
 struct Case
 {
   Case(const std::string& scheme_name, Crease_kind creases, Attribute_kind attributes)
+    : Case(scheme_name, creases, attributes, soup_for(scheme_name))
+  {}
+  Case(const std::string& scheme_name, Crease_kind creases, Attribute_kind attributes,
+       const mesh_cases::Soup& soup)
     : scheme(PN::internal::with_border(PN::any_scheme(scheme_name), creases == Crease_kind::border
                                                                       ? PN::Border::curve
                                                                       : PN::Border::surface))
   {
-    const mesh_cases::Soup soup =
-      PN::any_scheme(scheme_name).needs_triangles() ? mesh_cases::triangles_with_border()
-      : scheme_name == "kobbelt"                    ? two_quads() // it takes quadrilaterals only
-                                                    : mesh_cases::mixed_with_border();
     mesh_cases::build(soup, mesh);
     normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("n", CGAL::NULL_VECTOR).first;
     corner_normals =

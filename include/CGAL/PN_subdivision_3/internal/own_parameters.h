@@ -36,6 +36,7 @@
   ADD(curve_normals)                                                                               \
   ADD(curvatures)                                                                                  \
   ADD(rounds_done)                                                                                 \
+  ADD(to_limit)                                                                                    \
   ADD(interpolation_mode)                                                                          \
   ADD(interpolation_normals)                                                                       \
   ADD(free_vertices)                                                                               \

@@ -250,6 +250,24 @@ inline void estimate_missing_normals(const Level_connectivity& level,
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
 }
 
+// Those of points in the place of the data's own, all normals and the roundness if that is asked for.
+inline void estimate_all_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                                 const Vectors<3>& points, bool with_roundness,
+                                 Interpolation_data<3>& data)
+{
+  using Value = Point_normal_roundness<double, 3>;
+  std::vector<Value> values;
+  for (const Eigen_vector<3>& p : points) values.push_back({to_coordinates<3>(p), {}, 1.});
+  estimate_normals<double>(level, estimate, Point_of_value<Value>{values.data()},
+                           Set_normal_of_value<Value>{values.data()},
+                           Set_roundness_of_value<Value>{values.data()});
+  if (with_roundness) data.roundness.resize(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    data.normals[v] = to_eigen<3>(values[v].normal);
+    if (with_roundness) data.roundness[v] = values[v].roundness;
+  }
+}
+
 // where the border is, and how long the edges are
 inline void set_surroundings(const Level_connectivity& level, Interpolation_data<3>& data)
 {

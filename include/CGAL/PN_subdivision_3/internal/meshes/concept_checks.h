@@ -458,12 +458,17 @@ struct Unwrapped<std::reference_wrapper<T>>
 template <class Mesh, class NamedParameters, bool are_changed = true>
 constexpr bool check_attributes()
 {
-  using Attributes =
-    typename Unwrapped<Parameter_type<attributes_t, NamedParameters, No_attributes>>::type;
-  constexpr bool is_const_table = are_changed && std::is_same_v<Attributes, const Attribute_table>;
-  static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
-                                 "to be refined");
-  return !is_const_table && Check_attributes<Mesh, std::remove_const_t<Attributes>>::value;
+  if constexpr (!are_named_parameters_v<NamedParameters>)
+    return false;
+  else {
+    using Attributes =
+      typename Unwrapped<Parameter_type<attributes_t, NamedParameters, No_attributes>>::type;
+    constexpr bool is_const_table =
+      are_changed && std::is_same_v<Attributes, const Attribute_table>;
+    static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
+                                   "to be refined");
+    return !is_const_table && Check_attributes<Mesh, std::remove_const_t<Attributes>>::value;
+  }
 }
 
 template <class Mesh, class Normal_map, class NamedParameters>

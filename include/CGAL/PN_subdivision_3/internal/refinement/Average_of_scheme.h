@@ -44,6 +44,27 @@ using Average_of_scheme = std::conditional_t<
   std::conditional_t<Has_grid_rows<Scheme>::value, Grid_average<FT, Value_of_scheme<Scheme, FT>>,
                      PN_average<FT, 3, Value_of_scheme<Scheme, FT>>>>;
 
+// the average of values that have one roundness; of points alone it plays no part
+template <class Average>
+Average average_of_roundness([[maybe_unused]] const typename Average::FT& roundness)
+{
+  Average average{};
+  if constexpr (has_normal_v<typename Average::Value>) average.roundness = roundness;
+  return average;
+}
+
+// with the roundness of the scheme, where that is one number
+template <class Average, class Scheme>
+Average average_of([[maybe_unused]] const Scheme& scheme)
+{
+  Average average{};
+  if constexpr (!std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>> &&
+                has_normal_v<typename Average::Value> && !has_roundness_v<typename Average::Value>)
+    if (const auto* given = outermost<Is_with_roundness>(scheme)->given)
+      average.roundness = given->of_all.value_or(average.roundness);
+  return average;
+}
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
