@@ -272,13 +272,19 @@ struct Grid_average
   /// what is averaged.
   using Value = Value_;
 
+  /// the roundness of all values, where they have none of their own.
+  FT roundness = FT(1);
+
   /// averages the old values of the entries of a row.
   template <class Entry, class Values>
   Value operator()(const Entry* begin, const Entry* end, const Values& old) const
   {
     const auto shape = internal::Grid_shape::of_entries(end - begin);
-    const PN_average<FT, 3, Value> average;
-    if (shape.columns == 0) return average(begin, end, old);
+    if (shape.columns == 0) {
+      PN_average<FT, 3, Value> average;
+      average.roundness = roundness;
+      return average(begin, end, old);
+    }
     const auto a = by_lines(begin, shape, shape.columns, shape.rows, 1, shape.columns, old);
     Value result;
     result.point = a.point;
@@ -291,7 +297,7 @@ struct Grid_average
       }
       result.normal = Line::unit_or_zero(result.normal);
     }
-    if constexpr (internal::has_roundness_v<Value>) set_roundness(begin, end, old, result);
+    set_roundness(begin, end, old, result);
     return result;
   }
 
@@ -322,17 +328,19 @@ private:
   }
 
   template <class Entry, class Values>
-  static void set_roundness(const Entry* begin, const Entry* end, const Values& old, Value& result)
+  void set_roundness(const Entry* begin, const Entry* end, const Values& old, Value& result) const
   {
-    auto linear = internal::zero_vector<FT, 3>();
-    FT w(0);
-    for (const Entry* e = begin; e != end; ++e) {
-      internal::add_multiple<FT, 3>(linear, e->weight, old[e->vertex].point);
-      w += e->weight * old[e->vertex].roundness;
+    FT w = roundness;
+    if constexpr (internal::has_roundness_v<Value>) {
+      w = FT(0);
+      for (const Entry* e = begin; e != end; ++e) w += e->weight * old[e->vertex].roundness;
+      result.roundness = w;
     }
-    result.roundness = w;
+    if (CGAL::certainly(w == FT(1))) return;
+    auto linear = internal::zero_vector<FT, 3>();
+    for (const Entry* e = begin; e != end; ++e)
+      internal::add_multiple<FT, 3>(linear, e->weight, old[e->vertex].point);
     const auto height = internal::difference<FT, 3>(result.point, linear);
-    if (w == FT(1)) return;
     result.point = linear;
     internal::add_multiple<FT, 3>(result.point, w, height);
   }
