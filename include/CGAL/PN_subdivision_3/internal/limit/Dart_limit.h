@@ -253,12 +253,9 @@ private:
       {{half, point_of(ring.front()), tangent},
        {half, point_of(ring[dart.crease_places().front()]), onwards}}};
     FT roundness(0);
-    for (const auto p : dart.crease_places()) {
-      const FT w =
+    for (const auto p : dart.crease_places()) // whose rows refine it as well
+      roundness +=
         averaged_roundness(entries, [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
-      if constexpr (has_roundness_v<Value>) next[p].roundness = w;
-      roundness += w;
-    }
     roundness /= FT(static_cast<int>(dart.crease_places().size()));
     const Rule rule(entries.data(), entries.data() + 2, roundness);
     for (const auto p : dart.crease_places()) {

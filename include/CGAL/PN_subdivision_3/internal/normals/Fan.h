@@ -154,8 +154,7 @@ private:
       const Vector c = cross(b.inverted, a.inverted);
       const auto squared = dot<double, 3>(c, c);
       const double nearer = (std::max)(a.squared, b.squared);
-      const double rounding =
-        256 * (squared_error * nearer + conversion_error * conversion_error);
+      const double rounding = 256 * (squared_error * nearer + conversion_error * conversion_error);
       corners_[i] = {c, squared, squared > rounding * a.squared * b.squared};
     }
   }
