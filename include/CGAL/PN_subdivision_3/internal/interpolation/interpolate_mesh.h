@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
@@ -36,6 +37,45 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// Writes what has changed into a map of a mesh, and puts the old values back unless it is kept.
+template <class Access, class Map, class Element = Vertex_of_mesh>
+class Changed_values
+{
+  using Index = Level_connectivity::Index;
+  using Value = typename boost::property_traits<Map>::value_type;
+
+public:
+  Changed_values(const Access& access, Map map)
+    : access_(access)
+    , map_(map)
+  {}
+  Changed_values(const Changed_values&) = delete;
+  Changed_values& operator=(const Changed_values&) = delete;
+  // a map that throws here too keeps what it has
+  ~Changed_values()
+  {
+    if (is_kept_) return;
+    for (const auto& [v, value] : old_) try {
+        put(map_, Element::at(access_, v), value);
+      } catch (...) {
+      }
+  }
+
+  template <class FT>
+  void change(Index v, const Eigen_vector<3>& x)
+  {
+    old_.emplace_back(v, get(map_, Element::at(access_, v)));
+    put(map_, Element::at(access_, v), Value(FT(x[0]), FT(x[1]), FT(x[2])));
+  }
+  void keep() { is_kept_ = true; }
+
+private:
+  const Access& access_;
+  Map map_;
+  std::vector<std::pair<Index, Value>> old_;
+  bool is_kept_ = false;
+};
 
 // Writes the control net in place of the data; points and normals that are the same stay untouched.
 template <class FT, class Access, class Point_map, class Normal_map>

@@ -26,7 +26,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -75,45 +74,6 @@ struct Halfedge_of_mesh
   {
     return access.halfedge_name(h);
   }
-};
-
-// Writes what has changed into a map of a mesh, and puts the old values back unless it is kept.
-template <class Access, class Map, class Element = Vertex_of_mesh>
-class Changed_values
-{
-  using Index = Level_connectivity::Index;
-  using Value = typename boost::property_traits<Map>::value_type;
-
-public:
-  Changed_values(const Access& access, Map map)
-    : access_(access)
-    , map_(map)
-  {}
-  Changed_values(const Changed_values&) = delete;
-  Changed_values& operator=(const Changed_values&) = delete;
-  // a map that throws here too keeps what it has
-  ~Changed_values()
-  {
-    if (is_kept_) return;
-    for (const auto& [v, value] : old_) try {
-        put(map_, Element::at(access_, v), value);
-      } catch (...) {
-      }
-  }
-
-  template <class FT, class Vector>
-  void change(Index v, const Vector& x)
-  {
-    old_.emplace_back(v, get(map_, Element::at(access_, v)));
-    put(map_, Element::at(access_, v), Value(FT(x[0]), FT(x[1]), FT(x[2])));
-  }
-  void keep() { is_kept_ = true; }
-
-private:
-  const Access& access_;
-  Map map_;
-  std::vector<std::pair<Index, Value>> old_;
-  bool is_kept_ = false;
 };
 
 template <class Map>
