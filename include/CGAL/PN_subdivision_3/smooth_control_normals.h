@@ -37,6 +37,8 @@ struct Normal_smoothing_report
   /// the root mean square of what the arcs along the edges lack, (n<sub>i</sub> + n<sub>j</sub>) &middot; e / |e|, of the
   /// given normals: that of noise and that of the shape.
   double arc_defect = 0;
+  /// &lambda;; 0 if nothing has been changed.
+  double strength = 0;
   /// the largest angle by which a normal has been turned.
   double largest_turn = 0;
   /// how many normals have been changed; a vertex between creases has one for each wedge.
@@ -99,6 +101,7 @@ inline Normal_smoothing_report smooth(const Level_connectivity& level,
   Normal_smoothing_report report;
   report.noise = in_degrees(smoothing.noise());
   report.arc_defect = in_degrees(smoothing.defect());
+  report.strength = smoothing.strength();
   for (std::size_t v = 0; v < smooth_normals.size(); ++v) {
     const Eigen_vector<3>&a = data.normals[v], &b = smooth_normals[v];
     if (a == b) continue;
@@ -127,9 +130,12 @@ is minimized, which takes one sparse linear solve. Its solution, made of unit le
 
 <b>Strength.</b> On a smooth surface with exact normals the defects \f$ r = (n_i + n_j) \cdot e / |e| \f$ about a vertex are
 a cubic form of the edges over their lengths, but for terms of third order. Such a form is fitted to the edges of the faces of each vertex, and what it leaves
-is noise; its mean square \f$ \sigma^2 \f$ comes from the median over all vertices, as does that of r, \f$ \rho^2 \f$. Then
-\f$ \lambda = (\sigma^2 - \rho^2 / 10) / (2 \max(\rho^2 - \sigma^2, \sigma^2/1000)) \f$, the ratio of the variances of a
-normal in a direction and of the defects that the shape itself has. Where noise is less than a tenth of \f$ \rho^2 \f$, as
+is noise; its mean square \f$ \sigma^2 \f$ comes from the median over the N vertices that have enough edges, as does that of r, \f$ \rho^2 \f$.
+Then, with \f$ \epsilon = \min(2/\sqrt N, 1/5) \f$ for what both may be off by chance,
+
+\f[ \lambda = \frac{\sigma^2 - \rho^2 / 10}{2 \max(\rho^2 - (1 + \epsilon) \sigma^2, \sigma^2/1000)}, \f]
+
+the ratio of the variances of a normal in a direction and of the defects that the shape itself has. Where noise is less than a tenth of \f$ \rho^2 \f$, as
 with exact normals, nothing is changed.
 
 Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and zero ones; nor is one

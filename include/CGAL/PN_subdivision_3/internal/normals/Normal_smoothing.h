@@ -60,6 +60,7 @@ public:
   // root mean squares, in radians
   double noise() const { return std::sqrt(noise_); }
   double defect() const { return std::sqrt(defect_); }
+  double strength() const { return strength_; }
 
 private:
   struct Arc
