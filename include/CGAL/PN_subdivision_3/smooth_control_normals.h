@@ -136,7 +136,9 @@ Then, with \f$ \epsilon = \min(2/\sqrt N, 1/5) \f$ for what both may be off by c
 \f[ \lambda = \frac{\sigma^2 - \rho^2 / 10}{2 \max(\rho^2 - (1 + \epsilon) \sigma^2, \sigma^2/1000)}, \f]
 
 the ratio of the variances of a normal in a direction and of the defects that the shape itself has. Where noise is less than a tenth of \f$ \rho^2 \f$, as
-with exact normals, nothing is changed.
+with exact normals, nothing is changed. Nor is it where the mean of \f$ |\nabla H| \f$, the change of the mean curvature, over
+the surface after two rounds of Catmull-Clark or, for triangles, Loop subdivision would not become less: shape, not noise, is what it
+is about then, as on triangles with long edges in all directions.
 
 Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and zero ones; nor is one
 that would be turned by more than 60 degrees, a reversed one for instance. What is not changed is not written. On creases every wedge has arcs

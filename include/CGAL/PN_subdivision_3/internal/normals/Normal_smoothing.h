@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
+#include <CGAL/PN_subdivision_3/internal/normals/change_of_curvature.h>
 
 #include <Eigen/Core>
 #include <Eigen/Dense>
@@ -54,7 +55,12 @@ public:
     if (std::find(is_free_.begin(), is_free_.end(), true) == is_free_.end()) return normals_;
     estimate_noise();
     if (!(strength_ > 0)) return normals_;
-    return solution();
+    Vectors<3> smooth = solution();
+    if (change_of_curvature(level_, points_, smooth) <
+        change_of_curvature(level_, points_, normals_))
+      return smooth;
+    strength_ = 0;
+    return normals_;
   }
 
   // root mean squares, in radians
