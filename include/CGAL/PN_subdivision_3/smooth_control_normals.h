@@ -140,8 +140,9 @@ with exact normals, nothing is changed. Nor is it where the mean of \f$ |\nabla 
 the surface after two rounds of Catmull-Clark or, for triangles, Loop subdivision would not become less: shape, not noise, is what it
 is about then, as on triangles with long edges in all directions.
 
-Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and zero ones; nor is one
-that would be turned by more than 60 degrees, a reversed one for instance. What is not changed is not written. On creases every wedge has arcs
+Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and
+zero ones. There is no arc between normals that are 90 degrees or more apart, so that a reversed one stays and does nothing to its
+neighbors. What is not changed is not written. On creases every wedge has arcs
 and a normal of its own.
 
 <b>Strong guarantee.</b> If an exception leaves the function, the normals are as they were, but for maps of the user's

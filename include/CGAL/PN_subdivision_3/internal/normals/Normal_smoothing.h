@@ -90,7 +90,8 @@ private:
       const Index a = level_.source(2 * e), b = level_.target(2 * e);
       const Vector d = points_[b] - points_[a];
       const double length = d.norm();
-      if (normals_[a].isZero(0) || normals_[b].isZero(0) || !(length > 0)) continue;
+      // nor is there one from a normal to one that is reversed
+      if (!(normals_[a].dot(normals_[b]) > 0) || !(length > 0)) continue;
       const double defect = (normals_[a] + normals_[b]).dot(d) / length;
       arc_of_edge_[e] = arcs_.size();
       arcs_.push_back({a, b, d / length, length, defect});
@@ -269,7 +270,7 @@ private:
     for (std::size_t v = 0; v < normals_.size(); ++v) {
       const Vector n = x.segment<3>(static_cast<Eigen::Index>(3 * v));
       const double length = n.norm();
-      if (is_free_[v] && n.dot(normals_[v]) > 0.5 * length) smooth[v] = n / length;
+      if (is_free_[v] && n.dot(normals_[v]) > 0) smooth[v] = n / length;
     }
     return smooth;
   }
