@@ -93,8 +93,7 @@ TEST_F(Normal_options, SmoothTakesNoiseOff)
   const Outcome outcome = run("surface '" + folder.write("in.off", given) + "' '" +
                               folder.file("out.ply") + "' --normals smooth");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("have a noise of about 2."), std::string::npos)
-    << outcome.err;
+  EXPECT_NE(outcome.err.find("have a noise of about 2."), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("288 smoothed, by up to"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("smoothed normals of the file"), std::string::npos) << outcome.err;
 }
