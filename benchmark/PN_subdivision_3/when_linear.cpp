@@ -209,15 +209,14 @@ double interpolation_error(Mesh mesh, const std::string& way)
   const bool is_linear = way == "linear";
   if (is_linear)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
-  PN::Limit_interpolation_options<> options;
-  options.tolerance = 1e-9;
-  options.mode = way == "slide" ? PN::Limit_interpolation_mode::slide
-                                : PN::Limit_interpolation_mode::limit_points;
-  const auto np = params::vertex_normal_map(normals);
+  const auto np = PN::parameters::tolerance(1e-9)
+                    .interpolation_mode(way == "slide" ? PN::Limit_interpolation_mode::slide
+                                                       : PN::Limit_interpolation_mode::limit_points)
+                    .vertex_normal_map(normals);
   if (way == "linear")
-    PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), options, np);
+    PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), np);
   else if (way != "nothing solved")
-    PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+    PN::interpolate_limit_points(mesh, PN::Loop_scheme(), np);
   return errors(limits(mesh, PN::Loop_scheme(), is_linear)).largest_distance;
 }
 
@@ -305,8 +304,7 @@ void print_folds()
     for (const double roundness : {1., .5, 0.}) {
       const auto c = PN::compare_with_linear(
         mesh, PN::Loop_scheme(),
-        PN::parameters::roundness(roundness,
-                                  params::number_of_iterations(3).vertex_normal_map(normals)));
+        PN::parameters::roundness(roundness).number_of_iterations(3).vertex_normal_map(normals));
       std::printf("<td>%u</td><td>%.1f</td>", unsigned(c.folded_edges), c.largest_distance / 8);
     }
     std::puts("</tr>");
@@ -319,12 +317,13 @@ template <class Estimate>
 void print_model(const std::string& name, const Mesh& mesh, const std::string& way,
                  Estimate estimate, double roundness)
 {
-  const auto scheme = PN::with_normal_estimate(PN::CatmullClark_scheme(), estimate);
+  const auto scheme = PN::internal::with_normal_estimate(PN::CatmullClark_scheme(), estimate);
   const auto rounds = params::number_of_iterations(3);
   const auto c =
     roundness < 0
       ? PN::compare_with_linear(mesh, scheme, rounds)
-      : PN::compare_with_linear(mesh, scheme, PN::parameters::roundness(roundness, rounds));
+      : PN::compare_with_linear(mesh, scheme,
+                                PN::parameters::join(PN::parameters::roundness(roundness), rounds));
   std::printf("<tr><td>%s</td><td>%s</td>", name.c_str(), way.c_str());
   std::printf("<td>%.2f</td><td>%.2f</td>", c.linear_volume_ratio, c.volume_ratio);
   std::printf("<td>%.2f</td></tr>\n", c.largest_distance);

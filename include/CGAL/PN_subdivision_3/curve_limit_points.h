@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 #include <CGAL/number_type_basic.h>
@@ -67,23 +68,6 @@ struct Curve_limit_point
   double curvature = 0;
   /// whether the curve has a curvature there.
   bool has_curvature = false;
-};
-
-/// \ingroup PkgPNSubdivision3Limit
-/// What `curve_limit_points()` shall compute, and how well.
-struct Curve_limit_options
-{
-  /// the largest estimated error of a limit point, as a part of the largest side of the bounding box of
-  /// the points.
-  double tolerance = 1e-9;
-  /// the largest estimated error of a tangent, in radians.
-  double normal_tolerance = 1e-3;
-  /// the most rounds of refinement about a vertex or edge.
-  unsigned max_depth = 12;
-  /// whether tangents and normals of the curve are computed.
-  bool curve_normals = false;
-  /// whether curvatures are computed, where they exist.
-  bool curvatures = false;
 };
 
 namespace internal {
@@ -185,7 +169,7 @@ private:
 };
 
 template <class FT>
-Curve_limit_demand curve_limit_demand(const Curve_limit_options& options, double box)
+Curve_limit_demand curve_limit_demand(const Limit_options& options, double box)
 {
   if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
     throw std::invalid_argument(
@@ -238,8 +222,7 @@ struct Place_of_limit
 // places(first, how many) chooses among those that have limits.
 template <class Range, class Mask, class NamedParameters, class Places>
 auto limits_at_places(const Range& polygon, const Mask& mask, Curve_end end,
-                      const Curve_limit_options& options, const NamedParameters& np,
-                      const Places& places)
+                      const Limit_options& options, const NamedParameters& np, const Places& places)
 {
   using Parameters = Curve_parameters<Range, NamedParameters>;
   using FT = typename Parameters::FT;
@@ -281,7 +264,7 @@ std::int64_t left_out_points(const Mask& mask, std::size_t n, Curve_end end)
 // Of masks of which the last one is that of all further rounds: the limits that it gives the points after the other rounds.
 template <class Range, class Mask, class NamedParameters>
 auto limits_of_listed_masks(const Range& polygon, const std::vector<Mask>& masks, Curve_end end,
-                            const Curve_limit_options& options, const NamedParameters& np)
+                            const Limit_options& options, const NamedParameters& np)
 {
   using Parameters = Curve_parameters<Range, NamedParameters>;
   using FT = typename Parameters::FT;
@@ -353,9 +336,10 @@ of the curve. The masks are all primal or all dual.
 \param mask the mask
 \param end whether the polygon is closed, and if not, what happens at its ends. With `Curve_end::none` only
   vertices and edges have limits whose neighborhoods do not leave the polygon.
-\param options what is computed, and how well
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated
+  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated. What is computed, and how
+  well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and `curvatures` of
+  `CGAL::PN_subdivision_3::parameters`
 
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
@@ -369,7 +353,6 @@ of the curve. The masks are all primal or all dual.
 */
 template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
 auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
-                        const Curve_limit_options& options = Curve_limit_options(),
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
@@ -377,9 +360,10 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
                 "PN_subdivision_3: limits of curves are known with roundness 1 only: leave it out");
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
     if constexpr (internal::Is_listed<Mask>::value)
-      return internal::limits_of_listed_masks(polygon, mask.function.masks, end, options, np);
+      return internal::limits_of_listed_masks(polygon, mask.function.masks, end,
+                                              internal::limit_options(np), np);
     else
-      return internal::limits_at_places(polygon, mask, end, options, np,
+      return internal::limits_at_places(polygon, mask, end, internal::limit_options(np), np,
                                         [](std::int64_t first, std::int64_t number) {
                                           std::vector<internal::Place_of_limit> places;
                                           for (std::int64_t v = first; v < first + number; ++v)

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -79,16 +79,16 @@ the user's whose `put()` throws also while old values are put back.
   `Parallel_if_available_tag`: how limits are evaluated. The result is the same, bit for bit.
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam Scheme a built-in scheme that keeps its vertices, except \f$ \sqrt{3} \f$, or its `linear()` twin
-\tparam VertexMap see `Limit_interpolation_options`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
-\param options how to proceed
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map` (needed unless the scheme is linear), `vertex_roundness_map`, which is only read, `roundness` and
   `geom_traits` as in `subdivide()`;
-  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which nothing may be sharp
+  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which nothing may be sharp.
+  How it proceeds is said by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
+  `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is no error: the best control net is the result,
   and it is never further from the data than the data taken as control net.
@@ -102,19 +102,20 @@ the user's whose `put()` throws also while old values are put back.
 \sa `natural_normals()`, `prescribe_limit_data()`, `interpolate_curve()`
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class VertexMap = internal::All_vertices,
           class NamedParameters = parameters::Default_named_parameters>
-Limit_interpolation_report interpolate_limit_points(
-  PolygonMesh& mesh, const Scheme& scheme,
-  const Limit_interpolation_options<VertexMap>& options = Limit_interpolation_options<VertexMap>(),
-  const NamedParameters& np = parameters::default_values())
+Limit_interpolation_report
+interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
+                         const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_interpolated_host<Limit_interpolation_report,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return interpolate_limit_points<Concurrency_tag>(mesh, s, options, np);
-      });
+      scheme,
+      [&](const auto& s) { return interpolate_limit_points<Concurrency_tag>(mesh, s, np); });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
@@ -123,7 +124,10 @@ Limit_interpolation_report interpolate_limit_points(
                     !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
                   "PN_subdivision_3: the control net has control normals: give a vertex_normal_map "
                   "that takes them");
+    const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_interpolation_options(options);
+    const auto vertices =
+      internal::parameter_or<internal::vertex_is_interpolated_map_t>(np, internal::All_vertices());
     const auto points = Parameters::point_map(mesh, np);
     Limit_interpolation_report report;
     internal::with_mesh_access(mesh, [&](auto& access) {
@@ -131,7 +135,7 @@ Limit_interpolation_report interpolate_limit_points(
       internal::Interpolation_data<3> data =
         internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
       for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-        if (internal::is_interpolated(access, options.vertices, v)) data.vertices.push_back(v);
+        if (internal::is_interpolated(access, vertices, v)) data.vertices.push_back(v);
       data.tolerance = options.tolerance * internal::box_size(data.points);
       data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
       data.max_steps = options.max_steps;
@@ -183,15 +187,17 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void natural_normals(const PolygonMesh& mesh, const Scheme& scheme, VertexNormalMap normals,
                      const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return natural_normals<Concurrency_tag>(mesh, s, normals, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_interpolated_host<void,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme,
       [&](const auto& s) { return natural_normals<Concurrency_tag>(mesh, s, normals, np); });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-    static_assert(internal::are_used_v<internal::Rounded_mesh_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
     static_assert(!internal::Is_linear<Scheme>::value,
                   "PN_subdivision_3: linear schemes have no control normals");
     using FT = typename internal::Surface_parameters<PolygonMesh, NamedParameters>::FT;

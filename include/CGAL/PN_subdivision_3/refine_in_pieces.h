@@ -182,7 +182,7 @@ into pieces with about equally many corners. A piece is refined together with `S
 faces around it: as many as the scheme needs so that a round leaves as many right, and one more if there are
 creases. The last level's are cut off.
 
-<b>Creases.</b> Sharp edges and vertices, `with_border()`, `with_crease_tangents()` and normals of half-edges are
+<b>Creases.</b> Sharp edges and vertices, `border`, `crease_tangent_map` and normals of half-edges are
 those of `subdivide()`. `Surface_piece::normals()` has the mean normal of the wedges of a vertex, as a vertex
 normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` tells that of each wedge.
 
@@ -229,26 +229,26 @@ public:
   \tparam PolygonMesh a model of `FaceListGraph`
   \param mesh an oriented 2-manifold with border; it is not needed afterwards
   \param scheme the scheme
-  \param number_of_pieces how many pieces there are; if there are fewer faces, some are empty
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
-    `subdivide()`; the maps are read only
+    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
+    `border`, `crease_tangent_map`, `control_normal_estimate` and `geom_traits`, as in `subdivide()`, and `number_of_pieces`,
+    by default 1; if there are fewer faces, some are empty. The maps are read only
 
   \throws std::invalid_argument if there are to be no pieces
   \throws std::invalid_argument, std::length_error, std::domain_error as `subdivide()` does; the limit of the
     size is \f$ 2^{60} \f$
   */
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
-  Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme, std::size_t number_of_pieces,
+  Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme,
                  const NamedParameters& np = parameters::default_values())
-    : number_of_pieces_(number_of_pieces)
+    : number_of_pieces_(internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1)))
   {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
+    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+      internal::with_scheme_of_call(
+        scheme, np, [&](const auto& s, const auto& others) { this->read_scheme(mesh, s, others); });
     else
-      read_mesh(mesh, scheme, np);
+      read_scheme(mesh, scheme, np);
   }
 
   /// the number of pieces.
@@ -318,6 +318,16 @@ public:
   }
 
 private:
+  template <class PolygonMesh, class Scheme_of_call, class NamedParameters>
+  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
+  {
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
+    else
+      read_mesh(mesh, scheme, np);
+  }
+
   // the scheme has a host
   template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
@@ -408,7 +418,7 @@ private:
 
 template <class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
-Surface_pieces(const PolygonMesh&, const Scheme&, std::size_t,
+Surface_pieces(const PolygonMesh&, const Scheme&,
                const NamedParameters& = parameters::default_values())
   -> Surface_pieces<
     Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
@@ -468,21 +478,19 @@ changed; `f` may keep what it needs.
 
 \param mesh as that of `Surface_pieces`
 \param scheme the scheme
-\param number_of_pieces how many pieces there are
-\param np as that of `Surface_pieces`
 \param f a function of a `const Surface_piece<GeomTraits>&`
+\param np as that of `Surface_pieces`
 
 \throws as `Surface_pieces` does, and what `f` throws
 */
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters, class Function>
-void for_each_piece(const PolygonMesh& mesh, const Scheme& scheme, std::size_t number_of_pieces,
-                    const NamedParameters& np, const Function& f)
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class Function,
+          class NamedParameters = parameters::Default_named_parameters>
+void for_each_piece(const PolygonMesh& mesh, const Scheme& scheme, const Function& f,
+                    const NamedParameters& np = parameters::default_values())
 {
   using Geom_traits =
     typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits;
-  const Surface_pieces<Scheme, Geom_traits, Concurrency_tag> pieces(mesh, scheme, number_of_pieces,
-                                                                    np);
+  const Surface_pieces<Scheme, Geom_traits, Concurrency_tag> pieces(mesh, scheme, np);
   for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) f(pieces.piece(i));
 }
 

@@ -52,19 +52,13 @@ constexpr bool check_smoothing_arguments()
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   using Edge_map = typename Parameters::Edge_constraint_map;
-  constexpr bool are_used =
-    are_used_v<Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                               internal_np::edge_is_constrained_t>,
-               NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, edge_is_constrained_map, geom_traits");
   constexpr bool has_wedges =
     !is_constraint_map_v<Edge_map> ||
     Is_property_map_of<Normal_map, typename boost::graph_traits<Mesh>::halfedge_descriptor>::value;
   static_assert(has_wedges,
                 "PN_subdivision_3: a mesh with creases has several normals at a vertex: "
                 "give a map of the corners, whose keys are half-edges");
-  if constexpr (!are_used || !has_wedges || !check_is_point_map<Mesh, NamedParameters>())
+  if constexpr (!has_wedges || !check_is_point_map<Mesh, NamedParameters>())
     return false;
   else if constexpr (check_point_map<typename Parameters::Point_map,
                                      boost::readable_property_map_tag, typename Parameters::FT>())

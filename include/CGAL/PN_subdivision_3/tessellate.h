@@ -109,7 +109,11 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
                                const NamedParameters& np = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_host<Tessellation_result,
                              internal::Surface_call<FaceGraph, NamedParameters>>(
       scheme, [&](const auto& s) {

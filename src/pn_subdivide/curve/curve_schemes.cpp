@@ -110,8 +110,9 @@ Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigne
         const auto np = CGAL::parameters::number_of_iterations(levels);
         if (rule.linear || rule.roundness == 1)
           return PN::subdivide_curve(points, mask, rule.end, np);
-        return PN::subdivide_curve(points, mask, rule.end,
-                                   PN::parameters::roundness(rule.roundness, np));
+        return PN::subdivide_curve(
+          points, mask, rule.end,
+          PN::parameters::join(PN::parameters::roundness(rule.roundness), np));
       });
     },
     curve.points);

@@ -26,7 +26,7 @@ public:
   template <class NamedParameters>
   Pieces_of_scheme(const Surface& surface, const S& scheme, std::size_t number,
                    const NamedParameters& np)
-    : pieces_(surface, scheme, number, np)
+    : pieces_(surface, scheme, PN::parameters::join(PN::parameters::number_of_pieces(number), np))
   {}
 
   std::size_t number() const override { return pieces_.number_of_pieces(); }
@@ -54,23 +54,23 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
                                                 unsigned levels, std::size_t number,
                                                 const Crease_maps& creases)
 {
-  const auto np = CGAL::parameters::number_of_iterations(levels)
+  const auto np = PN::parameters::border(creases.border)
+                    .number_of_iterations(levels)
                     .edge_is_constrained_map(creases.edges)
                     .vertex_is_constrained_map(creases.vertices);
   if (!normals_of(surface)) {
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-    return pieces_of_scheme(surface, PN::linear(PN::with_border(scheme, creases.border)), number,
-                            np);
+    return pieces_of_scheme(surface, PN::linear(scheme), number, np);
   }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return pieces_of_scheme(
-      surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-      number,
-      PN::parameters::vertex_roundness_map(
-        roundness, np.vertex_normal_map(Control_corner_normals{&of_corners})));
+      surface, scheme, number,
+      PN::parameters::join(
+        PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+        np.vertex_normal_map(Control_corner_normals{&of_corners})));
   });
 }
 
@@ -90,7 +90,8 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
   const std::optional<Roundness_map> roundness = roundness_of(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return roundness ? pieces_of_scheme(surface, scheme, number,
-                                        PN::parameters::vertex_roundness_map(*roundness, given))
+                                        PN::parameters::join(
+                                          PN::parameters::vertex_roundness_map(*roundness), given))
                      : pieces_of_scheme(surface, scheme, number, given);
   });
 }

@@ -83,8 +83,8 @@ void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
   Surface surface = make_surface(mesh);
   auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
   const Roundness_map roundness = add_roundness(surface);
-  PN::estimate_control_normals(surface, normals, PN::parameters::vertex_roundness_map(roundness),
-                               how);
+  PN::estimate_control_normals(
+    surface, normals, PN::parameters::control_normal_estimate(how).vertex_roundness_map(roundness));
   put_roundness(mesh, roundness);
   mesh.normals.reserve(mesh.points.size());
   for (const Surface::Vertex_index v : surface.vertices())
@@ -143,9 +143,9 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
   const Roundness_map roundness = add_roundness(surface);
   PN::estimate_corner_normals(
     surface, maps.edges, normals,
-    PN::parameters::vertex_roundness_map(
-      roundness, CGAL::parameters::vertex_is_constrained_map(maps.vertices)),
-    of_all.value_or(default_estimate));
+    PN::parameters::control_normal_estimate(of_all.value_or(default_estimate))
+      .vertex_roundness_map(roundness)
+      .vertex_is_constrained_map(maps.vertices));
   if (of_all) put_roundness(mesh, roundness);
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const Normal_map of_vertices = *normals_of(surface);

@@ -58,17 +58,15 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   if (scheme.interpolates()) return {}; // the net is the data
   using Tag = CGAL::Parallel_if_available_tag;
-  PN::Limit_interpolation_options<> options;
-  options.mode = interpolation.mode;
+  const auto how = PN::parameters::interpolation_mode(interpolation.mode);
   const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), options);
+  if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), how);
   const std::optional<Roundness_map> given = roundness_of(surface);
   Roundness_map roundness = given ? *given : add_roundness(surface);
   const auto np = PN::parameters::vertex_roundness_map(roundness);
   if (interpolation.improves_normals) PN::natural_normals<Tag>(surface, scheme, *normals, np);
   auto report = PN::interpolate_limit_points<Tag>(
-    surface, scheme, options,
-    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(*normals)));
+    surface, scheme, how.vertex_roundness_map(roundness).vertex_normal_map(*normals));
   if (!given) surface.remove_property_map(roundness);
   return report;
 }

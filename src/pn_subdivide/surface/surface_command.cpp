@@ -97,6 +97,22 @@ void require_consistent(const Surface_options& options)
                     " and --linear exclude each other: in linear schemes normals take no part");
 }
 
+void require_options_for_grids(const Surface_options& options, const Plan& plan)
+{
+  if (!is_grid_scheme(options.scheme.scheme)) return;
+  const std::pair<bool, const char*> refused[] = {
+    {options.limit.points, "--limit"},
+    {plan.limit.normals, plan.limit.normals_option},
+    {plan.interpolation.has_value(), "--interpolate"},
+    {plan.chord.has_value(), "--chord"},
+    {options.check, "--check"},
+    {is_in_pieces(options, plan.output), "--pieces, --memory"}};
+  for (const auto& [is_given, option] : refused)
+    if (is_given)
+      throw Usage_error(std::string(option) + ": " + options.scheme.scheme +
+                        " has no rules for it; catmull-clark has");
+}
+
 Texture_rule texture_rule(const Surface_options& options)
 {
   if (!options.texture_rule) return Texture_rule::corners_plus1;
@@ -143,6 +159,7 @@ Plan make_plan(const Surface_options& options)
   require_consistent(options);
   plan.output_normals = Output_normals::make(options, plan.output);
   plan.limit = limit_choice(options, plan.output_normals);
+  require_options_for_grids(options, plan);
   if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
   if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);

@@ -9,9 +9,11 @@
 // Limits of meshes with creases, corners and borders that are creases: what they are.
 
 #include "Creased_limit_cases.h"
+#include "support/Options.h"
 
 #include <gtest/gtest.h>
 
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,8 +34,8 @@ void expect_exact(const Part& part, const Control& control, const Scheme& scheme
 {
   for (const unsigned rounds : {1u, 2u}) {
     Tagged<Mesh> t(control);
-    const PN::Limit_report report =
-      to_limit(t, PN::with_border(scheme, part.border), rounds, PN::Limit_options());
+    const PN::Limit_report report = to_limit(t, PN::internal::with_border(scheme, part.border),
+                                             rounds, test_options::Limit_options());
     EXPECT_TRUE(report.is_within_tolerance());
     const Real bar = 8 * Real(std::numeric_limits<double>::epsilon());
     Real points = 0, normals = 0, border = 0;
@@ -86,7 +88,7 @@ TEST(Limit_creases, RimsAreCirclesInFloat)
   }
   auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
   PN::detect_creases(mesh, 75, sharp);
-  PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+  PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
                          np::number_of_iterations(2).edge_is_constrained_map(sharp));
   int rims = 0;
   for (const auto e : mesh.edges()) {

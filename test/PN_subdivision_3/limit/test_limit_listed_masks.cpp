@@ -50,13 +50,9 @@ Curve_3<Double> wave(int n)
   return polygon;
 }
 
-PN::Curve_limit_options close()
+auto close()
 {
-  PN::Curve_limit_options options;
-  options.tolerance = 1e-13;
-  options.max_depth = 30;
-  options.curve_normals = true;
-  return options;
+  return PN::parameters::tolerance(1e-13).max_depth(30u).curve_normals(true);
 }
 
 template <class Vector>

@@ -119,7 +119,7 @@ TEST(Tessellate, ASphereHasNoMoreTrianglesThanUniformOnes)
   for (unsigned rounds = 2; rounds <= 4; ++rounds) {
     Surface_mesh mesh = control;
     PN::subdivide_to_limit(
-      mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+      mesh, PN::CatmullClark_scheme(),
       params::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
     double error = 0;
     for (auto f : mesh.faces()) {

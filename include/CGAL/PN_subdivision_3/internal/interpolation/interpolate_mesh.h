@@ -102,11 +102,7 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
 template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
-  static_assert(
-    are_used_v<Interpolation_parameters, NamedParameters>,
-    "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
-    "vertex_point_map, vertex_normal_map, vertex_roundness_map, roundness, geom_traits, "
-    "edge_is_constrained_map, vertex_is_constrained_map");
+  static_assert(check_no_grid_rows<Scheme>());
   static_assert(
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "

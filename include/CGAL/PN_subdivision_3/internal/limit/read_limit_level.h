@@ -28,6 +28,7 @@ template <class Scheme, class FT, class Access, class Point_map, class Normal_ma
 auto read_limit_level(const Access& access, const Scheme& scheme, Point_map points,
                       Normal_map normals)
 {
+  static_assert(check_no_grid_rows<Scheme>());
   using Average = Average_of_scheme<Scheme, FT>;
   Valued_level<typename Average::Value> result;
   result.level = checked_level(access);

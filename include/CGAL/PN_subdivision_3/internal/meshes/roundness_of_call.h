@@ -64,8 +64,6 @@ template <class FT, class Parameters, class Access, class NamedParameters>
 Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& np)
 {
   Given_roundness<FT> given;
-  if constexpr (!std::is_same_v<typename Parameters::Estimate, No_estimate>)
-    given.estimate = Parameters::estimate(np);
   if constexpr (is_given_roundness_v<typename Parameters::Roundness>)
     given.of_all = checked_roundness<FT>(FT(Parameters::roundness(np)), false,
                                          [] { return std::string("all vertices"); });

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Refined_heights.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,8 +9,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WITH_ROUNDNESS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <cstddef>
@@ -29,7 +29,6 @@ struct Given_roundness
 {
   std::vector<FT> of_vertices;
   std::optional<FT> of_all;
-  std::optional<Control_normal_estimate> estimate; // of normals, by a named parameter
 
   bool is_any() const { return of_all || !of_vertices.empty(); }
   // into the first values, those of the vertices
@@ -49,13 +48,6 @@ struct Given_roundness
 template <class Scheme, class FT>
 struct With_roundness : Scheme_adaptor<Scheme>
 {
-  // what the call says goes before what the scheme says
-  std::optional<Control_normal_estimate> normal_estimate() const
-  {
-    if (given != nullptr && given->estimate) return given->estimate;
-    return stated_normal_estimate(this->scheme);
-  }
-
   const Given_roundness<FT>* given = nullptr; // none is given
 };
 
