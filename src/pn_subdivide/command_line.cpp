@@ -274,7 +274,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option(
     "--normals", options.normals,
     "Control normals: auto (the file's if it has any that are not zero or those of the "
-    "faces or shading, else estimated), file, "
+    "faces or shading, else estimated), file, smooth (the file's, smoothed against the points), "
     "estimate or coherent, reciprocal, angle (estimated by the faces' angles), none, sphere:X,Y,Z "
     "or cylinder:X,Y,Z,DX,DY,DZ");
   surface.add_option("--roundness", options.roundness,
@@ -329,6 +329,9 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("INPUT", options.input, "Control polygon; - for standard input")->required();
   curve.add_option("OUTPUT", options.output, "Refined curve; - for standard output")->required();
   curve.add_option("--scheme", options.scheme, curve_scheme_names())->capture_default_str();
+  curve.add_option("--normals", options.normals,
+                   "Control normals of a curve in space: spherical:X,Y,Z, away from this point "
+                   "(default: the file's, else estimated)");
   curve.add_option("--normal-scheme", options.normal_scheme,
                    "Another scheme for the normals; both primal (odd degrees, N-point) or both "
                    "dual (even degrees)");

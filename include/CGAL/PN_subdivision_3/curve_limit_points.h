@@ -212,6 +212,90 @@ inline void add_to_report(const Curve_limit_demand& demand, double error, double
   if (demand.normals && !has_tangent) ++report.number_of_stand_ins;
 }
 
+// What has a limit, by its number in the polygon that is looked at and its parameter in the user's.
+struct Place_of_limit
+{
+  std::int64_t number;
+  double parameter;
+};
+
+// places(first, how many) chooses among those that have limits.
+template <class Range, class Mask, class NamedParameters, class Places>
+auto limits_at_places(const Range& polygon, const Mask& mask, Curve_end end,
+                      const Limit_options& options, const NamedParameters& np, const Places& places)
+{
+  using Parameters = Curve_parameters<Range, NamedParameters>;
+  using FT = typename Parameters::FT;
+  constexpr int dimension = Parameters::dimension;
+  using Limits = Curve_limits<FT, dimension, Mask>;
+  using Maker =
+    Curve_limit_maker<typename Parameters::Point, typename Parameters::Vector, FT, dimension>;
+  const auto values = limit_polygon<Limits, Parameters>(polygon, end, np);
+  const Curve_limit_demand demand =
+    curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
+  Limits limits(mask, end, demand, Parameters::roundness(np));
+  std::vector<typename Maker::Limit> result;
+  Limit_report report;
+  report.tolerance = demand.tolerance;
+  const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
+  for (const Place_of_limit& place : places(first, number)) {
+    const auto l = limits(values, place.number);
+    check_in_range<FT, dimension>(Limits::point_of(l.value), [v = place.parameter] {
+      return "the limit point of point " + std::to_string(static_cast<std::int64_t>(v));
+    });
+    add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
+    result.push_back(Maker::make(l, place.parameter + (limits.is_primal() ? 0. : 0.5)));
+  }
+  return std::make_pair(std::move(result), report);
+}
+
+// by how many places a round leaves out new points at the beginning
+template <class FT, class Mask>
+std::int64_t left_out_points(const Mask& mask, std::size_t n, Curve_end end)
+{
+  const Univariate_rows<FT> rows(mask);
+  const auto size = static_cast<std::int64_t>(n);
+  std::int64_t first = rows.range(size, end).first;
+  if constexpr (Normal_rows<FT, Mask>::differ)
+    first = (std::max)(first, Normal_rows<FT, Mask>(mask).rows.range(size, end).first);
+  return first - rows.first_point();
+}
+
+// Of masks of which the last one is that of all further rounds: the limits that it gives the points after the other rounds.
+template <class Range, class Mask, class NamedParameters>
+auto limits_of_listed_masks(const Range& polygon, const std::vector<Mask>& masks, Curve_end end,
+                            const Limit_options& options, const NamedParameters& np)
+{
+  using Parameters = Curve_parameters<Range, NamedParameters>;
+  using FT = typename Parameters::FT;
+  const bool is_primal = Univariate_rows<FT>(masks.front()).is_primal();
+  for (const Mask& mask : masks)
+    if (Univariate_rows<FT>(mask).is_primal() != is_primal)
+      throw std::invalid_argument(
+        "PN_subdivision_3: of the masks of the rounds some are primal and "
+        "some dual, so that no limit belongs to a vertex or an edge");
+  auto refined = subdivide_curve(polygon, masks.front(), end,
+                                 parameters::join(CGAL::parameters::number_of_iterations(0), np));
+  std::vector<Place_of_limit> places;
+  for (std::size_t i = 0; i < refined.size(); ++i)
+    places.push_back({static_cast<std::int64_t>(i), static_cast<double>(i)});
+  const auto traits = PN_subdivision_3::parameters::roundness(Parameters::roundness(np))
+                        .geom_traits(typename Parameters::Geom_traits());
+  for (std::size_t k = 0; k + 1 < masks.size() && !refined.empty(); ++k) {
+    const std::int64_t left_out = left_out_points<FT>(masks[k], refined.size(), end);
+    for (Place_of_limit& place : places) place.number = 2 * place.number - left_out;
+    refined = subdivide_curve(refined, masks[k], end, traits);
+  }
+  return limits_at_places(
+    refined, masks.back(), end, options, traits, [&](std::int64_t first, std::int64_t number) {
+      const auto is_none = [=](const Place_of_limit& place) {
+        return place.number < first || place.number >= first + number;
+      };
+      places.erase(std::remove_if(places.begin(), places.end(), is_none), places.end());
+      return places;
+    });
+}
+
 } // namespace internal
 
 /*!
@@ -242,7 +326,12 @@ done at most about a vertex that is not near an end, so that the tolerance may b
 and errors are computed in `double`, from differences in the number type.
 
 \tparam Range a model of `ConstRange`, as for `subdivide_curve()`
-\tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one
+<b>Masks that differ from round to round.</b> Where the last of them is that of all further rounds, as of
+`level_dependent_mask()` of a vector of masks, the polygon is refined by the others, and the limits of the last one are those
+of the curve. The masks are all primal or all dual.
+
+\tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one, or
+  `level_dependent_mask()` of a vector of these
 
 \param polygon the control polygon
 \param mask the mask
@@ -269,28 +358,17 @@ auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
-    using FT = typename Parameters::FT;
-    constexpr int dimension = Parameters::dimension;
-    using Limits = internal::Curve_limits<FT, dimension, Mask>;
-    using Maker = internal::Curve_limit_maker<typename Parameters::Point,
-                                              typename Parameters::Vector, FT, dimension>;
-    const auto values = internal::limit_polygon<Limits, Parameters>(polygon, end, np);
-    const internal::Curve_limit_demand demand = internal::curve_limit_demand<FT>(
-      internal::limit_options(np), internal::box_size<Limits>(values));
-    Limits limits(mask, end, demand, Parameters::roundness(np));
-    std::vector<typename Maker::Limit> result;
-    Limit_report report;
-    report.tolerance = demand.tolerance;
-    const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
-    for (std::int64_t v = first; v < first + number; ++v) {
-      const auto l = limits(values, v);
-      internal::check_in_range<FT, dimension>(Limits::point_of(l.value), [v = v] {
-        return "the limit point of point " + std::to_string(v);
-      });
-      internal::add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
-      result.push_back(Maker::make(l, static_cast<double>(v) + (limits.is_primal() ? 0. : 0.5)));
-    }
-    return std::make_pair(std::move(result), report);
+    if constexpr (internal::Is_listed<Mask>::value)
+      return internal::limits_of_listed_masks(polygon, mask.function.masks, end,
+                                              internal::limit_options(np), np);
+    else
+      return internal::limits_at_places(polygon, mask, end, internal::limit_options(np), np,
+                                        [](std::int64_t first, std::int64_t number) {
+                                          std::vector<internal::Place_of_limit> places;
+                                          for (std::int64_t v = first; v < first + number; ++v)
+                                            places.push_back({v, static_cast<double>(v)});
+                                          return places;
+                                        });
   }
 }
 

@@ -58,14 +58,29 @@ double roundness_of(const Curve_options& options)
   return parse_roundness(*options.roundness);
 }
 
-// Limits are those of the last mask.
-void require_last_mask(const Curve_options& options, const Curve_scheme& scheme)
+// The center of --normals spherical:X,Y,Z, if it is given.
+std::optional<Triple> center_of_normals(const Curve_options& options)
 {
-  const std::size_t before = scheme.levels.empty() ? 0 : scheme.levels.size() - 1;
-  if (options.limit.is_used() && options.levels < before)
-    throw Usage_error(std::string(options.limit.points ? "--limit" : "--curve-normals") + ": " +
-                      options.scheme + " has another mask after " + std::to_string(before) +
-                      " rounds; give --levels " + std::to_string(before) + " or more");
+  if (!options.normals) return std::nullopt;
+  if (options.linear)
+    throw Usage_error(
+      "--normals and --linear exclude each other: in linear schemes normals take no "
+      "part");
+  const auto [name, arguments] = split_at_colon(*options.normals);
+  if (name != "spherical")
+    throw Usage_error("--normals '" + *options.normals + "': curves take spherical:X,Y,Z");
+  const std::vector<double> x = parse_numbers(arguments, 3, "--normals spherical:X,Y,Z");
+  return Triple{x[0], x[1], x[2]};
+}
+
+Curve_data with_spherical_normals(const Curve_data& polygon, const Triple& center)
+{
+  const auto* const points = std::get_if<Curve_3>(&polygon.points);
+  if (points == nullptr)
+    throw Error("--normals spherical:X,Y,Z, but the curve is in the plane: give lines 'x y z'");
+  return {
+    PN::spherical_control_normals(*points, Curve_kernel::Point_3(center[0], center[1], center[2])),
+    true};
 }
 
 Curve_rule parse_rule(const Curve_options& options)
@@ -74,7 +89,6 @@ Curve_rule parse_rule(const Curve_options& options)
     throw Usage_error("--scheme levels:-: standard input is the polygon already");
   Curve_rule rule{parse_curve_scheme("--scheme", options.scheme), std::nullopt, options.linear};
   rule.end = parse_end(options, rule.scheme);
-  require_last_mask(options, rule.scheme);
   if (options.sharp && !rule.scheme.primal)
     throw Usage_error("--sharp needs a primal scheme (bspline of odd degree, N-point): " +
                       options.scheme + " keeps no end points");
@@ -201,11 +215,11 @@ void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
 }
 
 // On the limit curve, if that is asked for.
-void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule,
+void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule, unsigned rounds,
                     const Limit_choice& choice, const std::string& title, Report& report)
 {
   Limit_summary whole;
-  for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, choice));
+  for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, rounds, choice));
   report.note(whole.description(choice));
   report.set_limit(whole.numbers(choice));
   const std::string text = whole.warning();
@@ -303,6 +317,7 @@ void run_curve_command(const Curve_options& options)
   const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
   require_consistent(options.limit);
   require_limits_of_points(options.scheme, rule, options.limit);
+  const std::optional<Triple> center = center_of_normals(options);
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
@@ -311,8 +326,12 @@ void run_curve_command(const Curve_options& options)
   if (polygon.size() >= points_worth_a_report)
     report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
                     " points");
+  if (center)
+    polygon =
+      naming(input_title(options), [&] { return with_spherical_normals(polygon, *center); });
   const std::string normals = rule.linear               ? "no normals"
                               : options.sharp == "arcs" ? "normals of lines and arcs"
+                              : center                  ? "normals of the sphere"
                               : polygon.has_normals     ? "normals of the file"
                                                         : "estimated normals";
   std::vector<std::size_t> corners;
@@ -331,7 +350,8 @@ void run_curve_command(const Curve_options& options)
     polygon = control.whole;
     const auto finish = [&](std::vector<Curve_data>& curves, const Curve_rule& part_rule) {
       if (options.limit.is_used())
-        move_to_limits(curves, part_rule, options.limit, input_title(options), report);
+        move_to_limits(curves, part_rule, options.levels, options.limit, input_title(options),
+                       report);
     };
     Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels, finish);
     if (verification) verification->measure(curve.whole);

@@ -44,7 +44,8 @@ void require_limits_of_points(const std::string& scheme, const Curve_rule& rule,
                       "--limit, too");
 }
 
-Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_choice& choice)
+Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rounds,
+                         const Limit_choice& choice)
 {
   if (choice.normals && rule.linear && std::holds_alternative<Curve_3>(curve.points))
     throw Error("--curve-normals: a curve in space has no normals of its own, and in linear "
@@ -53,10 +54,11 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_
   PN::Limit_report report;
   std::visit(
     [&](auto& points) {
-      with_mask(rule, [&](const auto& mask) {
-        auto limits = PN::curve_limit_points(
-          points, mask, rule.end,
-          PN::parameters::tolerance(tolerance).curve_normals(choice.normals).roundness(rule.roundness));
+      with_mask(rule, rounds, [&](const auto& mask) {
+        auto limits = PN::curve_limit_points(points, mask, rule.end,
+                                             PN::parameters::tolerance(tolerance)
+                                               .curve_normals(choice.normals)
+                                               .roundness(rule.roundness));
         write(points, limits.first, choice);
         report = limits.second;
       });

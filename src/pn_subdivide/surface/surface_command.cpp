@@ -268,13 +268,15 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
     set_roundness(mesh, plan.roundness, std::move(roundness_of_file),
                   from_file && !has_other_normals, creases);
   const std::string round = roundness_description(mesh.roundness);
+  const std::string of_file =
+    plan.normals.smooths ? "smoothed normals of the file" : "normals of the file";
   if (from_file) {
     if (are_all_zero(mesh)) return "no normals, those of the file are zero";
     warn_of_opposing_normals(opposing, input, report);
-    if (plan.output_normals.copies) return "normals of the file" + round;
+    if (plan.output_normals.copies) return of_file + round;
     warn_of_other_normals(mesh.normal_kind, input, report);
     mesh.normal_kind = Normal_kind::control;
-    return "normals of the file" + round;
+    return of_file + round;
   }
   mesh.normal_kind = Normal_kind::control;
   if (source == Source::none) return "no normals";

@@ -58,7 +58,8 @@ template <class FT, int dimension_, class Mask>
 class Curve_limits
 {
   static_assert(!Is_level_dependent<Mask>::value,
-                "PN_subdivision_3: a mask that differs from round to round has no limit mask");
+                "PN_subdivision_3: limits are known of masks that are the same from some round on: "
+                "make the mask of a vector of masks, level_dependent_mask(masks)");
 
 public:
   static constexpr int dimension = dimension_;
