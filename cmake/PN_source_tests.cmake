@@ -19,6 +19,9 @@ if(Python3_FOUND)
                      "--compiler=${pn_compiler} -I${pn_eigen_folder}")
   endif()
 
+  add_test(NAME release_of_no_commit COMMAND ${pn_scripts}/make_release.sh no-such-tag)
+  set_tests_properties(release_of_no_commit PROPERTIES
+                       PASS_REGULAR_EXPRESSION "make_release.sh: no-such-tag: there is no such tag or commit")
   add_test(NAME package_does_not_grow
            COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
 

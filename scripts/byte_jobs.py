@@ -152,7 +152,7 @@ def schemes_with_parameters():
 
 def read_and_refused():
     lines = product(["@mixed_borders.off out.ply", "@missing_normals.ply out.ply", "@creased_box.ply out.ply"],
-                    options("--normals", ["auto", "file", "estimate", "angle", "none", "sphere:0,0,0",
+                    options("--normals", ["auto", "file", "smooth", "estimate", "angle", "none", "sphere:0,0,0",
                                           "cylinder:0,0,0,0,0,1"]), ["--output-normals control"])
     lines += product(["@split.off", "@turned.off", "@bow_tie.off", "@box.stl", "@two_parts.off"],
                      ["out.off --report report.json"],

@@ -7,8 +7,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 """Checks that the package does not grow unnoticed: scripts/budgets.tsv has, for every folder, the most files and lines
-that it may have, and for the whole the most headers that only include another one, and long headers that no wrong
-change in scripts/mutations.toml touches.
+that it may have, and for the whole the most headers that only include another one, long headers that no wrong
+change in scripts/mutations.toml touches, and functions and classes of the manual's classified list, without named parameters and
+what is in sections of analysis and of concepts.
 
     scripts/check_budgets.py              exit code 1 if something is larger
     scripts/check_budgets.py --totals     prints what there is
@@ -31,6 +32,8 @@ INTRODUCTION = """\
 # The most that a folder may have; checked by scripts/check_budgets.py, which also lowers and raises it.
 # A row is raised only by a commit that says why.
 """
+PUBLIC = "(public names outside analysis and concepts)"
+DESCRIPTION = ROOT / "doc" / "PN_subdivision_3" / "PackageDescription.txt"
 COLUMNS = ["folder", "files", "lines"]
 FORWARDING = "(headers that only include another one)"
 UNTOUCHED = f"(headers of {LONG} lines and more without a wrong change)"
@@ -49,6 +52,14 @@ def only_forwards(header: Path) -> bool:
     return len(others) == 1 and others[0].startswith("#include")
 
 
+def public_names() -> int:
+    """How many functions and classes the classified list promises."""
+    sections = re.split(r"\\cgalCRPSection\{", DESCRIPTION.read_text())[1:]
+    promised = [section for section in sections if not section.startswith(("Analysis", "Concepts"))]
+    names = [name for section in promised for name in re.findall(r"^- `([\w:]+)", section, re.MULTILINE)]
+    return sum("::parameters::" not in name for name in names)
+
+
 def counted() -> dict[str, tuple[int, int]]:
     """Files and lines of each folder, and the two counts of the whole; these have no lines."""
     headers = sorted(HEADERS.rglob("*.h"))
@@ -64,6 +75,7 @@ def counted() -> dict[str, tuple[int, int]]:
                  if lines_of(h) >= LONG and str(h.relative_to(package)) not in touched]
     counts[FORWARDING] = sum(map(only_forwards, headers)), 0
     counts[UNTOUCHED] = len(untouched), 0
+    counts[PUBLIC] = public_names(), 0
     return counts
 
 
@@ -94,7 +106,7 @@ def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
     for title, beginning in (("headers", "include/"), ("command", "src/")):
         part = [count for folder, count in counts.items() if folder.startswith(beginning)]
         result.append(f"{title}: {sum(c[0] for c in part)} files, {sum(c[1] for c in part)} lines")
-    return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED)]
+    return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED, PUBLIC)]
 
 
 def main() -> int:

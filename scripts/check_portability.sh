@@ -23,7 +23,7 @@ what=${1:-all}
 chosen=${2:-}
 folder=build/portability
 mkdir -p "$folder"
-headers=(include/CGAL/PN_subdivision_3.h include/CGAL/PN_subdivision_curve.h include/CGAL/PN_subdivision_3/*.h)
+headers=(include/CGAL/*.h include/CGAL/PN_subdivision_3/*.h)
 warnings=(-Wall -Wextra -Wpedantic -Wshadow -Werror)
 
 # all public headers in one source

@@ -8,7 +8,7 @@
 # Author(s): PN_subdivision_3 developers
 """Checks the sources: that each file says whose it is, that package_info/.../dependencies lists the
 CGAL packages whose headers the package's headers include, directly or not, that version.h,
-CMakeLists.txt, vcpkg.json, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
+CMakeLists.txt, vcpkg.json, conanfile.py, CHANGES.md and CITATION.cff agree on the version, that links of pages in Markdown
 lead to files and headings that are there, and that the README is short.
 
 With --fix the headers of files and the dependencies are written anew; else the exit code is 1 if
@@ -40,6 +40,8 @@ COMMENTS = {".h": "//", ".cpp": "//", ".ts": "//", ".mjs": "//", ".py": "#", ".s
 NOT_OURS = {"Concepts", "node_modules"}
 # The README is the first visit; what needs more words has pages of its own in doc/.
 WORDS_OF_README = 700
+# So is the user manual the first reading.
+BYTES_OF_MANUAL = 45000
 # The version of CGAL from whose headers the list of dependencies is derived: each names its package.
 REFERENCE_CGAL = "5.5"
 
@@ -140,6 +142,7 @@ def check_version() -> list[str]:
     expect(header, r'^#define CGAL_PN_SUBDIVISION_3_VERSION "(.*)"$', shown)
     expect(header, r"^#define CGAL_PN_SUBDIVISION_3_VERSION_NR (\d+)$", number)
     expect("vcpkg.json", r'^ *"version": "(.*)",$', text)
+    expect("conanfile.py", r'^ *version = "(.*)"$', text)
     if top != text:
         wrong.append(f"CHANGES.md begins with {top}, but CMakeLists.txt names {text}")
     if any(later for _, later in changes[1:]):
@@ -175,9 +178,14 @@ def check_links() -> list[str]:
     return wrong
 
 
-def check_length_of_readme() -> list[str]:
+def check_lengths() -> list[str]:
     words = len((ROOT / "README.md").read_text().split())
-    return [f"README.md has {words} words, more than {WORDS_OF_README}"] if words > WORDS_OF_README else []
+    manual = ROOT / "doc" / "PN_subdivision_3" / "PN_subdivision_3.txt"
+    wrong = [f"README.md has {words} words, more than {WORDS_OF_README}"] if words > WORDS_OF_README else []
+    if manual.stat().st_size > BYTES_OF_MANUAL:
+        wrong.append(f"{manual.relative_to(ROOT)} has {manual.stat().st_size} bytes, more than {BYTES_OF_MANUAL}: "
+                     "details go to the pages beside it")
+    return wrong
 
 
 def main() -> int:
@@ -186,7 +194,7 @@ def main() -> int:
                         help="the compiler with the options that it needs to find CGAL and Eigen")
     parser.add_argument("--fix", action="store_true", help="write what can be derived")
     arguments = parser.parse_args()
-    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_length_of_readme()
+    wrong = check_notices(arguments.fix) + check_version() + check_links() + check_lengths()
     wrong += check_dependencies(arguments.compiler, arguments.fix)
     for line in wrong:
         print(line, file=sys.stderr)

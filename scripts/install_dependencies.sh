@@ -9,10 +9,11 @@
 #
 # Installs what is missing to build and test PN_subdivision_3, from Debian packages only.
 #
-#   scripts/install_dependencies.sh [--compiler | --picture | --manual | --page]
+#   scripts/install_dependencies.sh [--compiler | --picture | --manual | --page | --release]
 #
 #   --compiler: only what programs that use the package are compiled with; --picture: only what
-#   scripts/render.py needs; --manual: also what the target doc needs; --page: only what the page needs
+#   scripts/render.py needs; --manual: also what the target doc needs; --page: only what the page needs;
+#   --release: what scripts/make_release.sh needs but for the page
 set -euo pipefail
 
 compiling=(g++ cmake ninja-build make libcgal-dev) # make: what CMake takes where no generator is named
@@ -39,10 +40,16 @@ case ${1:-} in
     command -v node >/dev/null || required+=(nodejs)
     command -v npm >/dev/null || required+=(npm)
     ;;
+  --release)
+    required=("${compiling[@]}" libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libtbb-dev libcli11-dev nlohmann-json3-dev
+              python3 doxygen dpkg-dev lintian file xz-utils)
+    optional=(blahtexml)
+    with_archives=no
+    ;;
   --manual) optional+=(doxygen blahtexml) ;;
   "") ;;
   *)
-    echo "usage: scripts/install_dependencies.sh [--compiler | --picture | --manual | --page]" >&2
+    echo "usage: scripts/install_dependencies.sh [--compiler | --picture | --manual | --page | --release]" >&2
     exit 2
     ;;
 esac

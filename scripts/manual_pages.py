@@ -197,9 +197,16 @@ def unlisted(pages: dict[Path, str]) -> list[str]:
             for name in sorted(names - listed)]
 
 
+def without_concept_headers(pages: dict[Path, str]) -> None:
+    """A concept has no header to include; Doxygen names the file of its documentation, in whose build it may be."""
+    for path, text in pages.items():
+        pages[path] = re.sub(r"<p><code>#include &lt;[^&]*/Concepts/[^&]*&gt;</code></p>\n", "", text)
+
+
 def finish(folder: Path) -> list[str]:
     before = {path: path.read_text() for path in sorted(folder.glob("*.html"))}
     pages = dict(before)
+    without_concept_headers(pages)
     wrong = unlisted(pages) + number_citations(pages) + number_figures(pages) + write_formulas(pages)
     for path, text in pages.items():
         if text != before[path]:

@@ -71,17 +71,16 @@ Samples limits(Mesh mesh, const Scheme& scheme, bool is_linear, double roundness
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
   PN::subdivide(
     mesh, scheme,
-    PN::parameters::roundness(
-      roundness, CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals)));
-  PN::Limit_options options;
-  options.normal_tolerance = 1e-5;
-  options.surface_normals = options.curvatures = true;
-  options.rounds_done = rounds;
+    PN::parameters::roundness(roundness).number_of_iterations(rounds).vertex_normal_map(normals));
   const auto found =
     mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>("v:limit").first;
-  PN::limit_points(
-    mesh, scheme, found, options,
-    PN::parameters::roundness(roundness, CGAL::parameters::vertex_normal_map(normals)));
+  PN::limit_points(mesh, scheme, found,
+                   PN::parameters::normal_tolerance(1e-5)
+                     .surface_normals(true)
+                     .curvatures(true)
+                     .rounds_done(rounds)
+                     .roundness(roundness)
+                     .vertex_normal_map(normals));
   Samples samples;
   for (const auto v : mesh.vertices()) {
     const PN::Limit_point<Kernel>& l = found[v];

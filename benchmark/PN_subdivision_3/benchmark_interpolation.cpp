@@ -31,15 +31,13 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
     data.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR)
       .first;
   PN::estimate_control_normals(data, normals);
-  PN::Limit_interpolation_options<> options;
-  options.mode = mode;
-  options.tolerance = 1e-6;
   PN::Limit_interpolation_report report;
   for ([[maybe_unused]] auto _ : state) {
     Mesh mesh = data;
     const auto map = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-    report =
-      PN::interpolate_limit_points(mesh, scheme, options, CGAL::parameters::vertex_normal_map(map));
+    report = PN::interpolate_limit_points(
+      mesh, scheme,
+      PN::parameters::interpolation_mode(mode).tolerance(1e-6).vertex_normal_map(map));
   }
   if (!report.is_within_tolerance()) state.SkipWithError("the tolerance is missed");
   state.counters["points"] = double(data.number_of_vertices());

@@ -59,13 +59,12 @@ void limits(benchmark::State& state, const Mesh& control, const Scheme& scheme, 
   Mesh mesh = level_3(control, scheme);
   const auto map =
     mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>("v:limit").first;
-  PN::Limit_options options;
-  options.surface_normals = with_normals;
-  options.rounds_done = 3;
   PN::Limit_report report;
   for ([[maybe_unused]] auto _ : state)
-    report = PN::limit_points(mesh, scheme, map, options,
-                              CGAL::parameters::vertex_normal_map(normals_of(mesh)));
+    report = PN::limit_points(mesh, scheme, map,
+                              PN::parameters::surface_normals(with_normals)
+                                .rounds_done(3)
+                                .vertex_normal_map(normals_of(mesh)));
   if (!report.is_within_tolerance()) state.SkipWithError("the tolerance is missed");
   state.counters["vertices"] = double(mesh.number_of_vertices());
   state.counters["depth"] = report.depth;

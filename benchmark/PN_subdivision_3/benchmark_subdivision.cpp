@@ -381,8 +381,9 @@ void add_normal_estimates()
     return [how](const Mesh& control, unsigned /*rounds*/) -> Result {
       Mesh mesh = control;
       const auto normals = Control_meshes::add_normals(mesh);
-      const double seconds = seconds_of(
-        [&] { PN::estimate_control_normals(mesh, normals, params::default_values(), how); });
+      const double seconds = seconds_of([&] {
+        PN::estimate_control_normals(mesh, normals, PN::parameters::control_normal_estimate(how));
+      });
       return {seconds, mesh.number_of_faces()};
     };
   };
@@ -531,8 +532,7 @@ void add_attributes()
           const auto attributes = attributes_of(mesh);
           const double seconds = seconds_of([&] {
             PN::subdivide(mesh, PN::CatmullClark_scheme(),
-                          params::number_of_iterations(rounds).vertex_normal_map(normals),
-                          attributes);
+                          attributes.number_of_iterations(rounds).vertex_normal_map(normals));
           });
           return {seconds, mesh.number_of_faces()};
         });
@@ -545,14 +545,15 @@ void add_attributes()
   // the maps of a mesh grow with it, carried or not
   add_job("/3-maps-that-stay", [scalar](Mesh& mesh) {
     for (const char* name : {"a", "b", "c"}) scalar(mesh, name);
-    return PN::attributes();
+    return PN::parameters::attributes();
   });
-  add_job("/1-scalar",
-          [scalar](Mesh& mesh) { return PN::attributes(PN::vertex_attribute(scalar(mesh, "a"))); });
+  add_job("/1-scalar", [scalar](Mesh& mesh) {
+    return PN::parameters::attributes(PN::vertex_attribute(scalar(mesh, "a")));
+  });
   add_job("/3-scalars", [scalar](Mesh& mesh) {
-    return PN::attributes(PN::vertex_attribute(scalar(mesh, "a")),
-                          PN::vertex_attribute(scalar(mesh, "b")),
-                          PN::vertex_attribute(scalar(mesh, "c")));
+    return PN::parameters::attributes(PN::vertex_attribute(scalar(mesh, "a")),
+                                      PN::vertex_attribute(scalar(mesh, "b")),
+                                      PN::vertex_attribute(scalar(mesh, "c")));
   });
   add_job("/texture", [](Mesh& mesh) {
     auto uv = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("uv").first;
@@ -563,10 +564,10 @@ void add_attributes()
         for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) x += mesh.point(v).x();
         uv[h] = {mesh.point(mesh.target(h)).y() + (x > 0 ? 10 : 0), mesh.point(mesh.target(h)).z()};
       }
-    return PN::attributes(PN::corner_attribute(uv));
+    return PN::parameters::attributes(PN::corner_attribute(uv));
   });
   add_job("/patch-ids", [](Mesh& mesh) {
-    return PN::attributes(
+    return PN::parameters::attributes(
       PN::face_attribute(mesh.add_property_map<Mesh::Face_index, int>("patch", 1).first));
   });
 }

@@ -25,6 +25,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,16 +127,16 @@ Surface subdivided(Mesh mesh, Way way)
   const bool is_linear = way == Way::linear || way == Way::linear_solved;
   if (is_linear)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
-  PN::Limit_interpolation_options<> options;
-  options.tolerance = 1e-9;
-  const auto np = params::vertex_normal_map(normals);
+  const auto np = PN::parameters::tolerance(1e-9).vertex_normal_map(normals);
   CGAL::Timer timer;
   timer.start();
   if (way == Way::linear_solved) {
-    options.mode = PN::Limit_interpolation_mode::limit_points;
-    PN::interpolate_limit_points(mesh, PN::linear(PN::modified_Loop_scheme()), options, np);
+    PN::interpolate_limit_points(
+      mesh, PN::linear(PN::modified_Loop_scheme()),
+      PN::parameters::join(
+        PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::limit_points), np));
   } else if (way == Way::slide)
-    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), options, np);
+    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), np);
   Mesh refined = mesh;
   const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   PN::subdivide(refined, PN::modified_Loop_scheme(),
@@ -186,6 +187,9 @@ void print_surfaces()
   });
   print_surface("PN triangles", [](const Mesh& m) {
     return patches(m, [](const Triangle& t) { return by_method::PN_triangle(t); });
+  });
+  print_surface("matrix weighted average", [](const Mesh& m) {
+    return patches(m, [](const Triangle& t) { return by_method::Matrix_weighted_patch(t); });
   });
   print_surface("Nagata", [](const Mesh& m) {
     return patches(m, [](const Triangle& t) { return by_method::Nagata_patch(t); });
@@ -253,24 +257,35 @@ double curve_distance(const Shape& shape, const Kernel::Point_2& p)
   return std::abs((p - c.point) * c.normal);
 }
 
-void print_curve(
-  const std::string& name,
-  const std::function<std::vector<Kernel::Point_2>(const std::vector<Curve_point>&, bool)>& make,
-  const std::vector<Shape>& shapes)
+using Make_curve =
+  std::function<std::vector<Kernel::Point_2>(const std::vector<Curve_point>&, bool)>;
+
+// the largest distance, with normals that are off by an angle of this standard deviation, in degrees
+double curve_error(const Make_curve& make, const Shape& shape, int n, double noise)
+{
+  std::mt19937 random(1);
+  std::vector<Curve_point> points;
+  for (int i = 0; i < n + !shape.is_closed; ++i) {
+    points.push_back(shape.at(double(i) / n));
+    double sum = -6; // of twelve, for the same numbers everywhere
+    for (int k = 0; k < 12; ++k) sum += double(random()) / 4294967296.;
+    points.back().normal =
+      by_method::turned(points.back().normal, noise * sum * std::acos(-1.) / 180);
+  }
+  double largest = 0;
+  const auto curve = make(points, shape.is_closed);
+  const std::size_t skipped = shape.is_closed ? 0 : curve.size() / 4; // the ends are other rules
+  for (std::size_t i = skipped; i < curve.size() - skipped; ++i)
+    largest = (std::max)(largest, curve_distance(shape, curve[i]));
+  return largest;
+}
+
+void print_curve(const std::string& name, const Make_curve& make, const std::vector<Shape>& shapes)
 {
   std::printf("<tr><td>%s</td>", name.c_str());
   for (const Shape& shape : shapes)
-    for (const int n : {16, 32}) {
-      std::vector<Curve_point> points;
-      for (int i = 0; i < n + !shape.is_closed; ++i) points.push_back(shape.at(double(i) / n));
-      double largest = 0;
-      const auto curve = make(points, shape.is_closed);
-      const std::size_t skipped =
-        shape.is_closed ? 0 : curve.size() / 4; // the ends are other rules
-      for (std::size_t i = skipped; i < curve.size() - skipped; ++i)
-        largest = (std::max)(largest, curve_distance(shape, curve[i]));
-      std::printf("<td>%.1e</td>", largest);
-    }
+    for (const int n : {16, 32}) std::printf("<td>%.1e</td>", curve_error(make, shape, n, 0));
+  for (const Shape& shape : shapes) std::printf("<td>%.1e</td>", curve_error(make, shape, 32, 5));
   std::puts("</tr>");
   std::fflush(stdout);
 }
@@ -306,8 +321,27 @@ void print_curves()
     "PN-4-point",
     [](const Points& p, bool c) { return limit_curve(p, PN::Dubuc_Deslauriers_mask(4), false, c); },
     shapes);
-  print_curve("circle average, cubic", by_method::circle_average_cubic, shapes);
-  print_curve("circle average, 4-point", by_method::circle_average_four_point, shapes);
+  using Average = Curve_point (*)(const Curve_point&, const Curve_point&, double);
+  const std::pair<const char*, Average> averages[] = {
+    {"circle average", by_method::circle_average},
+    {"Hermite average", by_method::hermite_average},
+    {"clothoid average", by_method::clothoid_average}};
+  for (const auto& entry : averages) {
+    const Average average = entry.second;
+    print_curve(
+      entry.first + std::string(", cubic"),
+      [average](const Points& p, bool c) { return by_method::cubic_by(average, p, c); }, shapes);
+    print_curve(
+      entry.first + std::string(", 4-point"),
+      [average](const Points& p, bool c) { return by_method::four_point_by(average, p, c); },
+      shapes);
+  }
+  print_curve(
+    "exponential 4-point",
+    [pi](const Points& p, bool c) {
+      return by_method::exponential_four_point(p, c, 2 * pi / double(p.size() - !c));
+    },
+    shapes);
   print_curve("cubic Hermite", by_method::hermite, shapes);
 }
 

@@ -59,13 +59,13 @@ Off measure(int sides, int rows)
   Mesh mesh = cut_cylinder(sides, rows);
   const auto normals =
     mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
-  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  const auto scheme = PN::CatmullClark_scheme();
   PN::subdivide(mesh, scheme, CGAL::parameters::number_of_iterations(2).vertex_normal_map(normals));
   const auto limits =
     mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>("v:limit").first;
-  PN::Limit_options options;
-  options.tolerance = 1e-11;
-  PN::limit_points(mesh, scheme, limits, options, CGAL::parameters::vertex_normal_map(normals));
+  PN::limit_points(
+    mesh, scheme, limits,
+    PN::parameters::tolerance(1e-11).border(PN::Border::curve).vertex_normal_map(normals));
   Off off;
   for (const auto v : mesh.vertices()) {
     double& largest = mesh.is_border(v) ? off.crease : off.wall;

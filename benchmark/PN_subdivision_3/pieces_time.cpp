@@ -51,8 +51,9 @@ Job refine(const Mesh& mesh, unsigned rounds, std::size_t number)
 {
   Job job;
   const std::clock_t begin = std::clock();
-  const PN::Surface_pieces pieces(mesh, PN::CatmullClark_scheme(), number,
-                                  CGAL::parameters::number_of_iterations(rounds));
+  const PN::Surface_pieces pieces(
+    mesh, PN::CatmullClark_scheme(),
+    PN::parameters::number_of_pieces(number).number_of_iterations(rounds));
   for (std::size_t i = 0; i < number; ++i) {
     const auto piece = pieces.piece(i);
     for (std::uint32_t v = 0; v < piece.number_of_vertices(); ++v) {

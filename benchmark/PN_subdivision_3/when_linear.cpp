@@ -23,10 +23,12 @@
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -56,6 +58,114 @@ void print_noise(const char* layout, const Mesh& exact, const Scheme& scheme)
     print("PN", noise, errors(limits(mesh, scheme, false, 1)));
     if (noise > .5) print("PN, roundness 1/2", noise, errors(limits(mesh, scheme, false, .5)));
   }
+}
+
+// --- normals that are smoothed ---
+
+// over a closed or open grid; f(s, t) gives a point and a normal of any length
+template <class Function>
+Mesh grid(int m, int n, bool closed, bool triangles, const Function& f)
+{
+  Mesh mesh;
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const int columns = closed ? m : m + 1, rows = closed ? n : n + 1;
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const std::pair<Point, Vector> sample = f(double(i) / m, double(j) / n);
+      normals[mesh.add_vertex(sample.first)] = order_samples::unit(sample.second);
+    }
+  const auto at = [&](int i, int j) {
+    return Mesh::Vertex_index(std::uint32_t((i % columns) * rows + j % rows));
+  };
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j)
+      if (triangles) {
+        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      } else
+        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  return mesh;
+}
+
+std::pair<Point, Vector> on_torus(double s, double t)
+{
+  const double u = 2 * std::acos(-1.) * s, v = 2 * std::acos(-1.) * t;
+  const Vector out(std::cos(u), std::sin(u), 0);
+  const Vector n = std::cos(v) * out + Vector(0, 0, std::sin(v));
+  return {CGAL::ORIGIN + 2 * out + .8 * n, n};
+}
+
+std::pair<Point, Vector> on_graph(double s, double t)
+{
+  const double x = 4 * s - 2, y = 4 * t - 2, a = std::sin(1.5 * x), b = std::cos(1.2 * y);
+  return {Point(x, y, .4 * a * b + .1 * x * y),
+          Vector(-.6 * std::cos(1.5 * x) * b - .1 * y, .48 * a * std::sin(1.2 * y) - .1 * x, 1)};
+}
+
+// the mean of |grad H| over the limit surface
+template <class Scheme>
+double change_of_curvature(Mesh mesh, const Scheme& scheme)
+{
+  const Samples samples = limits(mesh, scheme, false);
+  PN::subdivide(mesh, scheme, params::number_of_iterations(2)); // the same faces
+  double sum = 0, area = 0;
+  for (const auto f : mesh.faces()) {
+    std::vector<const Sample*> c;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      c.push_back(&samples[std::size_t(v)]);
+    for (std::size_t i = 2; i < c.size(); ++i) {
+      if (!c[0]->has_curvature || !c[i - 1]->has_curvature || !c[i]->has_curvature) continue;
+      const Vector u = c[i - 1]->point - c[0]->point, v = c[i]->point - c[0]->point;
+      const Vector w = (c[i]->mean - c[0]->mean) * u - (c[i - 1]->mean - c[0]->mean) * v;
+      sum += std::sqrt(w.squared_length());
+      area += std::sqrt(CGAL::cross_product(u, v).squared_length());
+    }
+  }
+  return sum / area;
+}
+
+template <class Scheme>
+void print_smoothing(const char* name, const Mesh& exact, const Scheme& scheme)
+{
+  for (const double noise : {0., 1., 2., 5.}) {
+    Mesh mesh = exact;
+    const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+    std::vector<Vector> true_ones;
+    for (const auto v : mesh.vertices()) true_ones.push_back(normals[v]);
+    disturb(mesh, noise);
+    double error[2], change[2];
+    for (const int i : {0, 1}) {
+      if (i == 1) PN::smooth_control_normals(mesh, normals);
+      double sum = 0;
+      for (const auto v : mesh.vertices()) {
+        const double a = degrees(angle(normals[v], true_ones[std::size_t(v)]));
+        sum += a * a;
+      }
+      error[i] = std::sqrt(sum / double(true_ones.size()));
+      change[i] = change_of_curvature(mesh, scheme);
+    }
+    std::printf(
+      "<tr><td>%s</td><td>%.0f</td><td>%.2f</td><td>%.2f</td><td>%.3f</td><td>%.3f</td></tr>\n",
+      name, noise, error[0], error[1], change[0], change[1]);
+  }
+}
+
+void print_smoothing()
+{
+  std::puts("#table smooth");
+  Mesh sphere = closed_samples::scattered(400);
+  const Normals normals = sphere.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  for (const auto v : sphere.vertices()) {
+    normals[v] = order_samples::unit(sphere.point(v) - CGAL::ORIGIN);
+    sphere.point(v) = CGAL::ORIGIN + normals[v];
+  }
+  const PN::modified_Loop_scheme loop;
+  const PN::modified_CatmullClark_scheme catmull_clark;
+  print_smoothing("a", sphere, loop);
+  print_smoothing("b", grid(32, 16, true, false, on_torus), catmull_clark);
+  print_smoothing("c", grid(32, 16, true, true, on_torus), loop);
+  print_smoothing("d", grid(20, 20, false, false, on_graph), catmull_clark);
+  print_smoothing("e", grid(20, 20, false, true, on_graph), loop);
 }
 
 // --- masks on an ellipse ---
@@ -99,15 +209,14 @@ double interpolation_error(Mesh mesh, const std::string& way)
   const bool is_linear = way == "linear";
   if (is_linear)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
-  PN::Limit_interpolation_options<> options;
-  options.tolerance = 1e-9;
-  options.mode = way == "slide" ? PN::Limit_interpolation_mode::slide
-                                : PN::Limit_interpolation_mode::limit_points;
-  const auto np = params::vertex_normal_map(normals);
+  const auto np = PN::parameters::tolerance(1e-9)
+                    .interpolation_mode(way == "slide" ? PN::Limit_interpolation_mode::slide
+                                                       : PN::Limit_interpolation_mode::limit_points)
+                    .vertex_normal_map(normals);
   if (way == "linear")
-    PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), options, np);
+    PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), np);
   else if (way != "nothing solved")
-    PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options, np);
+    PN::interpolate_limit_points(mesh, PN::Loop_scheme(), np);
   return errors(limits(mesh, PN::Loop_scheme(), is_linear)).largest_distance;
 }
 
@@ -195,8 +304,7 @@ void print_folds()
     for (const double roundness : {1., .5, 0.}) {
       const auto c = PN::compare_with_linear(
         mesh, PN::Loop_scheme(),
-        PN::parameters::roundness(roundness,
-                                  params::number_of_iterations(3).vertex_normal_map(normals)));
+        PN::parameters::roundness(roundness).number_of_iterations(3).vertex_normal_map(normals));
       std::printf("<td>%u</td><td>%.1f</td>", unsigned(c.folded_edges), c.largest_distance / 8);
     }
     std::puts("</tr>");
@@ -209,12 +317,13 @@ template <class Estimate>
 void print_model(const std::string& name, const Mesh& mesh, const std::string& way,
                  Estimate estimate, double roundness)
 {
-  const auto scheme = PN::with_normal_estimate(PN::CatmullClark_scheme(), estimate);
+  const auto scheme = PN::internal::with_normal_estimate(PN::CatmullClark_scheme(), estimate);
   const auto rounds = params::number_of_iterations(3);
   const auto c =
     roundness < 0
       ? PN::compare_with_linear(mesh, scheme, rounds)
-      : PN::compare_with_linear(mesh, scheme, PN::parameters::roundness(roundness, rounds));
+      : PN::compare_with_linear(mesh, scheme,
+                                PN::parameters::join(PN::parameters::roundness(roundness), rounds));
   std::printf("<tr><td>%s</td><td>%s</td>", name.c_str(), way.c_str());
   std::printf("<td>%.2f</td><td>%.2f</td>", c.linear_volume_ratio, c.volume_ratio);
   std::printf("<td>%.2f</td></tr>\n", c.largest_distance);
@@ -243,6 +352,7 @@ int main(int argc, char** argv)
   std::puts("#table noise");
   print_noise("even quads", closed_samples::cube(12), PN::modified_CatmullClark_scheme());
   print_noise("scattered triangles", closed_samples::scattered(896), PN::modified_Loop_scheme());
+  print_smoothing();
   std::puts("#table ellipse");
   print_ellipse("cubic", PN::B_spline_mask(3));
   print_ellipse("4-point", PN::Dubuc_Deslauriers_mask(4));

@@ -66,13 +66,12 @@ std::vector<double> curve_errors(const Mask& mask, const std::vector<double>& le
 {
   namespace PN = CGAL::PN_subdivision_3;
   std::vector<double> errors;
-  PN::Curve_limit_options options;
-  options.tolerance = 1e-13;
   for (const double h : lengths) {
     const Polygon fine =
       PN::subdivide_curve(open_polygon(h, smooth, is_linear), mask, PN::Curve_end::reflect,
                           CGAL::parameters::number_of_iterations(3));
-    const auto found = PN::curve_limit_points(fine, mask, PN::Curve_end::reflect, options);
+    const auto found =
+      PN::curve_limit_points(fine, mask, PN::Curve_end::reflect, PN::parameters::tolerance(1e-13));
     const double x0 = (smooth ? warped({middle[0], 0}) : middle)[0];
     double largest = 0;
     for (const auto& l : found.first)

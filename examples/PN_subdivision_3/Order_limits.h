@@ -36,20 +36,17 @@ inline std::vector<Point> limits(Mesh mesh, const Any_scheme& scheme, unsigned r
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
   PN::subdivide(mesh, scheme,
                 CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals));
-  PN::Limit_options options;
-  options.tolerance = 1e-12;
-  options.max_depth = 6;
-  options.rounds_done = rounds;
-  const auto np = CGAL::parameters::vertex_normal_map(normals);
+  const auto np =
+    PN::parameters::tolerance(1e-12).max_depth(6).rounds_done(rounds).vertex_normal_map(normals);
   using Limit = PN::Limit_point<Kernel>;
   std::vector<Point> points;
   if (scheme.keeps_vertices()) {
     const auto found = mesh.add_property_map<Mesh::Vertex_index, Limit>("v:limit").first;
-    PN::limit_points(mesh, scheme, found, options, np);
+    PN::limit_points(mesh, scheme, found, np);
     for (const auto v : mesh.vertices()) points.push_back(found[v].point);
   } else { // those of a dual scheme belong to the faces
     const auto found = mesh.add_property_map<Mesh::Face_index, Limit>("f:limit").first;
-    PN::face_limit_points(mesh, scheme, found, options, np);
+    PN::limit_points(mesh, scheme, found, np);
     for (const auto f : mesh.faces()) points.push_back(found[f].point);
   }
   return points;

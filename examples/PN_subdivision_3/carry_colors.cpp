@@ -59,9 +59,11 @@ int main(int argc, char** argv)
     }
   }
 
-  PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(2),
-                PN::attributes(PN::vertex_attribute(colors), PN::vertex_attribute(heights),
-                               PN::corner_attribute(uv, PN::Corner_rule::linear)));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                PN::parameters::attributes(PN::vertex_attribute(colors),
+                                           PN::vertex_attribute(heights),
+                                           PN::corner_attribute(uv, PN::Corner_rule::linear))
+                  .number_of_iterations(2));
 
   // averages of heights are heights again
   for (auto v : mesh.vertices())

@@ -41,10 +41,8 @@ bool show(const std::string& title, const std::string& file, const Shape& shape,
   PN::subdivide(mesh, scheme, params::number_of_iterations(2).vertex_normal_map(normals));
   using Limit = PN::Limit_point<Kernel>;
   const auto limits = mesh.add_property_map<Mesh::Vertex_index, Limit>("v:limit").first;
-  PN::Limit_options options;
-  options.curvatures = true;
-  options.rounds_done = 2;
-  PN::limit_points(mesh, scheme, limits, options, params::vertex_normal_map(normals));
+  PN::limit_points(mesh, scheme, limits,
+                   PN::parameters::curvatures(true).rounds_done(2).vertex_normal_map(normals));
   std::vector<double> error, curvature;
   double sum = 0, largest = 0;
   for (const auto v : mesh.vertices()) {
@@ -69,18 +67,17 @@ bool interpolate(const Shape& shape, const std::string& folder)
   PN::natural_normals(samples, scheme, normals);
   std::printf("%s, %u points\n", shape.name.c_str(), unsigned(samples.number_of_vertices()));
 
-  PN::Limit_interpolation_options<> options;
+  PN::Limit_interpolation_mode mode = PN::Limit_interpolation_mode::limit_points;
   const auto run = [&](const std::string& title, const std::string& name, const auto& s) {
     Mesh net = samples;
     const Normals map = net.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-    const auto report =
-      PN::interpolate_limit_points(net, s, options, params::vertex_normal_map(map));
+    const auto report = PN::interpolate_limit_points(
+      net, s, PN::parameters::interpolation_mode(mode).vertex_normal_map(map));
     return show(title, folder + "/" + shape.name + "_" + name + ".vtp", shape, net, s, report);
   };
-  options.mode = PN::Limit_interpolation_mode::limit_points;
   bool good = run("linear", "linear", PN::linear(scheme));
   good = run("point-normal, limit points", "points", scheme) && good;
-  options.mode = PN::Limit_interpolation_mode::slide;
+  mode = PN::Limit_interpolation_mode::slide;
   return run("point-normal, slide", "slide", scheme) && good;
 }
 

@@ -33,10 +33,9 @@ int main()
     polygon.emplace_back(Kernel::Point_2(a * x, b * y), Kernel::Vector_2(x / a, y / b));
   }
 
-  PN::Curve_limit_options options;
-  options.curve_normals = options.curvatures = true;
   const auto [limits, report] =
-    PN::curve_limit_points(polygon, PN::B_spline_mask(3), PN::Curve_end::closed, options);
+    PN::curve_limit_points(polygon, PN::B_spline_mask(3), PN::Curve_end::closed,
+                           PN::parameters::curve_normals(true).curvatures(true));
 
   double off = 0, angle = 0;
   for (const auto& l : limits) {

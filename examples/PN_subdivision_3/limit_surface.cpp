@@ -13,6 +13,7 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -45,14 +46,13 @@ int main(int argc, char** argv)
   const PN::CatmullClark_scheme scheme;
   PN::subdivide(mesh, scheme, params::number_of_iterations(3).vertex_normal_map(normals));
 
-  PN::Limit_options options;
-  options.surface_normals = true;
-  options.normal_tolerance = 1e-5;
+  const auto np =
+    PN::parameters::surface_normals(true).normal_tolerance(1e-5).vertex_normal_map(normals);
 
   // All that is known of the limit at each vertex, the mesh remaining as it is.
   using Limit = PN::Limit_point<Kernel>;
   auto limits = mesh.add_property_map<Mesh::Vertex_index, Limit>("v:limit").first;
-  PN::limit_points(mesh, scheme, limits, options, params::vertex_normal_map(normals));
+  PN::limit_points(mesh, scheme, limits, np);
   double sum = 0;
   for (Mesh::Vertex_index v : mesh.vertices()) {
     const double cosine = limits[v].control_normal * limits[v].surface_normal;
@@ -63,8 +63,7 @@ int main(int argc, char** argv)
             << std::endl;
 
   // Or the vertices go there, and get the normals of the surface.
-  const PN::Limit_report report =
-    PN::move_to_limit(mesh, scheme, options, params::vertex_normal_map(normals));
+  const PN::Limit_report report = PN::subdivide_to_limit(mesh, scheme, np.number_of_iterations(0));
   std::cout << "Limit points: estimated error " << report.error << ", normals "
             << report.normal_error << ", " << report.depth << " rounds at most" << std::endl;
   if (!report.is_within_tolerance())

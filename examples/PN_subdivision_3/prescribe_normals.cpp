@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -64,16 +65,18 @@ struct Design
 
   void evaluate()
   {
-    PN::Limit_options options;
-    options.surface_normals = true;
-    PN::limit_points(mesh, scheme, limits, options, params::vertex_normal_map(normals));
+    PN::limit_points(mesh, scheme, limits,
+                     PN::parameters::surface_normals(true).vertex_normal_map(normals));
   }
 
   void solve(const std::string& title)
   {
-    const PN::Limit_interpolation_report report = PN::prescribe_limit_data(
-      mesh, scheme, points_of_limit, normals_of_limit, curvatures_of_limit,
-      PN::Limit_prescription_options(), params::vertex_normal_map(normals));
+    const PN::Limit_interpolation_report report =
+      PN::prescribe_limit_data(mesh, scheme,
+                               PN::parameters::prescribed_point_map(points_of_limit)
+                                 .prescribed_normal_map(normals_of_limit)
+                                 .prescribed_curvature_map(curvatures_of_limit)
+                                 .vertex_normal_map(normals));
     std::cout << title << ": points off by " << report.residual << ", normals by "
               << report.normal_residual << " radians, curvatures by " << report.curvature_residual
               << ", solves: " << report.steps << std::endl;
@@ -85,9 +88,9 @@ struct Design
     Design fine = *this;
     const Normals map = fine.mesh.add_property_map<Vertex, Vector>("v:normal").first;
     PN::subdivide(fine.mesh, scheme, params::number_of_iterations(4).vertex_normal_map(map));
-    PN::Limit_options options;
-    options.surface_normals = true;
-    PN::move_to_limit(fine.mesh, scheme, options, params::vertex_normal_map(map));
+    PN::subdivide_to_limit(
+      fine.mesh, scheme,
+      PN::parameters::surface_normals(true).vertex_normal_map(map).number_of_iterations(0));
     return CGAL::IO::write_polygon_mesh(file, fine.mesh,
                                         params::stream_precision(17).vertex_normal_map(map));
   }

@@ -21,11 +21,10 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`), what 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 #include <CGAL/PN_subdivision_3/version.h>

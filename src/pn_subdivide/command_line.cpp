@@ -277,7 +277,7 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option(
     "--normals", options.normals,
     "Control normals: auto (the file's if it has any that are not zero or those of the "
-    "faces or shading, else estimated), file, "
+    "faces or shading, else estimated), file, smooth (the file's, smoothed against the points), "
     "estimate or coherent, reciprocal, angle (estimated by the faces' angles), none, sphere:X,Y,Z "
     "or cylinder:X,Y,Z,DX,DY,DZ");
   surface.add_option("--roundness", options.roundness,
@@ -332,6 +332,9 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("INPUT", options.input, "Control polygon; - for standard input")->required();
   curve.add_option("OUTPUT", options.output, "Refined curve; - for standard output")->required();
   curve.add_option("--scheme", options.scheme, curve_scheme_names())->capture_default_str();
+  curve.add_option("--normals", options.normals,
+                   "Control normals of a curve in space: spherical:X,Y,Z, away from this point "
+                   "(default: the file's, else estimated)");
   curve.add_option("--normal-scheme", options.normal_scheme,
                    "Another scheme for the normals; both primal (odd degrees, N-point) or both "
                    "dual (even degrees)");
@@ -345,9 +348,11 @@ void add_curve_command(CLI::App& app, Curve_options& options)
   curve.add_option("--end", options.end,
                    "Ends of an open polygon: reflect (default for primal schemes: up to the end "
                    "points) or none (default for dual ones: as far as whole stencils reach)");
-  curve.add_option("--sharp", options.sharp,
-                   "File with the numbers of the vertices, from 0 on, that are corners (primal "
-                   "schemes)");
+  curve.add_option(
+    "--sharp", options.sharp,
+    "arcs (lines and circular arcs of a plane drawing are recognized and kept; ./arcs "
+    "is a file), or a file with the numbers of the vertices, from 0 on, that are "
+    "corners (primal schemes)");
   add_interpolate(curve, options.interpolate, "The limit curve (bspline:3)");
   add_limit_options(curve, options.limit, "points (of dual schemes the middles of the edges)");
   curve.add_option("--comb", options.comb,

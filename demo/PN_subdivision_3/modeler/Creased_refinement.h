@@ -75,18 +75,18 @@ private:
     using Halfedge = Surface::Halfedge_index;
     Surface surface = mesh.surface();
     const auto sharpness = sharpness_of(surface);
-    const auto attributes = PN::attributes(PN::edge_attribute(sharpness));
-    const auto np =
-      CGAL::parameters::number_of_iterations(rounds_).edge_is_constrained_map(sharpness);
+    const auto np = PN::parameters::attributes(PN::edge_attribute(sharpness))
+                      .number_of_iterations(rounds_)
+                      .edge_is_constrained_map(sharpness);
     if constexpr (is_linear)
-      PN::subdivide(surface, scheme_, np, attributes);
+      PN::subdivide(surface, scheme_, np);
     else {
       const auto normals =
         PN::internal::find_property_map<Halfedge, Vector_3>(surface, "h:normal").value();
       const pn_subdivide::Roundness_map roundness = *pn_subdivide::roundness_of(surface);
       PN::subdivide(surface, scheme_,
-                    PN::parameters::vertex_roundness_map(roundness, np.vertex_normal_map(normals)),
-                    attributes);
+                    PN::parameters::join(PN::parameters::vertex_roundness_map(roundness),
+                                         np.vertex_normal_map(normals)));
       roundness_.clear();
       for (const auto v : surface.vertices()) roundness_.push_back(roundness[v]);
       normals_.assign(surface.number_of_vertices(), CGAL::NULL_VECTOR);

@@ -127,12 +127,11 @@ void Refined_surface::show_limit(const Control_mesh& mesh)
     make_surface(refinement_->faces(), refinement_->cut_vertices(), refinement_->points());
   using Limit_point = PN::Limit_point<pn_subdivide::Kernel>;
   const auto limits = surface.add_property_map<Surface::Vertex_index, Limit_point>("v:limit").first;
-  PN::Limit_options options;
-  options.tolerance = 1e-7; // a pixel is a thousandth
-  options.surface_normals = true;
-  options.rounds_done = rounds_;
+  const auto np = PN::parameters::tolerance(1e-7) // a pixel is a thousandth
+                    .surface_normals(true)
+                    .rounds_done(rounds_);
   if (is_linear_)
-    PN::limit_points(surface, PN::linear(scheme_), limits, options);
+    PN::limit_points(surface, PN::linear(scheme_), limits, np);
   else {
     const Normal_map normals = pn_subdivide::add_normals(surface);
     const pn_subdivide::Roundness_map roundness = pn_subdivide::add_roundness(surface);
@@ -141,9 +140,8 @@ void Refined_surface::show_limit(const Control_mesh& mesh)
       normals[v] = refinement_->normals()[v];
       if (!refined.empty()) roundness[v] = refined[v];
     }
-    PN::limit_points(surface, scheme_, limits, options,
-                     PN::parameters::vertex_roundness_map(
-                       roundness, CGAL::parameters::vertex_normal_map(normals)));
+    PN::limit_points(surface, scheme_, limits,
+                     np.vertex_roundness_map(roundness).vertex_normal_map(normals));
   }
   for (const auto v : surface.vertices()) {
     limit_points_.push_back(limits[v].point);

@@ -88,9 +88,11 @@ private:
       const auto normals = copy.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
       for (const auto v : copy.vertices()) normals[v] = normal_at(mesh, v);
       const pn_subdivide::Roundness_map roundness = *pn_subdivide::roundness_of(copy);
-      return std::make_unique<Refiner>(copy, scheme,
-                                       CGAL::PN_subdivision_3::parameters::vertex_roundness_map(
-                                         roundness, np.vertex_normal_map(normals)));
+      return std::make_unique<Refiner>(
+        copy, scheme,
+        CGAL::PN_subdivision_3::parameters::join(
+          CGAL::PN_subdivision_3::parameters::vertex_roundness_map(roundness),
+          np.vertex_normal_map(normals)));
     }
   }
 

@@ -26,8 +26,6 @@ the weights of the new vertices. Parameters such as a tension are members of the
 \cgalHasModels{CGAL::PN_subdivision_3::Any_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Linear_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_normals}
-\cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_border}
-\cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_crease_tangents}
 \cgalHasModelsEnd
 
 \sa `CGAL::PN_subdivision_3::subdivide()`

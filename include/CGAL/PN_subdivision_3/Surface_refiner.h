@@ -62,7 +62,7 @@ refined mesh as in the result of `subdivide()`. The refiner keeps no reference t
 Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
 `update()` after a point was set; a normal that is set stays as it is.
 
-<b>Creases.</b> Sharp edges and vertices and `with_border()` are those of `subdivide()`: points and normals move, the
+<b>Creases.</b> Sharp edges and vertices and `border` are those of `subdivide()`: points and normals move, the
 sharpness stays. The tangents of creases are made anew from the control points and normals. A control vertex between
 creases has a normal on each side, which are estimated, or given by a `vertex_normal_map` of half-edges, and then
 stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all
@@ -90,6 +90,7 @@ Different refiners may be used by different threads at the same time, one of the
 template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
 class Surface_refiner
 {
+  static_assert(internal::check_no_grid_rows<Scheme>());
   static_assert(internal::Is_any<Scheme>::value || !internal::Has_curvature_transfer<Scheme>::value,
                 "PN_subdivision_3: Surface_refiner takes no scheme that transfers curvature");
 
@@ -116,34 +117,22 @@ public:
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, and `geom_traits`, as in
-    `subdivide()`; the maps are read only
-  \param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`; they are read only
+    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `control_normal_estimate`, `attributes` and `geom_traits`, as in
+    `subdivide()`; maps and attributes are read only
 
   \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as
     `subdivide()` does
   */
-  template <class PolygonMesh, class NamedParameters, class Attributes>
-  Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& np,
-                  const Attributes& attributes)
-  {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) {
-          if (internal::transfers_curvature(s))
-            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
-                                        "transfers curvature");
-          this->read_mesh(mesh, s, np, attributes);
-        });
-    else
-      read_mesh(mesh, scheme, np, attributes);
-  }
-  /// does the same without attributes.
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
-    : Surface_refiner(mesh, scheme, np, internal::No_attributes())
-  {}
+  {
+    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+      internal::with_scheme_of_call(
+        scheme, np, [&](const auto& s, const auto& others) { this->read_scheme(mesh, s, others); });
+    else
+      read_scheme(mesh, scheme, np);
+  }
 
   /// \name Size
   /// @{
@@ -246,20 +235,21 @@ public:
   \param mesh an empty mesh
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
     `vertex_normal_map`, which are written; the normal map may be of half-edges, and gets the normals of corners (after
-    0 rounds those of their vertices)
-  \param attributes what gets the attributes: a table, or maps of `mesh` of the same kinds, with the same types of values,
-    in the same order as the constructor was given
+    0 rounds those of their vertices). `attributes` is what gets the attributes: a table, or maps of `mesh` of the same
+    kinds, with the same types of values, in the same order as the constructor was given
   \throws std::invalid_argument if the mesh is not empty, or if the attributes are others
   \throws std::length_error if the index type of the mesh cannot number the elements
   */
-  template <class PolygonMesh, class NamedParameters, class Attributes>
-  void build_mesh(PolygonMesh& mesh, const NamedParameters& np, Attributes&& attributes) const
+  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+  void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
     if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters, true>() &&
-                  internal::check_attributes<PolygonMesh, Attributes>()) {
+                  internal::check_attributes<PolygonMesh, NamedParameters>()) {
       const Level_connectivity refined = connectivity();
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       internal::with_mesh_access(mesh, [&](auto& access) {
+        auto given = Parameters::attributes(np);
+        auto& attributes = internal::unwrapped(given);
         const auto map = Parameters::normal_map(np);
         using Writers =
           internal::Normal_writers<std::decay_t<decltype(access)>, std::decay_t<decltype(map)>>;
@@ -272,27 +262,37 @@ public:
       });
     }
   }
-  /// does the same without attributes.
-  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
-  void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
-  {
-    build_mesh(mesh, np, internal::No_attributes());
-  }
   /// @}
 
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
 
+  template <class PolygonMesh, class Scheme_of_call, class NamedParameters>
+  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
+  {
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, [&](const auto& s) {
+          if (internal::transfers_curvature(s))
+            throw std::invalid_argument("PN_subdivision_3: Surface_refiner takes no scheme that "
+                                        "transfers curvature");
+          this->read_mesh(mesh, s, np);
+        });
+    else
+      read_mesh(mesh, scheme, np);
+  }
+
   // the scheme has a host
-  template <class PolygonMesh, class Hosted_scheme, class NamedParameters, class Attributes>
-  void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np,
-                 const Attributes& attributes)
+  template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
+  void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
   {
     if constexpr (internal::check_refiner_arguments<PolygonMesh, Hosted_scheme,
                                                     NamedParameters>() &&
-                  internal::check_attributes<PolygonMesh, Attributes&>()) {
+                  internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       const unsigned rounds = Parameters::number_of_iterations(np);
+      const auto given = Parameters::attributes(np);
+      const auto& attributes = internal::unwrapped(given);
       internal::with_mesh_access(mesh, [&](const auto& access) {
         read(access, scheme, Parameters::const_point_map(mesh, np), used_normals<Parameters>(np),
              Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np), rounds,
@@ -396,10 +396,6 @@ private:
   internal::Kept_attributes attributes_;
 };
 
-template <class PolygonMesh, class Scheme, class NamedParameters, class Attributes>
-Surface_refiner(const PolygonMesh&, const Scheme&, const NamedParameters&, const Attributes&)
-  -> Surface_refiner<
-    Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
 template <class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Surface_refiner(const PolygonMesh&, const Scheme&,

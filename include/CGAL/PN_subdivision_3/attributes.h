@@ -101,18 +101,6 @@ internal::Edge_parents<Map> edge_parents(Map map)
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-returns what `subdivide()`, `subdivide_to_limit()` or a `Surface_refiner` is to carry beside points and normals: any
-number of the results of `vertex_attribute()`, `corner_attribute()`, `edge_attribute()`, `face_attribute()`,
-`face_parents()`, `vertex_parents()` and `edge_parents()`.
-*/
-template <class... Items>
-internal::Attributes<Items...> attributes(const Items&... items)
-{
-  return {std::tuple<Items...>(items...)};
-}
-
-/*!
-\ingroup PkgPNSubdivision3Attributes
 whether a map of corners has a seam: an edge at one of whose ends the values of its two faces differ. Maps with seams
 need a scheme that splits edges, see `splits_edges_v`.
 \tparam Values a property map of half-edges whose values can be compared, or an `Attribute_array`

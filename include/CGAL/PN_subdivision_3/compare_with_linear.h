@@ -210,7 +210,11 @@ Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme
                                            const NamedParameters& np = parameters::default_values())
 {
   Comparison_with_linear comparison;
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return compare_with_linear<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_host<Comparison_with_linear,
                              internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme, [&](const auto& s) { return compare_with_linear<Concurrency_tag>(mesh, s, np); });

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_limits.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 #include <CGAL/number_type_basic.h>
@@ -67,23 +68,6 @@ struct Curve_limit_point
   double curvature = 0;
   /// whether the curve has a curvature there.
   bool has_curvature = false;
-};
-
-/// \ingroup PkgPNSubdivision3Limit
-/// What `curve_limit_points()` shall compute, and how well.
-struct Curve_limit_options
-{
-  /// the largest estimated error of a limit point, as a part of the largest side of the bounding box of
-  /// the points.
-  double tolerance = 1e-9;
-  /// the largest estimated error of a tangent, in radians.
-  double normal_tolerance = 1e-3;
-  /// the most rounds of refinement about a vertex or edge.
-  unsigned max_depth = 12;
-  /// whether tangents and normals of the curve are computed.
-  bool curve_normals = false;
-  /// whether curvatures are computed, where they exist.
-  bool curvatures = false;
 };
 
 namespace internal {
@@ -185,7 +169,7 @@ private:
 };
 
 template <class FT>
-Curve_limit_demand curve_limit_demand(const Curve_limit_options& options, double box)
+Curve_limit_demand curve_limit_demand(const Limit_options& options, double box)
 {
   if (!(options.tolerance >= 0) || !(options.normal_tolerance >= 0))
     throw std::invalid_argument(
@@ -228,6 +212,90 @@ inline void add_to_report(const Curve_limit_demand& demand, double error, double
   if (demand.normals && !has_tangent) ++report.number_of_stand_ins;
 }
 
+// What has a limit, by its number in the polygon that is looked at and its parameter in the user's.
+struct Place_of_limit
+{
+  std::int64_t number;
+  double parameter;
+};
+
+// places(first, how many) chooses among those that have limits.
+template <class Range, class Mask, class NamedParameters, class Places>
+auto limits_at_places(const Range& polygon, const Mask& mask, Curve_end end,
+                      const Limit_options& options, const NamedParameters& np, const Places& places)
+{
+  using Parameters = Curve_parameters<Range, NamedParameters>;
+  using FT = typename Parameters::FT;
+  constexpr int dimension = Parameters::dimension;
+  using Limits = Curve_limits<FT, dimension, Mask>;
+  using Maker =
+    Curve_limit_maker<typename Parameters::Point, typename Parameters::Vector, FT, dimension>;
+  const auto values = limit_polygon<Limits, Parameters>(polygon, end, np);
+  const Curve_limit_demand demand =
+    curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
+  Limits limits(mask, end, demand, Parameters::roundness(np));
+  std::vector<typename Maker::Limit> result;
+  Limit_report report;
+  report.tolerance = demand.tolerance;
+  const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
+  for (const Place_of_limit& place : places(first, number)) {
+    const auto l = limits(values, place.number);
+    check_in_range<FT, dimension>(Limits::point_of(l.value), [v = place.parameter] {
+      return "the limit point of point " + std::to_string(static_cast<std::int64_t>(v));
+    });
+    add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
+    result.push_back(Maker::make(l, place.parameter + (limits.is_primal() ? 0. : 0.5)));
+  }
+  return std::make_pair(std::move(result), report);
+}
+
+// by how many places a round leaves out new points at the beginning
+template <class FT, class Mask>
+std::int64_t left_out_points(const Mask& mask, std::size_t n, Curve_end end)
+{
+  const Univariate_rows<FT> rows(mask);
+  const auto size = static_cast<std::int64_t>(n);
+  std::int64_t first = rows.range(size, end).first;
+  if constexpr (Normal_rows<FT, Mask>::differ)
+    first = (std::max)(first, Normal_rows<FT, Mask>(mask).rows.range(size, end).first);
+  return first - rows.first_point();
+}
+
+// Of masks of which the last one is that of all further rounds: the limits that it gives the points after the other rounds.
+template <class Range, class Mask, class NamedParameters>
+auto limits_of_listed_masks(const Range& polygon, const std::vector<Mask>& masks, Curve_end end,
+                            const Limit_options& options, const NamedParameters& np)
+{
+  using Parameters = Curve_parameters<Range, NamedParameters>;
+  using FT = typename Parameters::FT;
+  const bool is_primal = Univariate_rows<FT>(masks.front()).is_primal();
+  for (const Mask& mask : masks)
+    if (Univariate_rows<FT>(mask).is_primal() != is_primal)
+      throw std::invalid_argument(
+        "PN_subdivision_3: of the masks of the rounds some are primal and "
+        "some dual, so that no limit belongs to a vertex or an edge");
+  auto refined = subdivide_curve(polygon, masks.front(), end,
+                                 parameters::join(CGAL::parameters::number_of_iterations(0), np));
+  std::vector<Place_of_limit> places;
+  for (std::size_t i = 0; i < refined.size(); ++i)
+    places.push_back({static_cast<std::int64_t>(i), static_cast<double>(i)});
+  const auto traits = PN_subdivision_3::parameters::roundness(Parameters::roundness(np))
+                        .geom_traits(typename Parameters::Geom_traits());
+  for (std::size_t k = 0; k + 1 < masks.size() && !refined.empty(); ++k) {
+    const std::int64_t left_out = left_out_points<FT>(masks[k], refined.size(), end);
+    for (Place_of_limit& place : places) place.number = 2 * place.number - left_out;
+    refined = subdivide_curve(refined, masks[k], end, traits);
+  }
+  return limits_at_places(
+    refined, masks.back(), end, options, traits, [&](std::int64_t first, std::int64_t number) {
+      const auto is_none = [=](const Place_of_limit& place) {
+        return place.number < first || place.number >= first + number;
+      };
+      places.erase(std::remove_if(places.begin(), places.end(), is_none), places.end());
+      return places;
+    });
+}
+
 } // namespace internal
 
 /*!
@@ -258,15 +326,21 @@ done at most about a vertex that is not near an end, so that the tolerance may b
 and errors are computed in `double`, from differences in the number type.
 
 \tparam Range a model of `ConstRange`, as for `subdivide_curve()`
-\tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one
+<b>Masks that differ from round to round.</b> Where the last of them is that of all further rounds, as of
+`level_dependent_mask()` of a vector of masks, the polygon is refined by the others, and the limits of the last one are those
+of the curve. The masks are all primal or all dual.
+
+\tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one, or
+  `level_dependent_mask()` of a vector of these
 
 \param polygon the control polygon
 \param mask the mask
 \param end whether the polygon is closed, and if not, what happens at its ends. With `Curve_end::none` only
   vertices and edges have limits whose neighborhoods do not leave the polygon.
-\param options what is computed, and how well
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`, as for `subdivide_curve()`; normals of points that have none are estimated
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
+   `geom_traits` and `roundness`, as for `subdivide_curve()`; normals of points that have none are estimated. What is
+   computed, and how well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `curve_normals` and `curvatures` of
+   `CGAL::PN_subdivision_3::parameters`
 
 \returns a pair: a `std::vector` with a `Curve_limit_point` for each vertex or edge that has one, in their order,
   and a `Limit_report`. A tolerance that cannot be met is no error.
@@ -280,35 +354,21 @@ and errors are computed in `double`, from differences in the number type.
 */
 template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
 auto curve_limit_points(const Range& polygon, const Mask& mask, Curve_end end,
-                        const Curve_limit_options& options = Curve_limit_options(),
                         const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
-  static_assert(!Parameters::has_roundness,
-                "PN_subdivision_3: limits of curves are known with roundness 1 only: leave it out");
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
-    using FT = typename Parameters::FT;
-    constexpr int dimension = Parameters::dimension;
-    using Limits = internal::Curve_limits<FT, dimension, Mask>;
-    using Maker = internal::Curve_limit_maker<typename Parameters::Point,
-                                              typename Parameters::Vector, FT, dimension>;
-    const auto values = internal::limit_polygon<Limits, Parameters>(polygon, end, np);
-    const internal::Curve_limit_demand demand =
-      internal::curve_limit_demand<FT>(options, internal::box_size<Limits>(values));
-    Limits limits(mask, end, demand);
-    std::vector<typename Maker::Limit> result;
-    Limit_report report;
-    report.tolerance = demand.tolerance;
-    const auto [first, number] = limits.range(static_cast<std::int64_t>(values.size()));
-    for (std::int64_t v = first; v < first + number; ++v) {
-      const auto l = limits(values, v);
-      internal::check_in_range<FT, dimension>(Limits::point_of(l.value), [v = v] {
-        return "the limit point of point " + std::to_string(v);
-      });
-      internal::add_to_report(demand, l.error, l.tangent_error, l.depth, l.has_tangent, report);
-      result.push_back(Maker::make(l, static_cast<double>(v) + (limits.is_primal() ? 0. : 0.5)));
-    }
-    return std::make_pair(std::move(result), report);
+    if constexpr (internal::Is_listed<Mask>::value)
+      return internal::limits_of_listed_masks(polygon, mask.function.masks, end,
+                                              internal::limit_options(np), np);
+    else
+      return internal::limits_at_places(polygon, mask, end, internal::limit_options(np), np,
+                                        [](std::int64_t first, std::int64_t number) {
+                                          std::vector<internal::Place_of_limit> places;
+                                          for (std::int64_t v = first; v < first + number; ++v)
+                                            places.push_back({v, static_cast<double>(v)});
+                                          return places;
+                                        });
   }
 }
 

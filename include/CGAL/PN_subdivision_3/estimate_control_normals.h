@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -116,8 +116,7 @@ between the two, its weights, borders, areas, angles, roundness) is computed in 
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
   and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` with a model of
   `WritablePropertyMap` whose values are numbers: the roundness is written into it; also
-  `parameters::control_normal_estimate()`, which counts before the argument
-\param estimate which estimate
+  `parameters::control_normal_estimate()`
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border or a point is
   not finite; nothing has been written then
@@ -126,8 +125,7 @@ between the two, its weights, borders, areas, angles, roundness) is computed in 
 template <class PolygonMesh, class VertexNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
 void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
-                              const NamedParameters& np = parameters::default_values(),
-                              Control_normal_estimate estimate = Control_normal_estimate::coherent)
+                              const NamedParameters& np = parameters::default_values())
 {
   if constexpr (internal::check_estimation_arguments<PolygonMesh, VertexNormalMap,
                                                      NamedParameters>()) {
@@ -138,11 +136,11 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
     const auto points = Parameters::const_point_map(mesh, np);
     internal::with_mesh_access(mesh, [&](const auto& access) {
       const Level_connectivity level = internal::checked_level(access);
-      Control_normal_estimate chosen = estimate;
-      if constexpr (!std::is_same_v<typename Parameters::Estimate, internal::No_estimate>)
-        chosen = Parameters::estimate(np);
+      const Control_normal_estimate estimate =
+        internal::parameter_or<internal::control_normal_estimate_t>(
+          np, Control_normal_estimate::coherent);
       const auto values = internal::read_values<internal::Estimated_values<FT>>(
-        access, level, points, internal::No_normal_map(), chosen);
+        access, level, points, internal::No_normal_map(), estimate);
       for (Index v = 0; v < level.number_of_vertices(); ++v) {
         const Coordinates<FT, 3>& n = values[v].normal;
         put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));

@@ -53,9 +53,8 @@ the cylinder through its points, and of its flat ends.
 \param normals the map to write, for all half-edges that have a face: the normal of the corner of that
   face at the target. If it throws, some normals may have been written.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_is_constrained_map` and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` as in
+  `vertex_is_constrained_map` and `geom_traits` as in `subdivide()`, and `vertex_roundness_map` and `control_normal_estimate` as in
   `estimate_control_normals()`; vertices on creases and corners are round
-\param estimate which estimate, see `estimate_control_normals()`
 
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is not
   finite, or a sharpness is negative or not a number; nothing has been written then
@@ -64,8 +63,7 @@ the cylinder through its points, and of its flat ends.
 template <class PolygonMesh, class EdgeMap, class HalfedgeNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
 void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, HalfedgeNormalMap normals,
-                             const NamedParameters& np = parameters::default_values(),
-                             Control_normal_estimate estimate = Control_normal_estimate::coherent)
+                             const NamedParameters& np = parameters::default_values())
 {
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
@@ -74,6 +72,9 @@ void estimate_corner_normals(const PolygonMesh& mesh, EdgeMap edge_map, Halfedge
     using Vertex_map = typename Parameters::Vertex_constraint_map;
     using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
     const auto points = Parameters::const_point_map(mesh, np);
+    const Control_normal_estimate estimate =
+      internal::parameter_or<internal::control_normal_estimate_t>(
+        np, Control_normal_estimate::coherent);
     const Vertex_map vertex_map = Parameters::vertex_constraint_map(np);
     internal::with_mesh_access(mesh, [&](const auto& access) {
       using Access = std::decay_t<decltype(access)>;

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <algorithm>
@@ -175,9 +175,9 @@ For corners split the polygon by `split_at_corners()` and interpolate part by pa
 \param mask the cubic `B_spline_mask`, a mask that interpolates, or its `linear()` twin
 \param end whether the polygon is closed; the ends of an open one are reflected, and their limit is the
   points themselves
-\param options as for meshes, where `free` is `Limit_interpolation_free::fixed`
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map` and
-  `geom_traits`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`, `normal_map`,
+  `geom_traits` and `roundness`, that of the curve, as for `subdivide_curve()`, and `interpolation_mode`,
+  `interpolation_normals`, `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
 \returns the points and normals of the control polygon, and what was reached
 
@@ -185,18 +185,16 @@ For corners split the polygon by `split_at_corners()` and interpolate part by pa
   if the options are wrong
 <br><b>Cost:</b> linear in the size of the polygon
 */
-template <class Range, class Mask, class VertexMap = internal::All_vertices,
-          class NamedParameters = parameters::Default_named_parameters>
-auto interpolate_curve(
-  const Range& polygon, const Mask& mask, Curve_end end,
-  const Limit_interpolation_options<VertexMap>& options = Limit_interpolation_options<VertexMap>(),
-  const NamedParameters& np = parameters::default_values())
+template <class Range, class Mask, class NamedParameters = parameters::Default_named_parameters>
+auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
+                       const NamedParameters& np = parameters::default_values())
 {
   static_assert(!internal::Has_own_normal_mask<Mask>::value &&
                   !internal::Is_level_dependent<Mask>::value,
                 "PN_subdivision_3: interpolation is for one mask of points and normals");
   using Points = internal::Curve_points<Range, NamedParameters>;
   constexpr int dimension = Points::dimension;
+  const internal::Interpolation_options options = internal::interpolation_options(np);
   internal::check_interpolation_options(options);
   if (options.free != Limit_interpolation_free::fixed)
     throw std::invalid_argument("PN_subdivision_3: all points of a curve are interpolated: take "
@@ -205,6 +203,7 @@ auto interpolate_curve(
   if (end == Curve_end::none)
     throw std::invalid_argument("PN_subdivision_3: a curve without its ends does not pass through "
                                 "them: take Curve_end::reflect");
+  const auto roundness = internal::Curve_parameters<Range, NamedParameters>::roundness(np);
   auto result = internal::points_with_normals(polygon, np);
   Limit_interpolation_report report;
   if (limit == internal::Curve_limit::cubic) {
@@ -215,6 +214,8 @@ auto interpolate_curve(
     internal::divide_by_size(data);
     internal::set_curve_surroundings(end == Curve_end::closed, data);
     data.takes_normals = !is_linear;
+    if constexpr (internal::Curve_parameters<Range, NamedParameters>::has_roundness)
+      data.roundness.assign(result.size(), internal::close_double(roundness));
     data.tolerance = options.tolerance * internal::box_size(data.points);
     data.max_depth = (std::max)(1u, options.max_depth);
     data.max_steps = options.max_steps;

@@ -9,17 +9,20 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATE_LIMIT_POINTS_H
 #define CGAL_PN_SUBDIVISION_3_INTERPOLATE_LIMIT_POINTS_H
 
+#include <CGAL/PN_subdivision_3/internal/interpolation/Creased_interpolation.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Estimated_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Natural_normals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -63,11 +66,22 @@ With `linear()` schemes the same code does classic linear interpolation; `slide`
 the given normals, or estimated ones. Schemes that interpolate return the net as it is.
 
 <b>Normals.</b> The `vertex_normal_map` holds normals of the data, and control normals afterwards. Where
-it is zero, `slide` estimates a normal, and `limit_points` does as linear subdivision does. For points
-without normals see `natural_normals()`.
+it is zero, `slide` estimates a normal, and `limit_points` does as linear subdivision does. 
 
-<b>Roundness.</b> It is 1 unless it is given, and stays what it is: further calls that refine the result take it, too. For
-points without normals `estimate_control_normals()` tells both.
+<b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
+one estimate from the control points, and in either mode the limit point of each vertex is the data point: an iteration of at
+most `max_steps` evaluations (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965) finds the points.
+Smoother surfaces are those with a map of `natural_normals()`.
+
+<b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays what it is: further calls that refine the
+result take it, too. `estimate_control_normals()` tells it.
+
+<b>Creases</b> that are sharp for ever are for `Limit_interpolation_mode::limit_points` with given normals: the normals of
+the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
+points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
+the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
+have several wedges, and in a `crease_tangent_map`, which are written. The limits are evaluated, about ten times a step, and
+each step reduces what is missing to a ten-thousandth.
 
 Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
 written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
@@ -79,78 +93,107 @@ the user's whose `put()` throws also while old values are put back.
   `Parallel_if_available_tag`: how limits are evaluated. The result is the same, bit for bit.
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam Scheme a built-in scheme that keeps its vertices, except \f$ \sqrt{3} \f$, or its `linear()` twin
-\tparam VertexMap see `Limit_interpolation_options`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
-\param options how to proceed
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `vertex_normal_map` (needed unless the scheme is linear), `vertex_roundness_map`, which is only read, `roundness` and
+  `vertex_normal_map`, `parameters::control_normal_estimate()` if there is none, `vertex_roundness_map`, which is only read, `roundness` and
   `geom_traits` as in `subdivide()`;
-  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which nothing may be sharp
+  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which what is sharp is so for ever, `border` and
+  `crease_tangent_map`.
+  How it proceeds is said by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
+  `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is no error: the best control net is the result,
   and it is never further from the data than the data taken as control net.
 
 \throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
-  an edge, a vertex or the border is sharp (the message names it), or if `Limit_interpolation_free::smooth`
-  is asked for in mode `slide`; nothing has been written then
+  an edge, a vertex or the border is sharp in mode `slide`, by a finite sharpness, or without what takes its normals and
+  tangents (the message names it), or if `Limit_interpolation_free::smooth`
+  is asked for in mode `slide` or without a map of normals; nothing has been written then
 <br><b>Cost:</b> linear in the size of the mesh but for the factor of a sparse matrix with one row a vertex; about
   2 kB a vertex of memory
 
 \sa `natural_normals()`, `prescribe_limit_data()`, `interpolate_curve()`
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class VertexMap = internal::All_vertices,
           class NamedParameters = parameters::Default_named_parameters>
-Limit_interpolation_report interpolate_limit_points(
-  PolygonMesh& mesh, const Scheme& scheme,
-  const Limit_interpolation_options<VertexMap>& options = Limit_interpolation_options<VertexMap>(),
-  const NamedParameters& np = parameters::default_values())
+Limit_interpolation_report
+interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
+                         const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_interpolated_host<Limit_interpolation_report,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return interpolate_limit_points<Concurrency_tag>(mesh, s, options, np);
-      });
+      scheme,
+      [&](const auto& s) { return interpolate_limit_points<Concurrency_tag>(mesh, s, np); });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
-    static_assert(internal::Is_linear<Scheme>::value ||
-                    !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>,
-                  "PN_subdivision_3: the control net has control normals: give a vertex_normal_map "
-                  "that takes them");
+    constexpr bool estimates =
+      internal::is_pn_v<Scheme> &&
+      std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
+    const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_interpolation_options(options);
+    const auto vertices =
+      internal::parameter_or<internal::vertex_is_interpolated_map_t>(np, internal::All_vertices());
     const auto points = Parameters::point_map(mesh, np);
     Limit_interpolation_report report;
     internal::with_mesh_access(mesh, [&](auto& access) {
       const Level_connectivity level = internal::checked_level(access);
-      internal::Interpolation_data<3> data =
-        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
-      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-        if (internal::is_interpolated(access, options.vertices, v)) data.vertices.push_back(v);
-      data.tolerance = options.tolerance * internal::box_size(data.points);
-      data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
-      data.max_steps = options.max_steps;
-      const internal::Vectors<3> old_normals = data.normals;
-      internal::Mesh_limit_functionals<Scheme> source(
-        scheme, level, internal::For_chunks::with(Concurrency_tag()));
-      auto result =
-        internal::interpolate_mesh(level, internal::normal_estimate(scheme), options, data, source);
-      report = result.report;
-      internal::multiply_by_size(data.exponent, report);
-      internal::multiply_by_size<FT, 3>(data.exponent, data.points);
-      internal::multiply_by_size<FT, 3>(data.exponent, result.points);
-      report.normal_angle = internal::largest_normal_angle(level, data.normals);
-      if constexpr (internal::is_pn_v<Scheme>)
-        internal::write_control_net<FT>(access, points, Parameters::normal_map(np), data.points,
-                                        result.points, old_normals, result.normals);
-      else
-        internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
-                                        result.points, old_normals, result.normals);
+      using Access = std::decay_t<decltype(access)>;
+      if constexpr (internal::may_have_creases_v<Scheme, Access, typename Parameters::Normal_map,
+                                                 typename Parameters::Edge_constraint_map,
+                                                 typename Parameters::Vertex_constraint_map>)
+        if (const std::string what = internal::what_is_sharp(
+              scheme, access, level, Parameters::normal_map(np),
+              Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np));
+            !what.empty()) {
+          report = internal::interpolate_with_creases<FT>(
+            access, scheme, level, mesh, np, options, what,
+            internal::For_chunks::with(Concurrency_tag()), [&](Level_connectivity::Index v) {
+              return internal::is_interpolated(access, vertices, v);
+            });
+          return;
+        }
+      if constexpr (!internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>) {
+        internal::Interpolation_data<3> data =
+          internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+        for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
+          if (internal::is_interpolated(access, vertices, v)) data.vertices.push_back(v);
+        data.tolerance = options.tolerance * internal::box_size(data.points);
+        data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
+        data.max_steps = options.max_steps;
+        const internal::Vectors<3> old_normals = data.normals;
+        internal::Mesh_limit_functionals<Scheme> source(
+          scheme, level, internal::For_chunks::with(Concurrency_tag()));
+        if (estimates && options.free == Limit_interpolation_free::smooth)
+          throw std::invalid_argument(
+            "PN_subdivision_3: without normals control points move where they "
+            "are interpolated only: give a vertex_normal_map, or take "
+            "Limit_interpolation_free::fixed");
+        const Control_normal_estimate estimate = internal::normal_estimate(scheme);
+        auto result = estimates
+                        ? internal::Estimated_interpolation(level, estimate, data, source)()
+                        : internal::interpolate_mesh(level, estimate, options, data, source);
+        report = result.report;
+        internal::multiply_by_size(data.exponent, report);
+        internal::multiply_by_size<FT, 3>(data.exponent, data.points);
+        internal::multiply_by_size<FT, 3>(data.exponent, result.points);
+        report.normal_angle = internal::largest_normal_angle(level, data.normals);
+        if constexpr (internal::is_pn_v<Scheme> && !estimates)
+          internal::write_control_net<FT>(access, points, Parameters::normal_map(np), data.points,
+                                          result.points, old_normals, result.normals);
+        else
+          internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
+                                          result.points, old_normals, result.normals);
+      }
     });
     return report;
   }
@@ -183,15 +226,17 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Schem
 void natural_normals(const PolygonMesh& mesh, const Scheme& scheme, VertexNormalMap normals,
                      const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return natural_normals<Concurrency_tag>(mesh, s, normals, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_interpolated_host<void,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme,
       [&](const auto& s) { return natural_normals<Concurrency_tag>(mesh, s, normals, np); });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-    static_assert(internal::are_used_v<internal::Rounded_mesh_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
     static_assert(!internal::Is_linear<Scheme>::value,
                   "PN_subdivision_3: linear schemes have no control normals");
     using FT = typename internal::Surface_parameters<PolygonMesh, NamedParameters>::FT;

@@ -26,12 +26,175 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
+namespace internal {
+
+// at the faces of a dual scheme
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                               const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
+  Limit_report report;
+  if constexpr (check_limit_map<LimitMap, Face>() &&
+                check_is_point_map<PolygonMesh, NamedParameters>()) {
+    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    with_mesh_access(mesh, [&](const auto& access) {
+      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        using Scheme_of_call = std::decay_t<decltype(s)>;
+        const auto level = read_limit_level<Scheme_of_call, FT>(
+          access, s, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+        Limit_demand demand = limit_demand<FT>(limit_options(np), box_size(level));
+        demand.curvatures = false;
+        demand.points = true;
+        Face_limits<Scheme_of_call, FT> evaluation(s, demand, For_chunks::with(Concurrency_tag()));
+        const auto results = evaluation(level);
+        check_limits<FT>(results, [](std::size_t f) { return "face number " + std::to_string(f); });
+        std::size_t i = 0;
+        for (auto f : faces(mesh)) put(limits, f, to_limit_point<Limit>(results[i++]));
+        return limit_report(results, demand);
+      });
+    });
+  }
+  return report;
+}
+
+// at the vertices of all others
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report vertex_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                                 const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  Limit_report report;
+  if constexpr (check_limit_map<LimitMap, Vertex>() &&
+                check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
+    using Limit = typename boost::property_traits<LimitMap>::value_type;
+    const auto points = Parameters::const_point_map(mesh, np);
+    const auto normals = Parameters::normal_map(np);
+    with_mesh_access(mesh, [&](const auto& access) {
+      const auto put_all = [&](const auto& of_mesh, const auto&) {
+        put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
+        for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
+          put(limits, access.vertex(v), to_limit_point<Limit>(of_mesh.results[v]));
+      };
+      report = with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+        return vertex_limits<FT>(access, s, points, normals, Parameters::edge_constraint_map(np),
+                                 Parameters::vertex_constraint_map(np), limit_options(np),
+                                 For_chunks::with(Concurrency_tag()), put_all);
+      });
+    });
+  }
+  return report;
+}
+
+// whether a map of limits has faces as keys
+template <class PolygonMesh, class LimitMap>
+constexpr bool is_of_faces_v =
+  std::is_same_v<typename boost::property_traits<LimitMap>::key_type,
+                 typename boost::graph_traits<PolygonMesh>::face_descriptor>;
+
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class LimitMap,
+          class NamedParameters>
+Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
+                            const NamedParameters& np)
+{
+  using Call = Surface_call<PolygonMesh, NamedParameters>;
+  const auto of_scheme = [&](const auto& s) {
+    return limits_of_call<Concurrency_tag>(mesh, s, limits, np);
+  };
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return limits_of_call<Concurrency_tag>(mesh, s, limits, others);
+    });
+  else if constexpr (!Is_any<Scheme>::value) {
+    if constexpr (Scheme::Host::keeps_vertices)
+      return vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
+    else
+      return face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
+  } else if constexpr (is_of_faces_v<PolygonMesh, LimitMap>)
+    return on_dual_host<Limit_report, Call>(scheme, of_scheme);
+  else
+    return on_primal_host<Limit_report, Call>(scheme, of_scheme);
+}
+
+// A map of limits that writes what the call has maps for: points, normals and errors.
+template <class Key, class Kernel, class NamedParameters>
+struct Limit_maps
+{
+  using key_type = Key;
+  using value_type = Limit_point<Kernel>;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  friend void put(const Limit_maps& maps, const Key& key, const value_type& limit)
+  {
+    maps.template write<limit_point_map_t>(key, limit.point);
+    maps.template write<limit_normal_map_t>(key, limit.surface_normal);
+    maps.template write<limit_error_map_t>(key, limit.error);
+  }
+  template <class Tag, class Value>
+  void write([[maybe_unused]] const Key& key, [[maybe_unused]] const Value& value) const
+  {
+    if constexpr (is_given_v<Tag, NamedParameters>) {
+      const auto map = parameters::get_parameter(np, Tag());
+      put(map, key, value);
+    }
+  }
+
+  const NamedParameters& np;
+};
+
+// the elements that have limits: those of the map of points, normals or errors that is given
+template <class PolygonMesh, class NamedParameters>
+struct Key_of_limits
+{
+  struct Nothing
+  {
+    using key_type = void;
+    using value_type = void;
+    using reference = void;
+    using category = boost::writable_property_map_tag;
+  };
+  using Errors = Parameter_type<limit_error_map_t, NamedParameters, Nothing>;
+  using Normals = Parameter_type<limit_normal_map_t, NamedParameters, Errors>;
+  using Points = Parameter_type<limit_point_map_t, NamedParameters, Normals>;
+  using type = typename boost::property_traits<Points>::key_type;
+  static constexpr bool is_given = !std::is_same_v<Points, Nothing>;
+};
+
+// moves the vertices of a mesh to the limit, see subdivide_to_limit() with 0 rounds
+template <class Concurrency_tag, class PolygonMesh, class Scheme, class NamedParameters>
+Limit_report move_to_limit_of_call(PolygonMesh& mesh, const Scheme& scheme,
+                                   const NamedParameters& np)
+{
+  if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
+    return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return move_to_limit_of_call<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (Is_any<Scheme>::value)
+    return on_primal_host<Limit_report, Surface_call<PolygonMesh, NamedParameters>>(
+      scheme, [&](const auto& s) { return move_to_limit_of_call<Concurrency_tag>(mesh, s, np); });
+  else {
+    using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+    return move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, np);
+  }
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgPNSubdivision3Limit
 
 computes the points of the limit surface of a scheme that belong to the vertices of a control mesh:
 where they would come to lie after infinitely many rounds. The mesh may be of any level; as far as the
-tolerance goes, the result is the same for the vertices of all.
+tolerance goes, the result is the same for the vertices of all. With a dual scheme, such as `DooSabin_scheme`, they belong to
+the faces: to where a face shrinks; the weights of the limit mask of Doo-Sabin subdivision are equal, surface normals exist
+at all faces that do not collapse, and curvatures are not computed.
 
 <b>Points.</b> The limit mask of the linear scheme is a left eigenvector of the matrix that maps the
 neighborhood of a vertex to that of the next round. Its point-normal average L over the neighborhood
@@ -56,12 +219,12 @@ border, nor where the neighborhood collapses to a line. There the control normal
 modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
 estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
 
-<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `with_border()`, corners are their own limits; on
+<b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on
 creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
 and the normals of all wedges; where a crease ends and beside it, the ring has slots of both sides. Points of a vertex
 are the same in all its wedges. At vertices on creases the control normals of the wedges stand in for surface
 normals, with linear schemes the one-sided normals of the surface, where it has them. Limits continue the rounds
-that made a mesh if it still has their normals by half-edges and their tangents, see `with_crease_tangents()`.
+that made a mesh if it still has their normals by half-edges and their tangents, see `parameters::crease_tangent_map()`.
 `Limit_point` has the mean of the normals of a vertex.
 
 Interpolatory schemes keep the points. Weights are computed from the scheme's own masks, for each
@@ -76,18 +239,21 @@ are estimated, and refused.
   `Parallel_if_available_tag`. The result is the same, bit for bit; maps are read and written by one
   thread.
 \tparam PolygonMesh a model of `FaceListGraph`
-\tparam Scheme a model of `PNSubdivisionScheme_3` that keeps its vertices, or its `linear()` twin
+\tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin
 \tparam LimitMap a model of `WritablePropertyMap` with
-  `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and `Limit_point` as value type
+  `boost::graph_traits<PolygonMesh>::%vertex_descriptor` (of a dual scheme `face_descriptor`) as key type and `Limit_point` as
+  value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
-\param limits the map to write
-\param options what is computed, and how well
+\param limits the map to write; it may be left out where `limit_point_map`, `limit_normal_map` or `limit_error_map` of
+  `CGAL::PN_subdivision_3::parameters` are given, which get what their names say
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
-  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`; the maps are read only
+  `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, all of whose other parameters but `visitor` and `attributes` count, too; the maps are read only.
+  What is computed, and how well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`,
+  `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
 
 \returns what was reached. A tolerance that cannot be met is no error.
 
@@ -98,153 +264,24 @@ are estimated, and refused.
 \throws std::domain_error if an interval number type leaves a comparison undecided
 <br><b>Cost:</b> linear in the size of the mesh, for each round about its vertices
 
-\sa `move_to_limit()`
 \sa `subdivide_to_limit()`
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
           class NamedParameters = parameters::Default_named_parameters>
 Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
-                          const Limit_options& options = Limit_options(),
                           const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_primal_host<Limit_report,
-                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme,
-      [&](const auto& s) { return limit_points<Concurrency_tag>(mesh, s, limits, options, np); });
-  else {
-    static_assert(Scheme::Host::keeps_vertices,
-                  "the limit points of a dual scheme belong to the faces: see face_limit_points()");
-    static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
-    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-    using FT = typename Parameters::FT;
-    using Vertex = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
-    Limit_report report;
-    if constexpr (internal::check_limit_map<LimitMap, Vertex>() &&
-                  internal::check_creased_limit_arguments<PolygonMesh, Scheme, NamedParameters>()) {
-      using Limit = typename boost::property_traits<LimitMap>::value_type;
-      const auto points = Parameters::const_point_map(mesh, np);
-      const auto normals = Parameters::normal_map(np);
-      internal::with_mesh_access(mesh, [&](const auto& access) {
-        const auto put_all = [&](const auto& of_mesh, const auto&) {
-          internal::put_mean_normals<Scheme>(of_mesh.creases, of_mesh.results);
-          for (Level_connectivity::Index v = 0; v < of_mesh.level.number_of_vertices(); ++v)
-            put(limits, access.vertex(v), internal::to_limit_point<Limit>(of_mesh.results[v]));
-        };
-        report =
-          internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-            return internal::vertex_limits<FT>(
-              access, s, points, normals, Parameters::edge_constraint_map(np),
-              Parameters::vertex_constraint_map(np), options,
-              internal::For_chunks::with(Concurrency_tag()), put_all);
-          });
-      });
-    }
-    return report;
-  }
-}
-
-/*!
-\ingroup PkgPNSubdivision3Limit
-
-computes the points of the limit surface of a dual scheme, such as `DooSabin_scheme`, that belong to the
-faces of a control mesh: to where a face shrinks. The weights of the limit mask of Doo-Sabin subdivision
-are equal. All else is as in `limit_points()`; surface normals exist at all faces that do not collapse,
-and curvatures are not computed.
-
-\tparam LimitMap a model of `WritablePropertyMap` with
-  `boost::graph_traits<PolygonMesh>::%face_descriptor` as key type and `Limit_point` as value type
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class LimitMap,
-          class NamedParameters = parameters::Default_named_parameters>
-Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMap limits,
-                               const Limit_options& options = Limit_options(),
-                               const NamedParameters& np = parameters::default_values())
-{
-  if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_dual_host<Limit_report,
-                                  internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return face_limit_points<Concurrency_tag>(mesh, s, limits, options, np);
-      });
-  else {
-    static_assert(!Scheme::Host::keeps_vertices,
-                  "the limit points of a primal scheme belong to the vertices: see limit_points()");
-    static_assert(internal::are_used_v<internal::Limit_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
-    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-    using FT = typename Parameters::FT;
-    using Face = typename boost::graph_traits<PolygonMesh>::face_descriptor;
-    Limit_report report;
-    if constexpr (internal::check_limit_map<LimitMap, Face>() &&
-                  internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
-      using Limit = typename boost::property_traits<LimitMap>::value_type;
-      internal::with_mesh_access(mesh, [&](const auto& access) {
-        report =
-          internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-            using Scheme_of_call = std::decay_t<decltype(s)>;
-            const auto level = internal::read_limit_level<Scheme_of_call, FT>(
-              access, s, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
-            internal::Limit_demand demand =
-              internal::limit_demand<FT>(options, internal::box_size(level));
-            demand.curvatures = false;
-            demand.points = true;
-            internal::Face_limits<Scheme_of_call, FT> evaluation(
-              s, demand, internal::For_chunks::with(Concurrency_tag()));
-            const auto results = evaluation(level);
-            internal::check_limits<FT>(
-              results, [](std::size_t f) { return "face number " + std::to_string(f); });
-            std::size_t i = 0;
-            for (auto f : faces(mesh))
-              put(limits, f, internal::to_limit_point<Limit>(results[i++]));
-            return internal::limit_report(results, demand);
-          });
-      });
-    }
-    return report;
-  }
-}
-
-/*!
-\ingroup PkgPNSubdivision3Limit
-
-moves the vertices of a mesh to the limit surface. Called after `subdivide()` with the same scheme it
-makes the result lie on the surface that further rounds would tend to; `subdivide_to_limit()` does both.
-
-Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
-`options.surface_normals` is set, and otherwise the limit control normals. With a linear scheme normals
-are written only as surface normals. With a map of half-edges the wedges
-of creases have their own, and the map of `with_crease_tangents()` gets the tangents of the limit; with a map of
-vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
-subdivided further.
-
-<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
-the user's whose `put()` throws also while old values are put back.
-
-\param mesh an oriented 2-manifold with border
-\param scheme the scheme
-\param options what is computed, and how well
-\param np as in `limit_points()`; the maps are read and written
-
-For all else see `limit_points()`.
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
-Limit_report move_to_limit(PolygonMesh& mesh, const Scheme& scheme,
-                           const Limit_options& options = Limit_options(),
-                           const NamedParameters& np = parameters::default_values())
-{
-  if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_primal_host<Limit_report,
-                                    internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { return move_to_limit<Concurrency_tag>(mesh, s, options, np); });
-  else {
-    static_assert(internal::are_used_v<internal::Creased_limit_parameters, NamedParameters>,
-                  "PN_subdivision_3: a named parameter is given that is not used here");
-    using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
-    return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
-  }
+  if constexpr (internal::are_named_parameters_v<LimitMap>) {
+    using Keys = internal::Key_of_limits<PolygonMesh, LimitMap>;
+    using Kernel = typename internal::Surface_parameters<PolygonMesh, LimitMap>::Geom_traits;
+    static_assert(Keys::is_given,
+                  "PN_subdivision_3: limit_points() has nothing to write: give it a "
+                  "map of Limit_point, or limit_point_map, limit_normal_map or "
+                  "limit_error_map");
+    return limit_points<Concurrency_tag>(
+      mesh, scheme, internal::Limit_maps<typename Keys::type, Kernel, LimitMap>{limits}, limits);
+  } else
+    return internal::limits_of_call<Concurrency_tag>(mesh, scheme, limits, np);
 }
 
 } // namespace PN_subdivision_3

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/interpolation/Limit_prescription_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Prescribed_curvature.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -50,7 +50,7 @@ std::optional<Eigen_vector<3>>
 prescribed_at([[maybe_unused]] const Access& access, [[maybe_unused]] const Map& map,
               [[maybe_unused]] Level_connectivity::Index v, [[maybe_unused]] const char* what)
 {
-  if constexpr (!std::is_same_v<Map, Nothing_prescribed>) {
+  if constexpr (!std::is_same_v<Map, Not_given>) {
     const auto vertex = access.vertex(v);
     const auto& value = get(map, vertex);
     if (value) {
@@ -115,13 +115,13 @@ template <class Access, class Curvatures>
 Interpolation_result<3>
 prescribe(const Access& access, const Level_connectivity& level, const Interpolation_data<3>& data,
           Surface_limits& source, std::vector<Prescribed_vertex> prescribed,
-          [[maybe_unused]] const Curvatures& curvatures, const Limit_prescription_options& options)
+          [[maybe_unused]] const Curvatures& curvatures, const Interpolation_options& options)
 {
   if (const auto v = vertex_without_tangents(prescribed, data, source))
     throw std::invalid_argument(
       "PN_subdivision_3: a normal is prescribed at " + access.vertex_name(*v) +
       ", where the scheme tells of no tangent plane: prescribe none there");
-  if constexpr (!std::is_same_v<Curvatures, Nothing_prescribed>) {
+  if constexpr (!std::is_same_v<Curvatures, Not_given>) {
     const auto forms = read_prescribed_forms(access, level, curvatures, data.exponent);
     const double size = box_size(data.points);
     if (!forms.empty())
@@ -147,7 +147,7 @@ the net is solved,
 
   minimize &sum; |U &delta;<sub>v</sub>|<sup>2</sup> + 10<sup>-6</sup> |&delta;<sub>v</sub>|<sup>2</sup>
 
-with the umbrella Laplacian U, over the vertices within `options.rings` rings of faces about those with
+with the umbrella Laplacian U, over the vertices within `parameters::rings()` rings of faces about those with
 prescribed data; all others stay. Where conditions contradict each other, or are more than there are
 control points to move, the least-squares solution results, and the report says what is left: with all
 points and all normals prescribed, subdivide once before, and prescribe at the old vertices.
@@ -168,20 +168,13 @@ vertices may have a vertex of their faces in common: subdivide the mesh first wh
 
 Computed in `double`, whatever the number type.
 
-\tparam PrescribedPoints a model of `ReadablePropertyMap` from vertices to `std::optional` of a point, or
-  `Nothing_prescribed`
-\tparam PrescribedNormals likewise, of a vector of any length
-\tparam PrescribedCurvatures likewise, of a `Prescribed_curvature`
-
 \param mesh an oriented 2-manifold with border; its points are changed
 \param scheme as for `interpolate_limit_points()`; no linear one for curvatures
-\param points the limit points that are prescribed
-\param normals the surface normals that are prescribed
-\param curvatures the curvatures that are prescribed
-\param options how to proceed
 \param np as for `interpolate_limit_points()`. Without curvatures the `vertex_normal_map` is read only, and
   without it control normals are estimated from the given points; curvatures need it, and write the
-  control normals of the 1-rings
+  control normals of the 1-rings. What is prescribed is said by `prescribed_point_map`, `prescribed_normal_map` and
+  `prescribed_curvature_map` of `CGAL::PN_subdivision_3::parameters`, how it proceeds by `tolerance`, `max_depth`, `rings`,
+  `curvature_tolerance` and `max_curvature_steps`
 
 \returns what was reached: `residual` for the points, `normal_residual` for the normals,
   `curvature_residual` and `curvature_steps` for the curvatures. The control net is never further from
@@ -196,31 +189,34 @@ Computed in `double`, whatever the number type.
 <br><b>Cost:</b> that of a sparse factorization over the control points that may move, in every step; a vertex of
   valence n alone fills n<sup>2</sup> of its entries
 */
-template <
-  class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class PrescribedPoints,
-  class PrescribedNormals, class PrescribedCurvatures,
-  class NamedParameters = parameters::Default_named_parameters,
-  std::enable_if_t<!std::is_same_v<PrescribedCurvatures, Limit_prescription_options>, int> = 0>
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
+          class NamedParameters = parameters::Default_named_parameters>
 Limit_interpolation_report
-prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPoints& points,
-                     const PrescribedNormals& normals, const PrescribedCurvatures& curvatures,
-                     const Limit_prescription_options& options = Limit_prescription_options(),
+prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
                      const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_interpolated_host<Limit_interpolation_report,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return prescribe_limit_data<Concurrency_tag>(mesh, s, points, normals, curvatures, options,
-                                                     np);
-      });
+      scheme, [&](const auto& s) { return prescribe_limit_data<Concurrency_tag>(mesh, s, np); });
   else {
     internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
+    const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_tolerance(options.tolerance);
     internal::check_tolerance(options.curvature_tolerance);
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     using FT = typename Parameters::FT;
-    constexpr bool has_curvatures = !std::is_same_v<PrescribedCurvatures, Nothing_prescribed>;
+    constexpr internal::Not_given nothing;
+    const auto points = internal::parameter_or<internal::prescribed_point_map_t>(np, nothing);
+    const auto normals = internal::parameter_or<internal::prescribed_normal_map_t>(np, nothing);
+    const auto curvatures =
+      internal::parameter_or<internal::prescribed_curvature_map_t>(np, nothing);
+    constexpr bool has_curvatures =
+      internal::is_given_v<internal::prescribed_curvature_map_t, NamedParameters>;
     static_assert(
       !has_curvatures || !internal::Is_linear<Scheme>::value,
       "PN_subdivision_3: curvature is prescribed by the control normals too, and linear "
@@ -259,21 +255,6 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPo
     });
     return report;
   }
-}
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// the same without curvatures.
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class PrescribedPoints, class PrescribedNormals,
-          class NamedParameters = parameters::Default_named_parameters>
-Limit_interpolation_report
-prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme, const PrescribedPoints& points,
-                     const PrescribedNormals& normals,
-                     const Limit_prescription_options& options = Limit_prescription_options(),
-                     const NamedParameters& np = parameters::default_values())
-{
-  return prescribe_limit_data<Concurrency_tag>(mesh, scheme, points, normals, Nothing_prescribed(),
-                                               options, np);
 }
 
 } // namespace PN_subdivision_3

@@ -40,7 +40,8 @@ and pyramids of few sides are planes, unless something else about the part says 
 are tangent to their neighbors, or a round on the same axis. What is not recognized is `unknown`.
 
 The tolerance is four times the rounding of the coordinates, which are taken for floats or decimals of few digits if all
-of them are, and \f$ 10^{-7} \f$ times the diagonal of the bounding box. Vertices at the same point are different ones: join them
+of them are (of other ones it is that of planes, if many faces are off those of their neighbors by as little as of a file of
+six digits that has been moved or scaled), and \f$ 10^{-7} \f$ times the diagonal of the bounding box. Vertices at the same point are different ones: join them
 first, for instance those of an STL file.
 
 Everything is computed in `double`. The result does not depend on the numbers of the elements.

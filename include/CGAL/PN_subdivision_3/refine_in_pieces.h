@@ -9,21 +9,25 @@
 #ifndef CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
 #define CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
+#include <CGAL/PN_subdivision_3/internal/pieces/Piece_limits.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -77,7 +81,8 @@ public:
   /// the points of the vertices.
   const std::vector<Point_3>& points() const& { return points_; }
   const std::vector<Point_3>& points() const&& = delete; // of a piece that is gone
-  /// the control normals of the vertices; none with a linear scheme.
+  /// the control normals of the vertices, or those of the limit surface if they are asked for; with a linear scheme
+  /// none but these.
   const std::vector<Vector_3>& normals() const& { return normals_; }
   const std::vector<Vector_3>& normals() const&& = delete; // of a piece that is gone
   /// the roundness of the vertices; none with a linear scheme.
@@ -119,8 +124,8 @@ public:
     const Corner* corner = corner_at(h);
     return corner == nullptr ? 0 : corner->wedge;
   }
-  /// the control normal of a corner, of which `normals()` has the mean.
-  /// \pre the scheme is not linear
+  /// the normal of a corner, of which `normals()` has the mean.
+  /// \pre `normals()` has some
   Vector_3 corner_normal(Index h) const
   {
     const Corner* corner = corner_at(h);
@@ -139,6 +144,9 @@ public:
   corners_of_several_wedges() const&& = delete; // of a piece that is gone
   /// @}
 
+  /// what was reached at the vertices that the piece owns, if limits are asked for.
+  const Limit_report& limit_report() const { return limit_report_; }
+
 private:
   template <class Scheme, class Traits, class Concurrency_tag>
   friend class Surface_pieces;
@@ -156,6 +164,7 @@ private:
   std::vector<Vector_3> normals_;
   std::vector<typename GeomTraits::FT> roundness_;
   std::vector<Corner> corners_; // of vertices with several wedges
+  Limit_report limit_report_;
 };
 
 /*!
@@ -182,9 +191,17 @@ into pieces with about equally many corners. A piece is refined together with `S
 faces around it: as many as the scheme needs so that a round leaves as many right, and one more if there are
 creases. The last level's are cut off.
 
-<b>Creases.</b> Sharp edges and vertices, `with_border()`, `with_crease_tangents()` and normals of half-edges are
+<b>Creases.</b> Sharp edges and vertices, `border`, `crease_tangent_map` and normals of half-edges are
 those of `subdivide()`. `Surface_piece::normals()` has the mean normal of the wedges of a vertex, as a vertex
 normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` tells that of each wedge.
+
+<b>Limits.</b> With `parameters::to_limit(true)` the vertices are on the limit surface, with
+`parameters::surface_normals(true)` beside it they have its normals: those of `subdivide_to_limit()`, bit for bit but for
+last bits with \f$ \sqrt{3} \f$ subdivision. The
+`tolerance` is a part of the size of the refined surface: the first piece that is made goes over
+all pieces for it, without limits, which takes a small part of the time that these take. Several machines share that if
+each tells the others `box_of_piece()` of some, and gives `set_box()` what all of them are in. Pieces have seven rings or
+so of faces around them for it, in place of the ghost rings; the number of rounds is one at which what is sharp is so for ever.
 
 <b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
@@ -229,26 +246,28 @@ public:
   \tparam PolygonMesh a model of `FaceListGraph`
   \param mesh an oriented 2-manifold with border; it is not needed afterwards
   \param scheme the scheme
-  \param number_of_pieces how many pieces there are; if there are fewer faces, some are empty
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
-    `subdivide()`; the maps are read only
+    they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
+    `border`, `crease_tangent_map`, `control_normal_estimate` and `geom_traits`, as in `subdivide()`, and `number_of_pieces`,
+    by default 1; if there are fewer faces, some are empty. The maps are read only.
+    With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see below
 
-  \throws std::invalid_argument if there are to be no pieces
+  \throws std::invalid_argument if there are to be no pieces; as `subdivide_to_limit()` does if limits are asked for, which
+    dual schemes have not at their vertices
   \throws std::invalid_argument, std::length_error, std::domain_error as `subdivide()` does; the limit of the
     size is \f$ 2^{60} \f$
   */
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
-  Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme, std::size_t number_of_pieces,
+  Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme,
                  const NamedParameters& np = parameters::default_values())
-    : number_of_pieces_(number_of_pieces)
+    : number_of_pieces_(internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1)))
   {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
+    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+      internal::with_scheme_of_call(
+        scheme, np, [&](const auto& s, const auto& others) { this->read_scheme(mesh, s, others); });
     else
-      read_mesh(mesh, scheme, np);
+      read_scheme(mesh, scheme, np);
   }
 
   /// the number of pieces.
@@ -281,7 +300,7 @@ public:
   makes a piece.
   \param i its number
   \param rings how many rings of faces around those that it owns it has, too, with the bits that they have in the whole
-    surface; at most `Scheme::ghost_rings`. With one it has all faces at the vertices of its own
+    surface; at most `Scheme::ghost_rings`, and one at the limit. With one it has all faces at the vertices of its own
   \throws std::out_of_range if there is no such piece
   \throws std::invalid_argument if these are too many rings
   \throws std::length_error if the piece is too large for 32 bit numbers
@@ -293,31 +312,128 @@ public:
     if (i >= number_of_pieces_)
       throw std::out_of_range("PN_subdivision_3: there is no piece " + std::to_string(i) +
                               ": there are " + std::to_string(number_of_pieces_));
-    if (rings > ghost_rings_)
+    const unsigned most_rings = limits_ ? 1 : ghost_rings_;
+    if (rings > most_rings)
       throw std::invalid_argument("PN_subdivision_3: " + std::to_string(rings) +
-                                  " rings around a piece, whose scheme has " +
-                                  std::to_string(ghost_rings_));
+                                  " rings around a piece, which " +
+                                  (limits_ ? "at the limit" : "with this scheme") + " has " +
+                                  std::to_string(most_rings) + " at most");
+    return limits_ ? piece_at_limit(i, rings) : refined_piece(i, rings);
+  }
+
+  /// \name The size of the surface
+  /// that the tolerance of limits is a part of. It is found when the first piece is made, unless it is set.
+  /// @{
+
+  /// the box of the vertices that a piece owns, as rounds make them, in `double`.
+  Bbox_3 box_of_piece(std::size_t i) const
+  {
+    Bbox_3 box;
+    if (is_empty(i)) return box;
+    const Piece piece = refined_piece(i, 0);
+    for (Index v = 0; v < piece.number_of_vertices(); ++v) {
+      const auto& p = piece.points()[v];
+      const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()),
+                   z = CGAL::to_double(p.z());
+      box += Bbox_3(x, y, z, x, y, z);
+    }
+    return box;
+  }
+  /// sets it to that of the box of all pieces, before the first piece is made.
+  void set_box(const Bbox_3& box)
+  {
+    if (limits_)
+      std::call_once(limits_->is_size_known, [&] { limits_->size = internal::size_of(box); });
+  }
+  /// @}
+
+private:
+  struct Limits
+  {
+    internal::Limit_options options;
+    std::once_flag is_size_known;
+    double size = 0;
+  };
+
+  double size_of_surface() const
+  {
+    std::call_once(limits_->is_size_known, [this] {
+      Bbox_3 box;
+      for (std::size_t i = 0; i < number_of_pieces_; ++i) box += box_of_piece(i);
+      limits_->size = internal::size_of(box);
+    });
+    return limits_->size;
+  }
+
+  // takes the connectivity
+  auto begin_piece(Piece& piece, bool has_normals) const
+  {
+    return
+      [&piece, has_normals](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
+                            internal::Numbered_elements& faces) {
+        piece.connectivity_ = std::move(connectivity);
+        piece.vertices_ = std::move(vertices);
+        piece.faces_ = std::move(faces);
+        piece.points_.resize(piece.vertices_.size());
+        if (has_normals) piece.normals_.resize(piece.vertices_.size());
+        if (is_pn) piece.roundness_.resize(piece.vertices_.size());
+      };
+  }
+
+  Piece refined_piece(std::size_t i, unsigned rings) const
+  {
     Piece piece;
-    const auto begin = [&](Level_connectivity& connectivity, internal::Numbered_elements& vertices,
-                           internal::Numbered_elements& faces) {
-      piece.connectivity_ = std::move(connectivity);
-      piece.vertices_ = std::move(vertices);
-      piece.faces_ = std::move(faces);
-      piece.points_.resize(piece.vertices_.size());
-      if (!is_pn) return;
-      piece.normals_.resize(piece.vertices_.size());
-      piece.roundness_.resize(piece.vertices_.size());
+    const auto begin = begin_piece(piece, is_pn);
+    const auto put = [&](Index v, const Value& value) {
+      this->put_point(piece, v, internal::point_of(value));
+      if constexpr (is_pn) {
+        piece.normals_[v] = vector(value.normal);
+        piece.roundness_[v] = value.roundness;
+      }
     };
-    const auto put = [&](Index v, const Value& value) { this->put(piece, v, value); };
     const auto put_corner = [&](Index h, Index wedge, [[maybe_unused]] const Value& value) {
       piece.corners_.push_back({h, wedge, {}});
-      if constexpr (is_pn) piece.corners_.back().normal = normal_of(value);
+      if constexpr (is_pn) piece.corners_.back().normal = vector(value.normal);
     };
     refiner_->refine(i, rings, {begin, put, put_corner});
     return piece;
   }
 
-private:
+  template <class PolygonMesh, class Scheme_of_call, class NamedParameters>
+  void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
+  {
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
+        scheme, [&](const auto& s) { this->read_mesh(mesh, s, np); });
+    else
+      read_mesh(mesh, scheme, np);
+  }
+
+  Piece piece_at_limit(std::size_t i, unsigned rings) const
+  {
+    const internal::Limit_options& options = limits_->options;
+    const internal::Limit_demand demand = internal::limit_demand<FT>(options, size_of_surface());
+    using Result = internal::Limit_result<Average>;
+    const auto normal = [&](const Result& limit) {
+      return vector(internal::limit_normal<Scheme>(limit, options.surface_normals));
+    };
+    Piece piece;
+    const bool has_normals = is_pn || options.surface_normals;
+    const auto begin = begin_piece(piece, has_normals);
+    const auto put = [&](Index v, const Result& limit, const Value& refined) {
+      this->put_point(
+        piece, v, internal::point_of(internal::asks_for_points(options) ? limit.value : refined));
+      if (has_normals) piece.normals_[v] = normal(limit);
+      if constexpr (is_pn) piece.roundness_[v] = refined.roundness;
+    };
+    const auto put_corner = [&](Index h, Index wedge, const Result& limit) {
+      piece.corners_.push_back({h, wedge, {}});
+      if (has_normals) piece.corners_.back().normal = normal(limit);
+    };
+    piece.limit_report_ = refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner});
+    return piece;
+  }
+
   // the scheme has a host
   template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
@@ -332,11 +448,18 @@ private:
       if (number_of_pieces_ == 0)
         throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");
       const unsigned rounds = Parameters::number_of_iterations(np);
+      using Limits_of_call = internal::Limits_of_call<NamedParameters>;
+      if (const auto options = Limits_of_call::options(np); options) {
+        internal::limit_demand<FT>(*options, 0); // refuses tolerances
+        limits_ = std::make_unique<Limits>();
+        limits_->options = *options;
+      }
       internal::with_mesh_access(mesh, [&](const auto& access) {
         const auto read = [&](const auto& normals) {
-          this->read(access, scheme, Parameters::const_point_map(mesh, np), normals,
-                     Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-                     internal::read_roundness<FT, Parameters>(access, np), rounds);
+          this->template read<Limits_of_call::may_be_any>(
+            access, scheme, Parameters::const_point_map(mesh, np), normals,
+            Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
+            internal::read_roundness<FT, Parameters>(access, np), rounds);
         };
         if constexpr (is_pn)
           read(Parameters::normal_map(np));
@@ -346,8 +469,8 @@ private:
     }
   }
 
-  template <class Access, class Hosted_scheme, class Point_map, class Normal_map, class Edge_map,
-            class Vertex_map>
+  template <bool may_be_limits, class Access, class Hosted_scheme, class Point_map,
+            class Normal_map, class Edge_map, class Vertex_map>
   void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
             Edge_map edge_map, Vertex_map vertex_map,
             const internal::Given_roundness<FT>& roundness, unsigned rounds)
@@ -363,10 +486,12 @@ private:
       of_mesh(with_roundness, access, level, edge_map, vertex_map);
     auto creases = of_mesh.creases(level);
     using Level_creases = decltype(creases);
-    using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases>;
     of_mesh.read_tangents(creases);
-    if (rounds == 0) creases = Level_creases(level.number_of_vertices());
     rounds_ = internal::number_of_rounds(level, rounds);
+    if (limits_)
+      internal::require_sharp_for_ever<FT>(access, creases, rounds_);
+    else if (rounds == 0)
+      creases = Level_creases(level.number_of_vertices());
     constexpr std::uint64_t limit = std::uint64_t(1) << 60;
     internal::checked_refined_size<Host>(level.size(), rounds_, limit);
     const unsigned base_round =
@@ -376,39 +501,49 @@ private:
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(internal::point_of(v));
     });
-    refiner_ = std::make_unique<Refiner>(scheme, std::move(level), std::move(creases),
-                                         typename Refiner::Values(values.begin(), values.end()),
-                                         rounds_, number_of_pieces_, ghost_rings_,
-                                         internal::For_chunks::with(Concurrency_tag()));
+    using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases>;
+    const auto make = [&](auto* refiner) {
+      using Made = std::remove_pointer_t<decltype(refiner)>;
+      refiner_ = std::make_unique<Made>(scheme, std::move(level), std::move(creases),
+                                        typename Refiner::Values(values.begin(), values.end()),
+                                        rounds_, number_of_pieces_, ghost_rings_,
+                                        internal::For_chunks::with(Concurrency_tag()));
+    };
+    if constexpr (may_be_limits) {
+      if (limits_ && !Host::keeps_vertices)
+        throw std::invalid_argument("PN_subdivision_3: the limit points of " +
+                                    internal::name_in_message(scheme) +
+                                    " belong to the faces, not to the vertices");
+      if constexpr (Host::keeps_vertices)
+        if (limits_)
+          return make(
+            static_cast<internal::Piece_limits<Hosted_scheme, Average, Level_creases>*>(nullptr));
+    }
+    make(static_cast<Refiner*>(nullptr));
   }
 
-  void put(Piece& piece, Index v, const Value& value) const
+  void put_point(Piece& piece, Index v, const Coordinates<FT, 3>& p) const
   {
-    const auto& p = internal::point_of(value);
     if (is_near_overflow_)
       internal::check_in_range(
         p, [&] { return "the point of the new vertex " + std::to_string(piece.vertex_number(v)); });
     piece.points_[v] = typename GeomTraits::Point_3(p[0], p[1], p[2]);
-    if constexpr (is_pn) {
-      piece.normals_[v] = normal_of(value);
-      piece.roundness_[v] = value.roundness;
-    }
   }
-  static typename GeomTraits::Vector_3 normal_of(const Value& value)
+  static typename GeomTraits::Vector_3 vector(const Coordinates<FT, 3>& n)
   {
-    const auto& n = value.normal;
     return typename GeomTraits::Vector_3(n[0], n[1], n[2]);
   }
 
   std::size_t number_of_pieces_;
   unsigned rounds_ = 0, ghost_rings_ = 0;
   bool is_near_overflow_ = false;
-  std::unique_ptr<internal::Kept_pieces<Value>> refiner_;
+  std::unique_ptr<Limits> limits_; // if they are asked for
+  std::unique_ptr<internal::Kept_pieces<Average>> refiner_;
 };
 
 template <class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
-Surface_pieces(const PolygonMesh&, const Scheme&, std::size_t,
+Surface_pieces(const PolygonMesh&, const Scheme&,
                const NamedParameters& = parameters::default_values())
   -> Surface_pieces<
     Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
@@ -468,21 +603,19 @@ changed; `f` may keep what it needs.
 
 \param mesh as that of `Surface_pieces`
 \param scheme the scheme
-\param number_of_pieces how many pieces there are
-\param np as that of `Surface_pieces`
 \param f a function of a `const Surface_piece<GeomTraits>&`
+\param np as that of `Surface_pieces`
 
 \throws as `Surface_pieces` does, and what `f` throws
 */
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters, class Function>
-void for_each_piece(const PolygonMesh& mesh, const Scheme& scheme, std::size_t number_of_pieces,
-                    const NamedParameters& np, const Function& f)
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class Function,
+          class NamedParameters = parameters::Default_named_parameters>
+void for_each_piece(const PolygonMesh& mesh, const Scheme& scheme, const Function& f,
+                    const NamedParameters& np = parameters::default_values())
 {
   using Geom_traits =
     typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits;
-  const Surface_pieces<Scheme, Geom_traits, Concurrency_tag> pieces(mesh, scheme, number_of_pieces,
-                                                                    np);
+  const Surface_pieces<Scheme, Geom_traits, Concurrency_tag> pieces(mesh, scheme, np);
   for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) f(pieces.piece(i));
 }
 

@@ -51,7 +51,7 @@ normals of vertices with several wedges are estimated wedge by wedge. Afterwards
 holds the mean normal of the wedges. All boundaries between different surfaces should be creases, also
 where the surfaces are tangent. A sharpness s that is finite holds for s rounds: edges lose 1 in each
 round, and where less than 1 is left the sharp and the smooth rule are mixed. The border is a crease
-by `with_border()`, and the tangents of creases are given and got by `with_crease_tangents()`.
+by `border`, and the tangents of creases are given and got by `crease_tangent_map`.
 
 <b>Order.</b> The new mesh has the old vertices first, then the new ones in the order documented
 with the host of the scheme. An old face's descriptor stays on one of its children and an old edge's
@@ -96,8 +96,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
   below
-\param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`, which is read and
-  changed
+
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
@@ -140,7 +139,24 @@ back, and what such a map stores for vertices that exist no longer. An exception
   \cgalParamNBegin{control_normal_estimate}
     \cgalParamDescription{how normals are estimated where none are given}
     \cgalParamType{`Control_normal_estimate`; `parameters::control_normal_estimate()` makes the parameter}
-    \cgalParamDefault{that of the scheme, see `with_normal_estimate()`}
+    \cgalParamDefault{`Control_normal_estimate::coherent`}
+  \cgalParamNEnd
+  \cgalParamNBegin{border}
+    \cgalParamDescription{what becomes of the border}
+    \cgalParamType{`Border`; `parameters::border()` makes the parameter}
+    \cgalParamDefault{`Border::surface`}
+  \cgalParamNEnd
+  \cgalParamNBegin{crease_tangent_map}
+    \cgalParamDescription{the tangents of creases, which become those of the refined creases}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<PolygonMesh>::%halfedge_descriptor` as key type and
+                   `geom_traits::Vector_3` as value type; `parameters::crease_tangent_map()` makes the parameter}
+    \cgalParamDefault{they are made from the points and the normals}
+  \cgalParamNEnd
+  \cgalParamNBegin{attributes}
+    \cgalParamDescription{what is carried besides}
+    \cgalParamType{what `parameters::attributes()` is given: maps, or an `Attribute_table`, which is read and changed}
+    \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the sharp edges of `mesh`. If the map can be written, the parts of a sharp
@@ -194,16 +210,20 @@ valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes,
 with all that take polygons; `estimated_row_entries()` tells beforehand.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters, class Attributes>
-void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& np,
-               Attributes&& attributes)
+          class NamedParameters = parameters::Default_named_parameters>
+void subdivide(PolygonMesh& mesh, const Scheme& scheme,
+               const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return subdivide<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     internal::on_host<void, internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) { subdivide<Concurrency_tag>(mesh, s, np, attributes); });
+      scheme, [&](const auto& s) { subdivide<Concurrency_tag>(mesh, s, np); });
   else if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme,
                                                            NamedParameters>() &&
-                     internal::check_attributes<PolygonMesh, Attributes>()) {
+                     internal::check_attributes<PolygonMesh, NamedParameters>()) {
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
     const unsigned iterations = Parameters::number_of_iterations(np);
     if (iterations == 0) return;
@@ -212,8 +232,10 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& n
     using Visitor = std::remove_reference_t<decltype(unwrapped)>;
     const internal::Call_round_done<Visitor> round_done{unwrapped};
     if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
-    const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
-      unwrapped, attributes};
+    auto attributes = Parameters::attributes(np);
+    auto& carried = internal::unwrapped(attributes);
+    const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>> carry{
+      unwrapped, carried};
     internal::with_mesh_access(mesh, [&](auto& access) {
       internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
         using Scheme_of_call = std::decay_t<decltype(s)>;
@@ -225,16 +247,6 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme, const NamedParameters& n
       });
     });
   }
-}
-
-/// \ingroup PkgPNSubdivision3Functions
-/// does the same without attributes.
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
-void subdivide(PolygonMesh& mesh, const Scheme& scheme,
-               const NamedParameters& np = parameters::default_values())
-{
-  subdivide<Concurrency_tag>(mesh, scheme, np, internal::No_attributes());
 }
 
 } // namespace PN_subdivision_3

@@ -172,9 +172,8 @@ auto subdivide_curve(const Range& polygon, const Mask& mask, Curve_end end,
 {
   using Parameters = internal::Curve_parameters<Range, NamedParameters>;
   if constexpr (internal::check_kernel<typename Parameters::Geom_traits>()) {
-    internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask,
-                                Parameters::has_roundness>
-      curve(mask, end, Parameters::roundness(np));
+    internal::Curve_subdivision<typename Parameters::FT, Parameters::dimension, Mask> curve(
+      mask, end, Parameters::roundness(np));
     internal::for_each_point_and_normal<
       Parameters, !internal::Is_linear_mask<internal::Mask_in_round<Mask>>::value>(
       polygon, end, np, [&](const auto& point, const auto& normal) { curve.add(point, normal); });

@@ -28,27 +28,34 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Limit
 
-subdivides a mesh and puts its vertices on the limit surface: `subdivide()` and `move_to_limit()` by one call, with the
-same result. Limits are computed before the mesh is touched, so that the strong guarantee is that of one
+subdivides a mesh and puts its vertices on the limit surface. With 0 rounds, after `subdivide()` with the same scheme, the
+result is the same. Limits are computed before the mesh is touched, so that the strong guarantee is that of one
 call.
+
+Points become the limit points. Normals, if there is a `vertex_normal_map`, become the surface normals if
+`parameters::surface_normals()` asks for them, and otherwise the limit control normals. With a linear scheme normals
+are written only as surface normals. With a map of half-edges the wedges
+of creases have their own, and `crease_tangent_map` gets the tangents of the limit; with a map of
+vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
+subdivided further.
+
+<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
+the user's whose `put()` throws also while old values are put back.
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
-\param options what is computed, and how well; `Limit_options::rounds_done` is 0, since the call counts its rounds itself
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
-  `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), which become what
-  `move_to_limit()` makes of them, `edge_is_constrained_map`, `vertex_is_constrained_map`, `geom_traits` and `visitor`,
-  as in `subdivide()`
-\param attributes what is carried besides: the result of `attributes()`, or an `Attribute_table`, which is read and
-  changed
+  `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map`, `geom_traits`, `visitor`, `border`, `crease_tangent_map` and
+  `attributes`,
+  as in `subdivide()`, and those of `limit_points()` that say what is computed; `rounds_done` counts with 0 rounds only, since the call counts its rounds itself
 
 \returns what was reached
 
-\throws std::invalid_argument as `subdivide()` and `limit_points()` do, and if `Limit_options::rounds_done` is not 0
+\throws std::invalid_argument as `subdivide()` and `limit_points()` do, and if `rounds_done` is not 0 where there are rounds
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do
 <br><b>Cost:</b> that of both functions; the refined level is kept in memory besides the mesh
 
-With `edge_is_constrained_map`, `vertex_is_constrained_map`, `with_border()` and `with_crease_tangents()` the mesh
+With `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `crease_tangent_map` the mesh
 has creases as in `subdivide()`, and the limits are those of `limit_points()`: what is sharp for a finite number of
 rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are those
 of the limit.
@@ -58,38 +65,41 @@ not moved to their limits. With 0 rounds they stay as they are, and the visitor 
 an exception of `round_done()`, also of the last round, after which limits are computed.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters, class Attributes>
+          class NamedParameters = parameters::Default_named_parameters>
 Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
-                                const Limit_options& options, const NamedParameters& np,
-                                Attributes&& attributes)
+                                const NamedParameters& np = parameters::default_values())
 {
-  if constexpr (internal::Is_any<Scheme>::value)
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return subdivide_to_limit<Concurrency_tag>(mesh, s, others);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
     return internal::on_primal_host<Limit_report,
                                     internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return subdivide_to_limit<Concurrency_tag>(mesh, s, options, np, attributes);
-      });
+      scheme, [&](const auto& s) { return subdivide_to_limit<Concurrency_tag>(mesh, s, np); });
   else {
     static_assert(Scheme::Host::keeps_vertices,
-                  "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+                  "the limit points of a dual scheme belong to the faces: see limit_points()");
     using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+    const internal::Limit_options options = internal::limit_options(np);
+    const unsigned rounds = Parameters::number_of_iterations(np);
+    if (rounds == 0) return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, np);
     if (options.rounds_done != 0)
       throw std::invalid_argument(
         "PN_subdivision_3: subdivide_to_limit() counts its rounds itself: "
         "leave rounds_done 0");
-    const unsigned rounds = Parameters::number_of_iterations(np);
-    if (rounds == 0)
-      return internal::move_to_limit<Concurrency_tag, Parameters>(mesh, scheme, options, np);
     Limit_report report;
     if constexpr (internal::check_subdivision_arguments<PolygonMesh, Scheme, NamedParameters>() &&
-                  internal::check_attributes<PolygonMesh, Attributes>()) {
+                  internal::check_attributes<PolygonMesh, NamedParameters>()) {
       auto visitor = Parameters::visitor(np);
       auto& unwrapped = internal::unwrapped(visitor);
       using Visitor = std::remove_reference_t<decltype(unwrapped)>;
       const internal::Call_round_done<Visitor> round_done{unwrapped};
       if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return report;
-      const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<Attributes>> carry{
-        unwrapped, attributes};
+      auto attributes = Parameters::attributes(np);
+      auto& carried = internal::unwrapped(attributes);
+      const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>
+        carry{unwrapped, carried};
       internal::with_mesh_access(mesh, [&](auto& access) {
         report =
           internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
@@ -104,17 +114,6 @@ Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
     }
     return report;
   }
-}
-
-/// \ingroup PkgPNSubdivision3Limit
-/// does the same without attributes.
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
-Limit_report subdivide_to_limit(PolygonMesh& mesh, const Scheme& scheme,
-                                const Limit_options& options = Limit_options(),
-                                const NamedParameters& np = parameters::default_values())
-{
-  return subdivide_to_limit<Concurrency_tag>(mesh, scheme, options, np, internal::No_attributes());
 }
 
 } // namespace PN_subdivision_3

@@ -109,8 +109,7 @@ Not part of the header `CGAL/PN_subdivision_3.h`, since it needs \ref thirdparty
 
 \param mesh an oriented 2-manifold with border; it is not modified. The matrix is that of the mesh without
   creases.
-\param scheme the scheme; of one with different normals, the mask of the points counts. A border that
-  `with_border()` makes a crease is refused.
+\param scheme the scheme; of one with different normals, the mask of the points counts.
 \param round the number of the round in a call, counted from 1, for schemes whose weights depend on
   it
 

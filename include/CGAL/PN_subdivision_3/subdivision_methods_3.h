@@ -19,26 +19,48 @@
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+namespace internal {
+
+// by the scheme, or by the variant of it that the call asks for
+template <class Concurrency_tag, class Scheme, class Tuned, class Transfer, class PolygonMesh,
+          class NamedParameters>
+void subdivide_by_variant(PolygonMesh& mesh, const NamedParameters& np)
+{
+  if constexpr (are_named_parameters_v<NamedParameters>) {
+    if constexpr (is_given_v<curvature_transfer_t, NamedParameters>)
+      if (parameters::get_parameter(np, curvature_transfer_t()))
+        return subdivide<Concurrency_tag>(mesh, Transfer(), np);
+    if constexpr (is_given_v<tuned_t, NamedParameters>)
+      if (parameters::get_parameter(np, tuned_t()))
+        return subdivide<Concurrency_tag>(mesh, Tuned(), np);
+  }
+  subdivide<Concurrency_tag>(mesh, Scheme(), np);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgPNSubdivision3Functions
 
 applies point-normal Catmull-Clark subdivision, for polygons of any degree. The same as
 `subdivide(mesh, CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
-exceptions. The order of the new vertices is that of `PQQ_host`.
+exceptions. The order of the new vertices is that of `PQQ_host`. With `parameters::tuned()` it is
+`modified_CatmullClark_scheme`, with cap 1/2, and with `parameters::curvature_transfer()` it is `ct_CatmullClark_scheme`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
 void CatmullClark_subdivision(PolygonMesh& mesh,
                               const NamedParameters& np = parameters::default_values())
 {
-  subdivide<Concurrency_tag>(mesh, CatmullClark_scheme(), np);
+  internal::subdivide_by_variant<Concurrency_tag, CatmullClark_scheme, modified_CatmullClark_scheme,
+                                 ct_CatmullClark_scheme>(mesh, np);
 }
 
 /*!
@@ -46,7 +68,8 @@ void CatmullClark_subdivision(PolygonMesh& mesh,
 
 applies point-normal Loop subdivision, for triangles. The same as `subdivide(mesh, Loop_scheme(),
 np)`, which documents all parameters, guarantees and exceptions. The order of the new vertices is
-that of `PTQ_host`.
+that of `PTQ_host`. With `parameters::tuned()` it is `modified_Loop_scheme`, with cap 1/2, and with
+`parameters::curvature_transfer()` it is `ct_Loop_scheme`.
 
 \throws std::invalid_argument also if a face is not a triangle
 */
@@ -54,7 +77,8 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
 void Loop_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
-  subdivide<Concurrency_tag>(mesh, Loop_scheme(), np);
+  internal::subdivide_by_variant<Concurrency_tag, Loop_scheme, modified_Loop_scheme,
+                                 ct_Loop_scheme>(mesh, np);
 }
 
 /*!
@@ -135,71 +159,6 @@ void Kobbelt_subdivision(PolygonMesh& mesh,
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-applies point-normal modified Catmull-Clark subdivision with cap 1/2, for polygons of any degree.
-The same as `subdivide(mesh, modified_CatmullClark_scheme(), np)`, which documents all parameters,
-guarantees and exceptions; use it for other caps. The order of the new vertices is that of
-`PQQ_host`.
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-void modified_CatmullClark_subdivision(PolygonMesh& mesh,
-                                       const NamedParameters& np = parameters::default_values())
-{
-  subdivide<Concurrency_tag>(mesh, modified_CatmullClark_scheme(), np);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-applies point-normal modified Loop subdivision with cap 1/2, for triangles. The same as
-`subdivide(mesh, modified_Loop_scheme(), np)`, which documents all parameters, guarantees and
-exceptions; use it for other caps. The order of the new vertices is that of `PTQ_host`.
-
-\throws std::invalid_argument also if a face is not a triangle
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-void modified_Loop_subdivision(PolygonMesh& mesh,
-                               const NamedParameters& np = parameters::default_values())
-{
-  subdivide<Concurrency_tag>(mesh, modified_Loop_scheme(), np);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-applies Catmull-Clark subdivision with transfer of curvature, for polygons of any degree. The same as
-`subdivide(mesh, ct_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
-exceptions. The order of the new vertices is that of `PQQ_host`.
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-void ct_CatmullClark_subdivision(PolygonMesh& mesh,
-                                 const NamedParameters& np = parameters::default_values())
-{
-  subdivide<Concurrency_tag>(mesh, ct_CatmullClark_scheme(), np);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-applies Loop subdivision with transfer of curvature, for triangles. The same as `subdivide(mesh,
-ct_Loop_scheme(), np)`, which documents all parameters, guarantees and exceptions. The order of the new
-vertices is that of `PTQ_host`.
-
-\throws std::invalid_argument also if a face is not a triangle
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-void ct_Loop_subdivision(PolygonMesh& mesh,
-                         const NamedParameters& np = parameters::default_values())
-{
-  subdivide<Concurrency_tag>(mesh, ct_Loop_scheme(), np);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
 splits triangles into four, with new vertices in the middle of edges: of the arcs that the normals tell of, or, with roundness 0, of
 the straight ones. The same as `subdivide(mesh, Midpoint_scheme(), np)`, which documents all parameters,
 guarantees and exceptions. Old vertices keep their points and normals bit for bit. The order of the new vertices is
@@ -229,6 +188,23 @@ void Bilinear_subdivision(PolygonMesh& mesh,
                           const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, Bilinear_scheme(), np);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
+
+applies point-normal Catmull-Clark subdivision by grid lines, for quads. The same as
+`subdivide(mesh, grid_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
+exceptions. The order of the new vertices is that of `PQQ_host`.
+
+\throws std::invalid_argument also if a face is not a quad, or if something is sharp
+*/
+template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+void grid_CatmullClark_subdivision(PolygonMesh& mesh,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  subdivide<Concurrency_tag>(mesh, grid_CatmullClark_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

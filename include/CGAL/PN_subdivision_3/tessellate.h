@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -52,42 +53,21 @@ struct Tessellation_result
 
 namespace internal {
 
-// tessellate(), with a table or null
-template <class Concurrency_tag, class FaceGraph, class Scheme, class OutputMesh,
-          class NamedParameters, class NamedParametersOut>
-Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, double chord_error,
-                               OutputMesh& out, const NamedParameters& np,
-                               const NamedParametersOut& np_out, Attribute_table* table)
+// the table of attributes of a call, or null
+template <class NamedParameters>
+Attribute_table* attribute_table(const NamedParameters& np)
 {
-  if constexpr (Is_any<Scheme>::value)
-    return on_host<Tessellation_result, Surface_call<FaceGraph, NamedParameters>>(
-      scheme, [&](const auto& s) {
-        return internal::tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out,
-                                                     table);
-      });
-  else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
-                     !std::is_same_v<typename Scheme::Host, PTQ_host>)
-    throw std::invalid_argument("PN_subdivision_3: " + name_in_message(scheme) +
-                                " does not split edges in halves, by which a tessellation is "
-                                "refined: take Catmull-Clark or Loop, or another scheme that "
-                                "splits faces as they do");
+  if constexpr (!is_given_v<attributes_t, NamedParameters>)
+    return nullptr;
   else {
-    Tessellation_result result;
-    if (!(chord_error > 0) || !std::isfinite(chord_error))
-      throw std::invalid_argument("PN_subdivision_3: the chord error is " +
-                                  std::to_string(chord_error) + ": it must be positive and finite");
-    if constexpr (check_pieces_arguments<FaceGraph, Scheme, NamedParameters>() &&
-                  check_build_arguments<OutputMesh, NamedParametersOut, true>()) {
-      with_mesh_access(control, [&](const auto& access) {
-        with_mesh_access(out, [&](auto& out_access) {
-          const Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(chord_error,
-                                                                                       np, table);
-          result = tessellation.template operator()<Tessellation_result, OutputMesh>(
-            control, access, scheme, out, out_access, np_out);
-        });
-      });
-    }
-    return result;
+    using Given = Parameter_type<attributes_t, NamedParameters, Not_given>;
+    static_assert(std::is_same_v<Given, std::reference_wrapper<Attribute_table>>,
+                  "PN_subdivision_3: tessellate() carries the arrays of an Attribute_table: give "
+                  "parameters::attributes(table)");
+    if constexpr (std::is_same_v<Given, std::reference_wrapper<Attribute_table>>)
+      return &parameter_or<attributes_t>(np, 0).get();
+    else
+      return nullptr;
   }
 }
 
@@ -140,8 +120,11 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
 \param out an empty mesh, which becomes the result; the vertices of the control mesh come first
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the control mesh: `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `vertex_roundness_map` or `roundness`,
-  `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, and
-  `number_of_iterations`, the most rounds that are done about any vertex, 12 by default. The maps are read only
+  `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `geom_traits`, as in `subdivide()`, and
+  `number_of_iterations`, the most rounds that are done about any vertex, 12 by default. The maps are read only.
+  `attributes` of an `Attribute_table` are replaced by those of the result: numbers of vertices become their limits by the
+  linear scheme; numbers of corners are linear inside the control faces, as `Corner_rule::all` has them, and no other
+  rule is known; `Attribute_table::face_parents` are the control faces that the triangles lie in
 \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" of the result: `vertex_point_map`, and
   `vertex_normal_map`, which gets the unit normals of the surface, or of half-edges those of the corners, which differ along
   creases (a map of vertices then has their mean). Where the surface has none it gets the limit of the control
@@ -151,7 +134,8 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
   flat enough stay as they are: the result is complete, and `Tessellation_result::reached` is false
 
 \throws std::invalid_argument if `chord_error` is not positive and finite, if the scheme does not split edges, if `out` is
-  not empty, and as `limit_points()` does
+  not empty, if an array of attributes does not fit, belongs to edges, or to corners by another rule, and as
+  `limit_points()` does
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do; `out` stays
   empty
 */
@@ -163,31 +147,40 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
                                const NamedParameters& np = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  return internal::tessellate<Concurrency_tag>(control, scheme, chord_error, out, np, np_out,
-                                               nullptr);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Limit
-
-does the same and carries attributes from the control mesh to the result.
-
-\param attributes what is carried: numbers of vertices become their limits by the linear scheme, which is where the
-  points go, too; numbers of corners are linear inside the control faces, as `Corner_rule::all` has them, and no other rule is
-  known; `Attribute_table::face_parents` are the control faces that the triangles lie in. The arrays are read and replaced by those of
-  the result
-
-\throws std::invalid_argument besides if an array does not fit, if there are attributes of edges, or of corners by another rule; the
-  arrays are then as they were
-*/
-template <class Concurrency_tag = Sequential_tag, class FaceGraph, class Scheme, class OutputMesh,
-          class NamedParameters, class NamedParametersOut>
-Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, double chord_error,
-                               OutputMesh& out, const NamedParameters& np,
-                               const NamedParametersOut& np_out, Attribute_table& attributes)
-{
-  return internal::tessellate<Concurrency_tag>(control, scheme, chord_error, out, np, np_out,
-                                               &attributes);
+  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+      return tessellate<Concurrency_tag>(control, s, chord_error, out, others, np_out);
+    });
+  else if constexpr (internal::Is_any<Scheme>::value)
+    return internal::on_host<Tessellation_result,
+                             internal::Surface_call<FaceGraph, NamedParameters>>(
+      scheme, [&](const auto& s) {
+        return tessellate<Concurrency_tag>(control, s, chord_error, out, np, np_out);
+      });
+  else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
+                     !std::is_same_v<typename Scheme::Host, PTQ_host>)
+    throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
+                                " does not split edges in halves, by which a tessellation is "
+                                "refined: take Catmull-Clark or Loop, or another scheme that "
+                                "splits faces as they do");
+  else {
+    Tessellation_result result;
+    if (!(chord_error > 0) || !std::isfinite(chord_error))
+      throw std::invalid_argument("PN_subdivision_3: the chord error is " +
+                                  std::to_string(chord_error) + ": it must be positive and finite");
+    if constexpr (internal::check_pieces_arguments<FaceGraph, Scheme, NamedParameters>() &&
+                  internal::check_build_arguments<OutputMesh, NamedParametersOut, true>()) {
+      internal::with_mesh_access(control, [&](const auto& access) {
+        internal::with_mesh_access(out, [&](auto& out_access) {
+          const internal::Tessellation<Concurrency_tag, FaceGraph, NamedParameters> tessellation(
+            chord_error, np, internal::attribute_table(np));
+          result = tessellation.template operator()<Tessellation_result, OutputMesh>(
+            control, access, scheme, out, out_access, np_out);
+        });
+      });
+    }
+    return result;
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -55,25 +55,32 @@ double roundness_of(const Curve_options& options)
   if (options.linear)
     throw Usage_error("--roundness and --linear exclude each other: without normals nothing is "
                       "round");
-  const double roundness = parse_roundness(*options.roundness);
-  const bool has_limit = options.limit.is_used() || options.interpolate;
-  if (roundness != 1 && has_limit)
-    throw Usage_error(std::string("--roundness and ") +
-                      (options.interpolate    ? "--interpolate"
-                       : options.limit.points ? "--limit"
-                                              : "--curve-normals") +
-                      " exclude each other: limits of curves are known with roundness 1 only");
-  return roundness;
+  return parse_roundness(*options.roundness);
 }
 
-// Limits are those of the last mask.
-void require_last_mask(const Curve_options& options, const Curve_scheme& scheme)
+// The center of --normals spherical:X,Y,Z, if it is given.
+std::optional<Triple> center_of_normals(const Curve_options& options)
 {
-  const std::size_t before = scheme.levels.empty() ? 0 : scheme.levels.size() - 1;
-  if (options.limit.is_used() && options.levels < before)
-    throw Usage_error(std::string(options.limit.points ? "--limit" : "--curve-normals") + ": " +
-                      options.scheme + " has another mask after " + std::to_string(before) +
-                      " rounds; give --levels " + std::to_string(before) + " or more");
+  if (!options.normals) return std::nullopt;
+  if (options.linear)
+    throw Usage_error(
+      "--normals and --linear exclude each other: in linear schemes normals take no "
+      "part");
+  const auto [name, arguments] = split_at_colon(*options.normals);
+  if (name != "spherical")
+    throw Usage_error("--normals '" + *options.normals + "': curves take spherical:X,Y,Z");
+  const std::vector<double> x = parse_numbers(arguments, 3, "--normals spherical:X,Y,Z");
+  return Triple{x[0], x[1], x[2]};
+}
+
+Curve_data with_spherical_normals(const Curve_data& polygon, const Triple& center)
+{
+  const auto* const points = std::get_if<Curve_3>(&polygon.points);
+  if (points == nullptr)
+    throw Error("--normals spherical:X,Y,Z, but the curve is in the plane: give lines 'x y z'");
+  return {
+    PN::spherical_control_normals(*points, Curve_kernel::Point_3(center[0], center[1], center[2])),
+    true};
 }
 
 Curve_rule parse_rule(const Curve_options& options)
@@ -82,7 +89,6 @@ Curve_rule parse_rule(const Curve_options& options)
     throw Usage_error("--scheme levels:-: standard input is the polygon already");
   Curve_rule rule{parse_curve_scheme("--scheme", options.scheme), std::nullopt, options.linear};
   rule.end = parse_end(options, rule.scheme);
-  require_last_mask(options, rule.scheme);
   if (options.sharp && !rule.scheme.primal)
     throw Usage_error("--sharp needs a primal scheme (bspline of odd degree, N-point): " +
                       options.scheme + " keeps no end points");
@@ -91,6 +97,10 @@ Curve_rule parse_rule(const Curve_options& options)
   if (options.sharp && rule.end == PN::Curve_end::none)
     throw Usage_error("--sharp and --end none exclude each other: the parts between corners end "
                       "where the corners are");
+  if (options.sharp == "arcs" && options.interpolate)
+    throw Usage_error(
+      "--sharp arcs and --interpolate exclude each other: lines and arcs pass through "
+      "their points already");
   if (options.roundness) rule.roundness = roundness_of(options);
   if (!options.normal_scheme) return rule;
   if (options.linear)
@@ -120,8 +130,9 @@ std::optional<Interpolation_mode> interpolation_of(const Curve_options& options,
 void require_writable_places(const Curve_options& options)
 {
   require_writable_place(options.output);
-  require_report_place(options.report, {options.input, options.output, options.comb.value_or(""),
-                                        options.sharp.value_or("")});
+  require_report_place(options.report,
+                       {options.input, options.output, options.comb.value_or(""),
+                        options.sharp.value_or("arcs") == "arcs" ? "" : *options.sharp});
   if (!options.comb) return;
   require_writable_place(*options.comb);
   if (!boost::algorithm::iends_with(*options.comb, ".svg"))
@@ -147,6 +158,20 @@ void require_a_turn(const std::vector<Curve_data>& parts)
 }
 
 // The polygon with its normals; in parts if it has corners.
+std::vector<Curve_data> arcs_of(const Curve_data& polygon, const Curve_rule& rule,
+                                std::vector<std::size_t>& corners, const std::string& title,
+                                Report& report)
+{
+  Arc_parts arcs = split_into_arcs(polygon, rule.end, rule.linear);
+  if (arcs.found_any)
+    report.note("recognized: " + arcs.summary);
+  else
+    report.warn(title +
+                ": no lines and arcs are recognized; the curve is that without --sharp arcs");
+  corners = std::move(arcs.corners);
+  return std::move(arcs.parts);
+}
+
 std::vector<Curve_data> control_parts(const Curve_data& polygon, const Curve_rule& rule,
                                       const std::vector<std::size_t>& corners)
 {
@@ -190,11 +215,11 @@ void interpolate_parts(std::vector<Curve_data>& parts, const Curve_rule& rule,
 }
 
 // On the limit curve, if that is asked for.
-void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule,
+void move_to_limits(std::vector<Curve_data>& parts, const Curve_rule& part_rule, unsigned rounds,
                     const Limit_choice& choice, const std::string& title, Report& report)
 {
   Limit_summary whole;
-  for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, choice));
+  for (Curve_data& part : parts) whole.add(set_limits(part, part_rule, rounds, choice));
   report.note(whole.description(choice));
   report.set_limit(whole.numbers(choice));
   const std::string text = whole.warning();
@@ -292,6 +317,7 @@ void run_curve_command(const Curve_options& options)
   const std::optional<Interpolation_mode> interpolation = interpolation_of(options, rule);
   require_consistent(options.limit);
   require_limits_of_points(options.scheme, rule, options.limit);
+  const std::optional<Triple> center = center_of_normals(options);
   std::optional<Verification> verification;
   if (options.verify.shape) verification.emplace(options.verify);
   require_writable_places(options);
@@ -300,14 +326,22 @@ void run_curve_command(const Curve_options& options)
   if (polygon.size() >= points_worth_a_report)
     report.progress("read " + input_title(options) + ": " + std::to_string(polygon.size()) +
                     " points");
-  const std::string normals = rule.linear           ? "no normals"
-                              : polygon.has_normals ? "normals of the file"
-                                                    : "estimated normals";
+  if (center)
+    polygon =
+      naming(input_title(options), [&] { return with_spherical_normals(polygon, *center); });
+  const std::string normals = rule.linear               ? "no normals"
+                              : options.sharp == "arcs" ? "normals of lines and arcs"
+                              : center                  ? "normals of the sphere"
+                              : polygon.has_normals     ? "normals of the file"
+                                                        : "estimated normals";
   std::vector<std::size_t> corners;
-  if (options.sharp) corners = read_corners(*options.sharp, polygon.size());
+  const bool has_arcs = options.sharp == "arcs";
+  if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());
   const Refined_curve refined = naming(input_title(options), [&] {
     const std::size_t size = polygon.size();
-    std::vector<Curve_data> parts = control_parts(polygon, rule, corners);
+    std::vector<Curve_data> parts =
+      has_arcs ? arcs_of(polygon, rule, corners, input_title(options), report)
+               : control_parts(polygon, rule, corners);
     if (interpolation)
       interpolate_parts(parts, rule, corners, *interpolation, input_title(options), report);
     // normals of unit length, as the drawing shows them too
@@ -316,7 +350,8 @@ void run_curve_command(const Curve_options& options)
     polygon = control.whole;
     const auto finish = [&](std::vector<Curve_data>& curves, const Curve_rule& part_rule) {
       if (options.limit.is_used())
-        move_to_limits(curves, part_rule, options.limit, input_title(options), report);
+        move_to_limits(curves, part_rule, options.levels, options.limit, input_title(options),
+                       report);
     };
     Refined_curve curve = refined_parts(control.parts, rule, corners, size, options.levels, finish);
     if (verification) verification->measure(curve.whole);

@@ -22,7 +22,7 @@ struct Curve_options
 {
   std::string input, output; // "-": standard input, output
   std::string scheme = "bspline:3";
-  std::optional<std::string> normal_scheme, end, comb, sharp, interpolate, roundness;
+  std::optional<std::string> normal_scheme, normals, end, comb, sharp, interpolate, roundness;
   Limit_choice limit{"curve", false, false, std::nullopt};
   Verify_options verify;
   unsigned levels = 1;

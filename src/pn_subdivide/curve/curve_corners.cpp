@@ -12,6 +12,8 @@
 #include "io/Text_reader.h"
 #include "io/file_content.h"
 
+#include <CGAL/PN_subdivision_3/curves/recognize_arcs.h>
+
 #include <algorithm>
 #include <new>
 #include <type_traits>
@@ -60,6 +62,36 @@ std::vector<Curve_data> split_curve(const Curve_data& polygon, PN::Curve_end end
     },
     polygon.points);
   return parts;
+}
+
+Arc_parts split_into_arcs(const Curve_data& polygon, PN::Curve_end end, bool linear)
+{
+  Arc_parts result;
+  std::size_t number[3] = {};
+  const auto take = [&](const auto& points, const auto& for_normals) {
+    const std::vector<PN::Recognized_arc> arcs = PN::recognize_arcs(points, end);
+    for (const PN::Recognized_arc& arc : arcs) {
+      ++number[int(arc.kind)];
+      if (arcs.size() > 1) result.corners.push_back(arc.first);
+    }
+    for (auto& part : PN::split_at_arcs(for_normals, end, arcs))
+      result.parts.push_back({std::move(part), !linear || polygon.has_normals});
+  };
+  std::visit(
+    [&](const auto& points) {
+      std::vector<std::decay_t<decltype(points[0].first)>> without_normals;
+      if (polygon.has_normals) return take(points, points);
+      for (const auto& item : points) without_normals.push_back(item.first);
+      take(points, without_normals);
+    },
+    polygon.points);
+  const auto counted = [](std::size_t n, const std::string& name) {
+    return std::to_string(n) + " " + name + (n == 1 ? "" : "s");
+  };
+  result.found_any = number[1] + number[2] > 0;
+  result.summary = counted(number[1], "line") + ", " + counted(number[2], "arc") + ", " +
+                   counted(number[0], "unknown piece");
+  return result;
 }
 
 Curve_data joined_curve(const std::vector<Curve_data>& parts, PN::Curve_end end, std::size_t first)

@@ -29,6 +29,18 @@ std::vector<Curve_data> split_curve(const Curve_data& polygon,
                                     const std::vector<std::size_t>& corners, bool estimate);
 
 // The parts as one curve; if it is closed, it begins with point `first`.
+// Lines and arcs of a polygon: its parts as of split_curve(), their first vertices, and what was found. No corners: the polygon
+// is one piece.
+struct Arc_parts
+{
+  std::vector<Curve_data> parts;
+  std::vector<std::size_t> corners;
+  std::string summary;
+  bool found_any = false;
+};
+Arc_parts split_into_arcs(const Curve_data& polygon, CGAL::PN_subdivision_3::Curve_end end,
+                          bool linear);
+
 Curve_data joined_curve(const std::vector<Curve_data>& parts, CGAL::PN_subdivision_3::Curve_end end,
                         std::size_t first);
 

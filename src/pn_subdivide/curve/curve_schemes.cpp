@@ -99,39 +99,20 @@ Curve_scheme parse_curve_scheme(const std::string& option, const std::string& na
                     curve_scheme_names());
 }
 
-namespace {
-
-Curve_data refine(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
+Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
 {
+  require_possible_size(curve.size(), rule, levels);
   Curve_data refined;
   refined.has_normals = !rule.linear;
   std::visit(
     [&](const auto& points) {
-      refined.points = with_mask(rule, [&](const auto& mask) {
-        const auto np = CGAL::parameters::number_of_iterations(levels);
-        if (rule.linear || rule.roundness == 1)
-          return PN::subdivide_curve(points, mask, rule.end, np);
-        return PN::subdivide_curve(points, mask, rule.end,
-                                   PN::parameters::roundness(rule.roundness, np));
+      refined.points = with_mask(rule, 0, [&](const auto& mask) {
+        return PN::subdivide_curve(
+          points, mask, rule.end,
+          PN::parameters::roundness(rule.roundness).number_of_iterations(levels));
       });
     },
     curve.points);
-  return refined;
-}
-
-} // namespace
-
-Curve_data refine_curve(const Curve_data& curve, const Curve_rule& rule, unsigned levels)
-{
-  require_possible_size(curve.size(), rule, levels);
-  if (rule.scheme.levels.empty()) return refine(curve, rule, levels);
-  Curve_rule of_round = rule;
-  Curve_data refined = refine(curve, rule, 0);
-  for (std::size_t k = 0; k < levels; ++k) {
-    const std::vector<Level_mask>& masks = rule.scheme.levels;
-    of_round.scheme.mask = masks[(std::min)(k, masks.size() - 1)];
-    refined = refine(refined, of_round, 1);
-  }
   return refined;
 }
 

@@ -14,6 +14,8 @@
 
 #include <CGAL/PN_subdivision_curve.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -33,7 +35,7 @@ struct Curve_scheme
   Curve_mask mask;
   bool primal;
   std::size_t lost_points; // of 2n, in a round without the stencils that leave an open polygon
-  // of the first rounds, if masks differ; the last one is `mask`
+  // of the first rounds, if masks differ; the last one is `mask`, and that of all others
   std::vector<Level_mask> levels = {};
 };
 
@@ -49,17 +51,21 @@ struct Curve_rule
   CGAL::PN_subdivision_3::Curve_end end = CGAL::PN_subdivision_3::Curve_end::closed;
 };
 
-// function(mask) with the mask of a rule
+// function(mask) with the mask that a rule has after some rounds
 template <class Function>
-auto with_mask(const Curve_rule& rule, const Function& function)
+auto with_mask(const Curve_rule& rule, std::size_t rounds, const Function& function)
 {
   namespace PN = CGAL::PN_subdivision_3;
   return std::visit(
     [&](const auto& mask) {
-      if (rule.linear) return function(PN::linear(mask));
-      if constexpr (std::is_same_v<std::decay_t<decltype(mask)>, Level_mask>)
-        return function(mask); // has no other normals
-      else {
+      if constexpr (std::is_same_v<std::decay_t<decltype(mask)>, Level_mask>) {
+        const std::vector<Level_mask>& all = rule.scheme.levels; // none has other normals
+        const auto first = std::ptrdiff_t((std::min)(rounds, all.size() - 1));
+        const auto masks =
+          PN::level_dependent_mask(std::vector<Level_mask>(all.begin() + first, all.end()));
+        return rule.linear ? function(PN::linear(masks)) : function(masks);
+      } else {
+        if (rule.linear) return function(PN::linear(mask));
         const auto* const spline =
           rule.normal_scheme ? std::get_if<PN::B_spline_mask>(&rule.normal_scheme->mask) : nullptr;
         if (spline != nullptr) return function(PN::with_normal_mask(mask, *spline));

@@ -44,13 +44,11 @@ Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule
   // other masks interpolate anyway
   const auto* const mask = std::get_if<PN::B_spline_mask>(&rule.scheme.mask);
   if (mask == nullptr) return {};
-  PN::Limit_interpolation_options<> options;
-  options.mode = mode;
   return std::visit(
     [&](auto& points) {
-      auto result = rule.linear
-                      ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, options)
-                      : PN::interpolate_curve(points, *mask, rule.end, options);
+      const auto np = PN::parameters::interpolation_mode(mode).roundness(rule.roundness);
+      auto result = rule.linear ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, np)
+                                : PN::interpolate_curve(points, *mask, rule.end, np);
       points = std::move(result.first);
       return result.second;
     },

@@ -44,26 +44,28 @@ void require_limits_of_points(const std::string& scheme, const Curve_rule& rule,
                       "--limit, too");
 }
 
-Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_choice& choice)
+Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rounds,
+                         const Limit_choice& choice)
 {
   if (choice.normals && rule.linear && std::holds_alternative<Curve_3>(curve.points))
     throw Error("--curve-normals: a curve in space has no normals of its own, and in linear "
                 "schemes control normals take no part; leave out --linear");
-  PN::Curve_limit_options options;
-  if (choice.tolerance) options.tolerance = *choice.tolerance;
-  options.curve_normals = choice.normals;
+  const double tolerance = choice.tolerance.value_or(1e-9);
   PN::Limit_report report;
   std::visit(
     [&](auto& points) {
-      with_mask(rule, [&](const auto& mask) {
-        auto limits = PN::curve_limit_points(points, mask, rule.end, options);
+      with_mask(rule, rounds, [&](const auto& mask) {
+        auto limits = PN::curve_limit_points(points, mask, rule.end,
+                                             PN::parameters::tolerance(tolerance)
+                                               .curve_normals(choice.normals)
+                                               .roundness(rule.roundness));
         write(points, limits.first, choice);
         report = limits.second;
       });
     },
     curve.points);
   if (choice.normals) curve.has_normals = true;
-  return {report, report.tolerance / options.tolerance};
+  return {report, report.tolerance / tolerance};
 }
 
 } // namespace pn_subdivide

@@ -23,7 +23,9 @@ void require_limits_of_points(const std::string& scheme, const Curve_rule& rule,
 
 // Puts the points of a refined curve on the limit curve, of a dual scheme one for each edge; gives them its
 // normals; or both. Throws Error if there are no such normals, and passes on the library's exceptions.
-Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, const Limit_choice& choice);
+// The curve is that of some rounds.
+Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rounds,
+                         const Limit_choice& choice);
 
 } // namespace pn_subdivide
 

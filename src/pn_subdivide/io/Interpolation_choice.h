@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_INTERPOLATION_CHOICE_H
 #define PN_SUBDIVIDE_INTERPOLATION_CHOICE_H
 
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 
 #include <optional>
 #include <string>

@@ -21,6 +21,8 @@
 namespace pn_subdivide {
 
 // The options --limit, --limit-tolerance and --surface-normals or --curve-normals.
+constexpr double default_limit_tolerance = 1e-9;
+
 struct Limit_choice
 {
   const char* shape = "surface";

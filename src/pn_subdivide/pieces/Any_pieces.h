@@ -9,10 +9,12 @@
 #ifndef PN_SUBDIVIDE_ANY_PIECES_H
 #define PN_SUBDIVIDE_ANY_PIECES_H
 
+#include "io/Limit_choice.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 
 #include <cstddef>
@@ -36,13 +38,17 @@ public:
   virtual std::uint64_t first_corner(std::uint64_t face) const = 0;
   virtual std::size_t largest_degree() const = 0;
   virtual Piece piece(std::size_t i, unsigned rings) const = 0;
+  // The tolerance of limits is a part of the size of the box of all pieces, which has to be set.
+  virtual CGAL::Bbox_3 box_of_piece(std::size_t i) const = 0;
+  virtual void set_box(const CGAL::Bbox_3& box) = 0;
 };
 
 // The surface is not needed afterwards. Its normals are refined if it has some; with creases those of corners are
-// removed.
+// removed. Vertices are on the limit surface, and have its normals, if that is asked for.
 std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& choice,
                                         unsigned levels, std::size_t number,
-                                        const std::optional<Crease_maps>& creases);
+                                        const std::optional<Crease_maps>& creases,
+                                        const Limit_choice& limit);
 
 // The bytes that so many pieces take in a process, about.
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,

@@ -88,6 +88,8 @@ public:
     throw Failure_of_another_rank();
   }
   void wait_for_all() override { MPI_Barrier(MPI_COMM_WORLD); }
+  void take_largest(std::vector<double>& numbers) override { reduce(numbers, MPI_MAX); }
+  void take_sums(std::vector<double>& numbers) override { reduce(numbers, MPI_SUM); }
   std::unique_ptr<Shared_file> open(const std::filesystem::path& file) override
   {
     return std::make_unique<Mpi_file>(file);
@@ -108,6 +110,11 @@ public:
   }
 
 private:
+  static void reduce(std::vector<double>& numbers, MPI_Op op)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, op,
+                  MPI_COMM_WORLD);
+  }
   static unsigned first_failing(unsigned rank)
   {
     unsigned first = rank;

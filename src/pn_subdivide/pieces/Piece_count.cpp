@@ -22,6 +22,7 @@ namespace {
 constexpr double mega = 1 << 20;
 constexpr double default_memory = 1024 * mega;
 constexpr double of_the_program = 48 * mega; // with its buffers, and the control mesh
+constexpr double of_limits = 2; // limits are kept beside the last level, which has more rings
 constexpr std::size_t most_pieces = 1 << 20;
 
 std::string in_megabytes(double bytes)
@@ -53,14 +54,15 @@ double parse_memory(const std::string& text)
 }
 
 std::size_t piece_count(const Surface& surface, const Scheme_choice& scheme, unsigned levels,
-                        const Pieces_options& options, unsigned ranks)
+                        const Pieces_options& options, unsigned ranks, bool with_limits)
 {
   if (options.pieces) return *options.pieces;
   const double memory = options.memory ? parse_memory(*options.memory) : default_memory;
   double least = 0;
   // a few pieces for each rank, so that none waits long for the last one
   for (std::size_t n = ranks == 1 ? 1 : 4 * std::size_t(ranks); n <= most_pieces; n += n / 4 + 1) {
-    const double bytes = of_the_program + memory_of_pieces(surface, scheme, levels, n);
+    const double bytes =
+      of_the_program + (with_limits ? of_limits : 1) * memory_of_pieces(surface, scheme, levels, n);
     if (bytes <= memory) return n;
     if (least == 0 || bytes < least) least = bytes;
   }

@@ -9,6 +9,9 @@
 #ifndef PN_SUBDIVIDE_PIECE_NORMALS_H
 #define PN_SUBDIVIDE_PIECE_NORMALS_H
 
+#include "io/Different_values.h"
+#include "io/Limit_choice.h"
+#include "io/corner_normals.h"
 #include "pieces/Any_pieces.h"
 #include "surface/Area_normals.h"
 #include "surface/Output_normals.h"
@@ -27,14 +30,17 @@ struct Piece_normals
   bool are_written = false, with_control = false;
   bool with_roundness = false;
   bool are_of_faces = false; // of those around, and not control normals
+  bool are_of_wedges =
+    false; // at vertices with several the sums of their different normals at the limit
   Normal_kind kind = Normal_kind::control;
   double scale = 1;
 
   Piece_normals() = default;
-  Piece_normals(const Output_normals& normals, bool has_normals)
-    : are_written(has_normals && normals.any())
+  Piece_normals(const Output_normals& normals, bool has_normals, const Limit_choice& limit)
+    : are_written((has_normals || limit.normals) && normals.any())
     , with_control(has_normals && normals.with_control())
     , are_of_faces(are_written && normals.are_of_faces())
+    , are_of_wedges(are_written && !are_of_faces && limit.is_used())
     , kind(normals.kind)
     , scale(normals.scale)
   {}
@@ -51,7 +57,7 @@ struct Piece_normals
     return 3 + (are_written ? 3 : 0) + (with_control ? 3 : 0) + (with_roundness ? 1 : 0);
   }
   // of faces around a piece that its own normals depend on; with creases control normals are not written
-  unsigned rings() const { return are_of_faces ? 1 : 0; }
+  unsigned rings() const { return are_of_faces || are_of_wedges ? 1 : 0; }
 };
 
 // The wedges of vertices that have several: at a vertex in the order of their least half-edges, as Several_wedges has
@@ -117,6 +123,7 @@ public:
   Normals_of_piece(const Piece& piece, const Piece_normals& normals)
     : piece_(piece)
   {
+    if (normals.are_of_wedges) add_normals_of_wedges();
     if (!normals.are_of_faces) return;
     const auto& level = piece.connectivity();
     const std::size_t vertices = piece.number_of_vertices();
@@ -142,12 +149,47 @@ public:
     wedges.add_to_vertices(of_faces_);
   }
 
-  Triple operator[](Piece::Index v) const { return of_faces_.empty() ? control(v) : of_faces_[v]; }
+  Triple operator[](Piece::Index v) const
+  {
+    const auto sum = sums_.find(v);
+    if (sum != sums_.end())
+      return sum->second.number > 1 ? normalized(sum->second.of) : sum->second.of;
+    return of_faces_.empty() ? control(v) : of_faces_[v];
+  }
   Triple control(Piece::Index v) const { return to_triple(piece_.normals()[v]); }
 
 private:
+  struct Sum
+  {
+    Triple of;
+    int number;
+    std::vector<Triple> summands;
+  };
+
+  // as set_vertex_normals() has them, in the order of the faces
+  void add_normals_of_wedges()
+  {
+    if (piece_.corners_of_several_wedges().empty()) return;
+    std::vector<const Piece::Corner*> corners;
+    for (const Piece::Corner& c : piece_.corners_of_several_wedges()) corners.push_back(&c);
+    const auto& level = piece_.connectivity();
+    std::sort(corners.begin(), corners.end(), [&](const auto* a, const auto* b) {
+      return level.face(a->halfedge) < level.face(b->halfedge);
+    });
+    for (const Piece::Corner* c : corners) {
+      const Triple n = to_triple(c->normal);
+      Sum& sum = sums_.try_emplace(level.target(c->halfedge), Sum{{0, 0, 0}, 0, {}}).first->second;
+      const auto is_same = [&](const Triple& other) { return are_equal(other, n); };
+      if (std::any_of(sum.summands.begin(), sum.summands.end(), is_same)) continue;
+      for (std::size_t k = 0; k < 3; ++k) sum.of[k] = sum.number == 0 ? n[k] : sum.of[k] + n[k];
+      ++sum.number;
+      sum.summands.push_back(n);
+    }
+  }
+
   const Piece& piece_;
   std::vector<Triple> of_faces_;
+  std::unordered_map<Piece::Index, Sum> sums_; // of vertices with several wedges
 };
 
 } // namespace pn_subdivide

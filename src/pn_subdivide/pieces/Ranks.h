@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -39,6 +40,9 @@ public:
   virtual void begin_work() {}
   // to be called by all
   virtual void wait_for_all() {}
+  // Each number becomes the largest one of all ranks, or their sum. To be called by all.
+  virtual void take_largest(std::vector<double>& /*numbers*/) {}
+  virtual void take_sums(std::vector<double>& /*numbers*/) {}
   // to be called by all
   virtual std::unique_ptr<Shared_file> open(const std::filesystem::path& file)
   {

@@ -93,7 +93,11 @@ bool Unfinished_output::is_finished(std::size_t piece) const
 
 void Unfinished_output::write(std::size_t i)
 {
-  output_->write(i, job_.pieces->piece(i, job_.normals.rings()));
+  const Any_pieces::Piece piece = job_.pieces->piece(i, job_.normals.rings());
+  output_->write(i, piece);
+  const auto& limits = piece.limit_report();
+  const double tolerance = job_.limit.tolerance.value_or(default_limit_tolerance);
+  summary_.add({limits, limits.tolerance / tolerance});
   if (job_.is_resumable) finished_.set_finished(i, output_->sync(i));
 }
 

@@ -37,6 +37,8 @@ public:
 
   bool is_finished(std::size_t piece) const;
   void write(std::size_t i);
+  // what the limits of the pieces that were written have reached
+  const Limit_summary& summary() const { return summary_; }
   void close() { output_->close(); }
   // by one rank, when all have closed it
   void finish();
@@ -51,6 +53,7 @@ private:
   const Pieces_job& job_;
   Finished_pieces finished_;
   std::unique_ptr<Piece_output> output_;
+  Limit_summary summary_;
   bool is_ours_ = false, is_open_ = false;
   std::optional<Temporary_on_signal> removal_;
 };

@@ -26,7 +26,7 @@ public:
   template <class NamedParameters>
   Pieces_of_scheme(const Surface& surface, const S& scheme, std::size_t number,
                    const NamedParameters& np)
-    : pieces_(surface, scheme, number, np)
+    : pieces_(surface, scheme, PN::parameters::join(PN::parameters::number_of_pieces(number), np))
   {}
 
   std::size_t number() const override { return pieces_.number_of_pieces(); }
@@ -38,6 +38,8 @@ public:
   }
   std::size_t largest_degree() const override { return pieces_.largest_degree(); }
   Piece piece(std::size_t i, unsigned rings) const override { return pieces_.piece(i, rings); }
+  CGAL::Bbox_3 box_of_piece(std::size_t i) const override { return pieces_.box_of_piece(i); }
+  void set_box(const CGAL::Bbox_3& box) override { pieces_.set_box(box); }
 
 private:
   PN::Surface_pieces<S, Kernel, CGAL::Parallel_if_available_tag> pieces_;
@@ -50,27 +52,43 @@ std::unique_ptr<Any_pieces> pieces_of_scheme(const Surface& surface, const S& sc
   return std::make_unique<Pieces_of_scheme<S>>(surface, scheme, number, np);
 }
 
+template <class NamedParameters>
+auto with_limit(const Limit_choice& limit, const NamedParameters& np)
+{
+  return PN::parameters::join(PN::parameters::to_limit(limit.is_used())
+                                .points(limit.points)
+                                .surface_normals(limit.normals)
+                                .tolerance(limit.tolerance.value_or(default_limit_tolerance)),
+                              np);
+}
+
+Roundness_map given_roundness(Surface& surface)
+{
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  return given ? *given : add_roundness(surface);
+}
+
 std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_choice& choice,
                                                 unsigned levels, std::size_t number,
-                                                const Crease_maps& creases)
+                                                const Crease_maps& creases,
+                                                const Limit_choice& limit)
 {
-  const auto np = CGAL::parameters::number_of_iterations(levels)
-                    .edge_is_constrained_map(creases.edges)
-                    .vertex_is_constrained_map(creases.vertices);
+  const auto np = with_limit(limit, PN::parameters::border(creases.border)
+                                      .number_of_iterations(levels)
+                                      .edge_is_constrained_map(creases.edges)
+                                      .vertex_is_constrained_map(creases.vertices));
   if (!normals_of(surface)) {
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-    return pieces_of_scheme(surface, PN::linear(PN::with_border(scheme, creases.border)), number,
-                            np);
+    return pieces_of_scheme(surface, PN::linear(scheme), number, np);
   }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  const Roundness_map roundness = given ? *given : add_roundness(surface);
+  const Roundness_map roundness = given_roundness(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return pieces_of_scheme(
-      surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-      number,
-      PN::parameters::vertex_roundness_map(
-        roundness, np.vertex_normal_map(Control_corner_normals{&of_corners})));
+      surface, scheme, number,
+      PN::parameters::join(
+        PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+        np.vertex_normal_map(Control_corner_normals{&of_corners})));
   });
 }
 
@@ -78,20 +96,21 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
 
 std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& choice,
                                         unsigned levels, std::size_t number,
-                                        const std::optional<Crease_maps>& creases)
+                                        const std::optional<Crease_maps>& creases,
+                                        const Limit_choice& limit)
 {
-  if (creases) return pieces_with_creases(surface, choice, levels, number, *creases);
-  const auto rounds = CGAL::parameters::number_of_iterations(levels);
+  if (creases) return pieces_with_creases(surface, choice, levels, number, *creases, limit);
+  const auto rounds = with_limit(limit, CGAL::parameters::number_of_iterations(levels));
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals)
     return pieces_of_scheme(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
                             number, rounds);
-  const auto given = rounds.vertex_normal_map(*normals);
-  const std::optional<Roundness_map> roundness = roundness_of(surface);
+  const auto given = PN::parameters::join(CGAL::parameters::vertex_normal_map(*normals), rounds);
+  const Roundness_map roundness = given_roundness(surface);
   return with_scheme(choice, [&](const auto& scheme) {
-    return roundness ? pieces_of_scheme(surface, scheme, number,
-                                        PN::parameters::vertex_roundness_map(*roundness, given))
-                     : pieces_of_scheme(surface, scheme, number, given);
+    return pieces_of_scheme(
+      surface, scheme, number,
+      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), given));
   });
 }
 

@@ -46,7 +46,8 @@ bool has_inner_creases(const Surface& surface, const Creases& creases, unsigned 
 
 // Of the same data and options the same word.
 std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface_options& options,
-                    const Scheme_choice& scheme, const Output_normals& normals, std::size_t pieces)
+                    const Scheme_choice& scheme, const Output_normals& normals,
+                    const Limit_choice& limit, std::size_t pieces)
 {
   Checksum crc;
   const auto add = [&crc](const auto& values) {
@@ -71,6 +72,7 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
   for (const auto& [parameter, value] : scheme.parameters) text << ' ' << parameter << ' ' << value;
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
   text << ' ' << int(creases.border) << ' ' << int(normals.choice) << ' ' << int(normals.kind);
+  text << ' ' << limit.points << limit.normals << ' ' << limit.tolerance.value_or(0);
   text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();
   add(text.str());
   return text_of(crc) + " " + std::to_string(pieces);
@@ -109,9 +111,13 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.check, "--check");
   refuse(options.verify.shape.has_value(), "--verify");
   refuse(options.interpolate.has_value(), "--interpolate");
-  refuse(options.limit.points, "--limit");
-  refuse(options.limit.normals, "--surface-normals");
-  refuse(options.output_normals == "surface", "--output-normals surface");
+  refuse(options.limit.points && options.output_normals == "both",
+         "--limit together with --output-normals both");
+  // whose limits have other last bits where some are asked for
+  const bool has_limit =
+    options.limit.points || options.limit.normals || options.output_normals == "surface";
+  refuse(has_limit && options.scheme.scheme == "sqrt3",
+         "--limit or --output-normals surface together with --scheme sqrt3");
   refuse(options.ascii, "--ascii");
   refuse(options.write_tags.has_value(), "--write-tags");
   if (wants_surfaces(options.creases))
@@ -138,19 +144,21 @@ void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
 
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& output,
-                           const Output_normals& normals)
+                           const Output_normals& normals, const Limit_choice& limit)
 {
   Surface surface = make_surface(mesh);
   std::optional<Crease_maps> maps;
-  if (is_creased(creases) && options.levels > 0) maps = add_creases(surface, creases);
+  if (is_creased(creases) && (options.levels > 0 || limit.is_used()))
+    maps = add_creases(surface, creases, limit.is_used());
   const std::size_t number =
-    piece_count(surface, scheme, options.levels, options.pieces, ranks().number());
+    piece_count(surface, scheme, options.levels, options.pieces, ranks().number(), limit.is_used());
   Pieces_job job;
-  job.name = name_of(mesh, creases, options, scheme, normals, number);
+  job.name = name_of(mesh, creases, options, scheme, normals, limit, number);
+  job.limit = limit;
   job.has_normals = mesh.has_normals();
-  job.normals = Piece_normals(normals, job.has_normals);
+  job.normals = Piece_normals(normals, job.has_normals, limit);
   if (!mesh.roundness.empty()) job.normals.add_roundness();
-  const bool has_several = options.levels == 0
+  const bool has_several = options.levels == 0 && !limit.is_used()
                              ? mesh.has_corner_normals()
                              : maps && has_inner_creases(surface, creases, options.levels);
   job.has_lost_normals = job.normals.are_written && has_several;
@@ -159,7 +167,7 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
     job.origin = origin_after(mesh, scheme.scheme, options.levels);
   mesh = Mesh_data();
   take_names(job, output);
-  job.pieces = make_pieces(surface, scheme, options.levels, number, maps);
+  job.pieces = make_pieces(surface, scheme, options.levels, number, maps, limit);
   return job;
 }
 

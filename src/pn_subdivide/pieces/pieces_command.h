@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_PIECES_COMMAND_H
 #define PN_SUBDIVIDE_PIECES_COMMAND_H
 
+#include "io/Limit_choice.h"
 #include "io/Report.h"
 #include "io/mesh_io.h"
 #include "pieces/Any_pieces.h"
@@ -40,7 +41,8 @@ struct Pieces_job
   bool has_normals = false;      // to refine with
   Piece_normals normals;         // that are written
   bool has_lost_normals = false; // vertices with several of them have one in the output
-  Mesh_origin origin;            // if it is written
+  Limit_choice limit;
+  Mesh_origin origin; // if it is written
   bool is_resumable = false;
   std::string name; // of data and options, the same for the same result
   Output_names names;
@@ -50,11 +52,12 @@ struct Pieces_job
 // Takes the names in the file system first. Throws Output_error if they cannot be had.
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& output,
-                           const Output_normals& normals);
+                           const Output_normals& normals, const Limit_choice& limit);
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
-void write_pieces(const Pieces_job& job, const std::string& output, unsigned threads,
-                  const Report& report);
+// Returns what limits have reached.
+Limit_summary write_pieces(const Pieces_job& job, const std::string& output, unsigned threads,
+                           const Report& report);
 
 } // namespace pn_subdivide
 

@@ -19,6 +19,7 @@
 #include <chrono>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
@@ -37,10 +38,38 @@ void write_own_pieces(Unfinished_output& output, std::size_t pieces, const Repor
   }
 }
 
+// of all pieces, of which each rank looks at its own
+void set_box(Any_pieces& pieces)
+{
+  CGAL::Bbox_3 box;
+  for (std::size_t i = ranks().rank(); i < pieces.number(); i += ranks().number())
+    box += pieces.box_of_piece(i);
+  std::vector<double> sides{-box.xmin(), -box.ymin(), -box.zmin(),
+                            box.xmax(),  box.ymax(),  box.zmax()};
+  ranks().take_largest(sides);
+  pieces.set_box({-sides[0], -sides[1], -sides[2], sides[3], sides[4], sides[5]});
+}
+
+void add_up(Limit_summary& summary)
+{
+  std::vector<double> largest{summary.error, summary.tolerance, summary.box, summary.normal_error,
+                              double(summary.depth)};
+  ranks().take_largest(largest);
+  summary.error = largest[0];
+  summary.tolerance = largest[1];
+  summary.box = largest[2];
+  summary.normal_error = largest[3];
+  summary.depth = static_cast<unsigned>(largest[4]);
+  std::vector<double> sums{double(summary.misses), double(summary.stand_ins)};
+  ranks().take_sums(sums);
+  summary.misses = static_cast<std::size_t>(sums[0]);
+  summary.stand_ins = static_cast<std::size_t>(sums[1]);
+}
+
 } // namespace
 
-void write_pieces(const Pieces_job& job, const std::string& output,
-                  [[maybe_unused]] unsigned threads, const Report& report)
+Limit_summary write_pieces(const Pieces_job& job, const std::string& output,
+                           [[maybe_unused]] unsigned threads, const Report& report)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -50,14 +79,18 @@ void write_pieces(const Pieces_job& job, const std::string& output,
     Unfinished_output unfinished(job);
     if (all.rank() == 0) unfinished.create();
     all.begin_work();
+    if (job.limit.is_used()) set_box(*job.pieces);
     unfinished.open();
     write_own_pieces(unfinished, job.pieces->number(), report);
     unfinished.close();
     all.wait_for_all();
+    Limit_summary summary = unfinished.summary();
+    if (job.limit.is_used()) add_up(summary);
     if (all.rank() == 0)
       unfinished.finish();
     else
       unfinished.leave();
+    return summary;
   } catch (const Failure_of_another_rank&) {
     throw;
   } catch (const std::bad_alloc&) {

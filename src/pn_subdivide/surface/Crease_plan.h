@@ -14,7 +14,7 @@
 #include "surface/Recognition_plan.h"
 #include "surface/surface_schemes.h"
 
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <limits>
 #include <string>

@@ -44,9 +44,10 @@ Surface without_normals(const Mesh_data& mesh)
 template <class Function>
 auto with_parameters(const Recognition_plan& plan, const Function& f)
 {
-  const auto np =
-    PN::parameters::sharp_angle(plan.sharp_angle, PN::parameters::min_facets(plan.min_facets));
-  return plan.tolerance ? f(PN::parameters::surface_tolerance(*plan.tolerance, np)) : f(np);
+  const auto np = PN::parameters::sharp_angle(plan.sharp_angle).min_facets(plan.min_facets);
+  return plan.tolerance
+           ? f(PN::parameters::join(PN::parameters::surface_tolerance(*plan.tolerance), np))
+           : f(np);
 }
 
 // Between known surfaces whose normals are within two degrees at both ends.
@@ -108,9 +109,9 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
     // creases, and normals for all corners
-    PN::internal::Surface_fallback fallback =
-      PN::internal::never_worse_than_linear(surface, segments, part.surfaces, creases, normals,
-                                            PN::parameters::vertex_roundness_map(roundness, np));
+    PN::internal::Surface_fallback fallback = PN::internal::never_worse_than_linear(
+      surface, segments, part.surfaces, creases, normals,
+      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), np));
     part.given_up = fallback.segments_given_up;
     part.set_back = fallback.wedges_set_back;
     part.high_faces = std::move(fallback.high_faces);

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace pn_subdivide {
 namespace {
@@ -140,6 +141,19 @@ bool is_round(const Recognized_surface& s)
   return s.kind != Kind::plane && s.kind != Kind::unknown;
 }
 
+// Prisms that are not round: how many of their sides, and with which --min-facets they were.
+std::string left_prisms(const std::vector<Recognized_surface>& surfaces)
+{
+  std::map<long, std::size_t> sides;
+  for (const Recognized_surface& s : surfaces)
+    if (s.kind == Kind::plane && s.widest_step > 0)
+      ++sides[std::lround(2 * CGAL_PI / s.widest_step)];
+  std::string text;
+  for (const auto& [n, planes] : sides)
+    text += (text.empty() ? "" : ", ") + std::to_string(planes) + " of " + std::to_string(n);
+  return text.empty() ? "" : "planes left as sides of prisms: " + text + " a turn";
+}
+
 } // namespace
 
 std::vector<Deviation> deviations(const Surface& surface, const std::vector<double>& segments,
@@ -196,6 +210,9 @@ std::string Surface_table::text() const
   if (part_.set_back > 0)
     text += "; " + number_of(part_.set_back, "wedge", "wedges") + " set back to linear";
 
+  const std::string prisms = left_prisms(part_.surfaces);
+  if (!prisms.empty()) text += "; " + prisms;
+
   constexpr std::size_t most = 30;
   std::size_t rounds = 0;
   for (std::size_t i = 0; i < part_.surfaces.size(); ++i) {
@@ -225,7 +242,7 @@ std::vector<Report::Row> Surface_table::rows() const
     if (is_round(s) && s.kind != Kind::cone) add("radius", s.radius);
     if (s.kind == Kind::torus) add("tube_radius", s.tube_radius);
     if (s.kind == Kind::cone) add("half_angle", s.half_angle);
-    if (is_round(s)) add("widest_step", s.widest_step);
+    if (s.widest_step > 0) add("widest_step", s.widest_step);
     if (s.kind == Kind::torus) add("widest_meridian_step", s.widest_meridian_step);
     if (s.kind != Kind::unknown) {
       add("residual", s.residual);

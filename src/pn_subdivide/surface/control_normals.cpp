@@ -16,9 +16,11 @@
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/smooth_control_normals.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -81,8 +83,8 @@ void estimate(Mesh_data& mesh, PN::Control_normal_estimate how)
   Surface surface = make_surface(mesh);
   auto normals = surface.add_property_map<Surface::Vertex_index, Vector_3>("v:normal").first;
   const Roundness_map roundness = add_roundness(surface);
-  PN::estimate_control_normals(surface, normals, PN::parameters::vertex_roundness_map(roundness),
-                               how);
+  PN::estimate_control_normals(
+    surface, normals, PN::parameters::control_normal_estimate(how).vertex_roundness_map(roundness));
   put_roundness(mesh, roundness);
   mesh.normals.reserve(mesh.points.size());
   for (const Surface::Vertex_index v : surface.vertices())
@@ -141,9 +143,9 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
   const Roundness_map roundness = add_roundness(surface);
   PN::estimate_corner_normals(
     surface, maps.edges, normals,
-    PN::parameters::vertex_roundness_map(
-      roundness, CGAL::parameters::vertex_is_constrained_map(maps.vertices)),
-    of_all.value_or(default_estimate));
+    PN::parameters::control_normal_estimate(of_all.value_or(default_estimate))
+      .vertex_roundness_map(roundness)
+      .vertex_is_constrained_map(maps.vertices));
   if (of_all) put_roundness(mesh, roundness);
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });
   const Normal_map of_vertices = *normals_of(surface);
@@ -181,6 +183,32 @@ std::optional<PN::Control_normal_estimate> estimate_of_all(const Mesh_data& mesh
   return std::nullopt;
 }
 
+// Those of wedges if there are creases.
+void smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Report& report)
+{
+  Surface surface = make_surface(mesh);
+  const PN::Normal_smoothing_report done =
+    creases.any() ? PN::smooth_control_normals(surface, *corner_normals_of(surface),
+                                               CGAL::parameters::edge_is_constrained_map(
+                                                 add_creases(surface, creases).edges))
+                  : PN::smooth_control_normals(surface, *normals_of(surface));
+  char text[200];
+  std::snprintf(
+    text, sizeof text,
+    ": the normals in the file have a noise of about %.2g degrees and miss arcs by %.2g: ",
+    done.noise, done.arc_defect);
+  std::string change = "left as they are";
+  if (done.changed_normals > 0) {
+    char turn[60];
+    std::snprintf(turn, sizeof turn, " smoothed, by up to %.2g degrees", done.largest_turn);
+    change = std::to_string(done.changed_normals) + turn;
+    Mesh_data smoothed = to_mesh_data(surface);
+    mesh.normals = std::move(smoothed.normals);
+    mesh.corner_normals = std::move(smoothed.corner_normals);
+  }
+  report.remark(name + text + change);
+}
+
 void drop_normals(Mesh_data& mesh)
 {
   mesh.normals.clear();
@@ -216,7 +244,10 @@ Normals_option parse_normals_option(const std::string& text)
     option.source = Source::automatic;
   else if (text == "file")
     option.source = Source::file;
-  else if (text == "estimate" || text == "coherent")
+  else if (text == "smooth") {
+    option.source = Source::file;
+    option.smooths = true;
+  } else if (text == "estimate" || text == "coherent")
     option.source = Source::estimate;
   else if (text == "reciprocal")
     option.source = Source::reciprocal;
@@ -237,7 +268,7 @@ Normals_option parse_normals_option(const std::string& text)
     option.axis = {x[3] / largest, x[4] / largest, x[5] / largest};
   } else
     throw Usage_error("--normals '" + text +
-                      "': expected auto, file, estimate, coherent, reciprocal, " +
+                      "': expected auto, file, smooth, estimate, coherent, reciprocal, " +
                       "angle, none, sphere:X,Y,Z or cylinder:X,Y,Z,DX,DY,DZ");
   return option;
 }
@@ -247,8 +278,8 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
   switch (option.source) {
   case Source::file:
     if (!mesh.has_normals())
-      throw Error("--normals file, but the file has no vertex normals; --normals estimate makes "
-                  "some");
+      throw Error(std::string("--normals ") + (option.smooths ? "smooth" : "file") +
+                  ", but the file has no vertex normals; --normals estimate makes some");
     break;
   case Source::automatic:
     if (!mesh.has_normals()) estimate(mesh, default_of(option));
@@ -277,7 +308,11 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
 void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          const std::string& name, Report& report)
 {
-  if (!creases.any()) return set_control_normals(mesh, option);
+  if (!creases.any()) {
+    set_control_normals(mesh, option);
+    if (option.smooths) smooth(mesh, creases, name, report);
+    return;
+  }
   std::vector<Triple> corner_normals;
   corner_normals.swap(mesh.corner_normals);
   const bool from_file =
@@ -292,6 +327,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
     estimate_between_creases(mesh, of_all, creases);
     if (from_file) report_estimated_wedges(mesh, creases, name, report);
   }
+  if (option.smooths) smooth(mesh, creases, name, report);
 }
 
 std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& creases)

@@ -24,11 +24,12 @@ struct Normals_option
 
   Source source = Source::automatic;
   bool is_reciprocal = false; // what automatic and estimate estimate
+  bool smooths = false;       // those of the file, against the points
   Triple center{0, 0, 0};     // of the sphere, or a point of the cylinder's axis
   Triple axis{0, 0, 1};       // of the cylinder
 };
 
-// auto | file | estimate or coherent | reciprocal | angle | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
+// auto | file | smooth | estimate or coherent | reciprocal | angle | none | sphere:X,Y,Z | cylinder:X,Y,Z,DX,DY,DZ. Throws Usage_error.
 Normals_option parse_normals_option(const std::string& text);
 
 // Sets, keeps or drops `mesh.normals`; all are unit vectors or zero afterwards. Throws Error if the
@@ -39,7 +40,8 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option);
 // The same for a mesh with creases. Corners keep the normals that the file gives them, if it is asked
 // for normals. Otherwise corners have the normal of their vertex where it has one wedge, and elsewhere
 // an estimate; that estimates stand in the place of normals which the file gives to vertices is said.
-// Estimates of all normals are those of the wedges, and set the roundness, too, which is that of the file before.
+// Estimates of all normals are those of the wedges, and set the roundness, too, which is that of the file before. Normals
+// that are to be smoothed are, wedge by wedge.
 void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          const std::string& name, Report& report);
 

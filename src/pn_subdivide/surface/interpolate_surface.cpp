@@ -48,8 +48,37 @@ void require_interpolation(const Scheme_choice& choice)
 }
 
 #if __has_include(<Eigen/Core>)
+namespace {
+
+using Tag = CGAL::Parallel_if_available_tag;
+
+Interpolation_report interpolate_with_creases(Surface& surface, const Scheme& scheme,
+                                              Interpolation_mode mode, const Crease_maps& creases)
+{
+  const auto np = PN::parameters::border(creases.border)
+                    .interpolation_mode(mode)
+                    .edge_is_constrained_map(creases.edges)
+                    .vertex_is_constrained_map(creases.vertices);
+  if (!normals_of(surface))
+    return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), np);
+  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
+  if (!normals) normals = add_corner_normals(surface);
+  const std::optional<Roundness_map> given = roundness_of(surface);
+  Roundness_map roundness = given ? *given : add_roundness(surface);
+  auto report = PN::interpolate_limit_points<Tag>(
+    surface, scheme,
+    PN::parameters::join(
+      PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+      np.vertex_normal_map(*normals)));
+  if (!given) surface.remove_property_map(roundness);
+  return report;
+}
+
+} // namespace
+
 Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,
-                                         const Interpolation& interpolation)
+                                         const Interpolation& interpolation,
+                                         const std::optional<Crease_maps>& creases)
 {
 #  ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -57,23 +86,22 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
 #  endif
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
   if (scheme.interpolates()) return {}; // the net is the data
-  using Tag = CGAL::Parallel_if_available_tag;
-  PN::Limit_interpolation_options<> options;
-  options.mode = interpolation.mode;
+  if (creases) return interpolate_with_creases(surface, scheme, interpolation.mode, *creases);
+  const auto how = PN::parameters::interpolation_mode(interpolation.mode);
   const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), options);
+  if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), how);
   const std::optional<Roundness_map> given = roundness_of(surface);
   Roundness_map roundness = given ? *given : add_roundness(surface);
   const auto np = PN::parameters::vertex_roundness_map(roundness);
   if (interpolation.improves_normals) PN::natural_normals<Tag>(surface, scheme, *normals, np);
   auto report = PN::interpolate_limit_points<Tag>(
-    surface, scheme, options,
-    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(*normals)));
+    surface, scheme, how.vertex_roundness_map(roundness).vertex_normal_map(*normals));
   if (!given) surface.remove_property_map(roundness);
   return report;
 }
 #else // parse_interpolation() has refused
-Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, const Interpolation&)
+Interpolation_report interpolate_surface(Surface&, const Scheme_choice&, const Interpolation&,
+                                         const std::optional<Crease_maps>&)
 {
   return {};
 }

@@ -11,8 +11,10 @@
 
 #include "io/Interpolation_choice.h"
 #include "surface/Surface.h"
+#include "surface/creases.h"
 #include "surface/surface_schemes.h"
 
+#include <optional>
 #include <string>
 
 namespace pn_subdivide {
@@ -27,10 +29,11 @@ struct Interpolation
 // Throws Usage_error if surfaces of the scheme cannot be made to pass through points.
 void require_interpolation(const Scheme_choice& choice);
 
-// Makes a mesh the control net of a surface through its vertices; without normals by the linear scheme.
-// Passes on the library's exceptions.
+// Makes a mesh the control net of a surface through its vertices; without normals by the linear scheme. With creases
+// it gets the normals of their wedges, and the tangents. Passes on the library's exceptions.
 Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& choice,
-                                         const Interpolation& interpolation);
+                                         const Interpolation& interpolation,
+                                         const std::optional<Crease_maps>& creases);
 
 } // namespace pn_subdivide
 

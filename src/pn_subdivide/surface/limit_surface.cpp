@@ -29,7 +29,6 @@ namespace PN = CGAL::PN_subdivision_3;
 
 using Tag = CGAL::Parallel_if_available_tag;
 using Limit_report = PN::Limit_report;
-using Limit_options = PN::Limit_options;
 using Limit_point = PN::Limit_point<Kernel>;
 
 // A map of limits that hands each to a function, so that none is kept that is not wanted.
@@ -55,9 +54,9 @@ private:
   Take_limit take_;
 };
 
+template <class Options>
 Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& normals,
-                       const Scheme_choice& choice, const Limit_map& limits,
-                       const Limit_options& options)
+                       const Scheme_choice& choice, const Limit_map& limits, const Options& options)
 {
   if (!normals)
     return PN::limit_points<Tag>(
@@ -66,41 +65,46 @@ Limit_report limits_of(const Surface& surface, const std::optional<Normal_map>& 
   const std::optional<Roundness_map> roundness = roundness_of(surface);
   return with_scheme(choice, [&](const auto& scheme) {
     return roundness
-             ? PN::limit_points<Tag>(surface, scheme, limits, options,
-                                     PN::parameters::vertex_roundness_map(*roundness, given))
-             : PN::limit_points<Tag>(surface, scheme, limits, options, given);
+             ? PN::limit_points<Tag>(
+                 surface, scheme, limits,
+                 PN::parameters::join(options, PN::parameters::vertex_roundness_map(*roundness),
+                                      given))
+             : PN::limit_points<Tag>(surface, scheme, limits, PN::parameters::join(options, given));
   });
 }
 
 // The mesh gets the limit points and the normals that are asked for, by corners; with a linear scheme, only normals of
 // the surface.
-template <class S>
+template <class S, class Options>
 Limit_report move_to_limits(Surface& surface, Corner_normal_map normals, const S& scheme,
-                            const Crease_maps& creases, const Limit_options& options)
+                            const Crease_maps& creases, const Options& options)
 {
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
-  return PN::move_to_limit<Tag>(surface, scheme, options,
-                                PN::parameters::vertex_roundness_map(
-                                  roundness, CGAL::parameters::vertex_normal_map(normals)
-                                               .edge_is_constrained_map(creases.edges)
-                                               .vertex_is_constrained_map(creases.vertices)));
+  return PN::internal::move_to_limit_of_call<Tag>(
+    surface, scheme,
+    PN::parameters::join(options, PN::parameters::vertex_roundness_map(roundness)
+                                    .vertex_normal_map(normals)
+                                    .edge_is_constrained_map(creases.edges)
+                                    .vertex_is_constrained_map(creases.vertices)));
 }
 
+template <class Options>
 Limit_report move_to_linear_limits(Surface& surface, Corner_normal_map normals,
                                    const Scheme_choice& choice, const Crease_maps& creases,
-                                   const Limit_options& options)
+                                   const Options& options)
 {
   const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-  return move_to_limits(surface, normals, PN::linear(PN::with_border(scheme, creases.border)),
-                        creases, options);
+  return move_to_limits(surface, normals, PN::linear(scheme), creases, options);
 }
 
+template <class Options>
 Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
-                               const Crease_maps& creases, const Limit_options& options)
+                               const Crease_maps& creases, bool surface_normals,
+                               const Options& options)
 {
   const bool is_linear = !normals_of(surface);
-  if (is_linear && !options.surface_normals) {
+  if (is_linear && !surface_normals) {
     Corner_normal_map unused =
       surface.add_property_map<Surface::Halfedge_index, Vector_3>("h:unused").first;
     const Limit_report report = move_to_linear_limits(surface, unused, choice, creases, options);
@@ -112,10 +116,8 @@ Limit_report move_to_limits_of(Surface& surface, const Scheme_choice& choice,
   if (!normals) normals = add_corner_normals(surface);
   if (is_linear) return move_to_linear_limits(surface, *normals, choice, creases, options);
   return with_scheme(choice, [&](const auto& scheme) {
-    return move_to_limits(
-      surface, *normals,
-      PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents), creases,
-      options);
+    return move_to_limits(surface, *normals, scheme, creases,
+                          options.crease_tangent_map(creases.tangents));
   });
 }
 
@@ -131,14 +133,12 @@ Limit_map write_limits(Surface& surface, std::optional<Normal_map> normals,
   });
 }
 
-Limit_options make_options(const Limit_choice& choice, unsigned levels)
+auto make_options(const Limit_choice& choice, unsigned levels)
 {
-  Limit_options options;
-  if (choice.tolerance) options.tolerance = *choice.tolerance;
-  options.points = choice.points;
-  options.surface_normals = choice.normals;
-  options.rounds_done = levels;
-  return options;
+  return PN::parameters::tolerance(choice.tolerance.value_or(default_limit_tolerance))
+    .points(choice.points)
+    .surface_normals(choice.normals)
+    .rounds_done(levels);
 }
 
 } // namespace
@@ -158,13 +158,13 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #endif
-  const Limit_options options = make_options(choice, levels);
+  const auto options = make_options(choice, levels);
   const std::optional<Normal_map> control = normals_of(surface);
   std::optional<Normal_map> written = control;
   if (choice.normals && !control) written = add_normals(surface);
   const Limit_report report =
     limits_of(surface, control, scheme, write_limits(surface, written, choice), options);
-  return {report, report.tolerance / options.tolerance};
+  return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
 }
 
 Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Limit_choice& choice,
@@ -174,9 +174,9 @@ Limit_summary set_limits(Surface& surface, const Scheme_choice& scheme, const Li
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #endif
-  const Limit_options options = make_options(choice, levels);
-  const Limit_report report = move_to_limits_of(surface, scheme, creases, options);
-  return {report, report.tolerance / options.tolerance};
+  const auto options = make_options(choice, levels).border(creases.border);
+  const Limit_report report = move_to_limits_of(surface, scheme, creases, choice.normals, options);
+  return {report, report.tolerance / choice.tolerance.value_or(default_limit_tolerance)};
 }
 
 } // namespace pn_subdivide

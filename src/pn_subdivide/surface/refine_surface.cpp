@@ -75,20 +75,22 @@ void refine(Surface& surface, const S& scheme, const Refinement& refinement,
 {
   PN::subdivide<CGAL::Parallel_if_available_tag>(
     surface, scheme,
-    np.number_of_iterations(refinement.levels).visitor(Round_visitor{refinement.round_done}),
-    *refinement.attributes);
+    PN::parameters::join(
+      PN::parameters::attributes(*refinement.attributes),
+      np.number_of_iterations(refinement.levels).visitor(Round_visitor{refinement.round_done})));
 }
 
 void refine_with_creases(Surface& surface, const Scheme_choice& choice,
                          const Refinement& refinement)
 {
   const Crease_maps& creases = *refinement.creases;
-  const auto sharp = CGAL::parameters::edge_is_constrained_map(creases.edges)
+  const auto sharp = PN::parameters::border(creases.border)
+                       .edge_is_constrained_map(creases.edges)
                        .vertex_is_constrained_map(creases.vertices);
   std::optional<Normal_map> of_vertices = normals_of(surface);
   if (!of_vertices) {
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-    return refine(surface, PN::linear(PN::with_border(scheme, creases.border)), refinement, sharp);
+    return refine(surface, PN::linear(scheme), refinement, sharp);
   }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
   const Isolated_normals isolated(surface, *of_vertices);
@@ -97,10 +99,10 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
   with_scheme(choice, [&](const auto& scheme) {
-    refine(surface,
-           PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-           refinement,
-           PN::parameters::vertex_roundness_map(roundness, sharp.vertex_normal_map(normals)));
+    refine(surface, scheme, refinement,
+           PN::parameters::join(
+             PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+             sharp.vertex_normal_map(normals)));
   });
   isolated.put_back(*of_vertices);
 }
@@ -114,17 +116,26 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
 #endif
   if (refinement.creases) return refine_with_creases(surface, choice, refinement);
   const std::optional<Normal_map> normals = normals_of(surface);
+  const bool is_grid = is_grid_scheme(choice.scheme);
+  if (!normals && is_grid)
+    return refine(surface, PN::linear(PN::grid_CatmullClark_scheme()), refinement,
+                  CGAL::parameters::default_values());
   if (!normals)
     return refine(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), refinement,
                   CGAL::parameters::default_values());
   const auto given = CGAL::parameters::vertex_normal_map(*normals);
   const std::optional<Roundness_map> roundness = roundness_of(surface);
-  with_scheme(choice, [&](const auto& scheme) {
+  const auto refine_by = [&](const auto& scheme) {
     if (roundness)
-      refine(surface, scheme, refinement, PN::parameters::vertex_roundness_map(*roundness, given));
+      refine(surface, scheme, refinement,
+             PN::parameters::join(PN::parameters::vertex_roundness_map(*roundness), given));
     else
       refine(surface, scheme, refinement, given);
-  });
+  };
+  if (is_grid)
+    refine_by(PN::grid_CatmullClark_scheme());
+  else
+    with_scheme(choice, refine_by);
 }
 
 } // namespace pn_subdivide

@@ -99,6 +99,22 @@ void require_consistent(const Surface_options& options)
                     " and --linear exclude each other: in linear schemes normals take no part");
 }
 
+void require_options_for_grids(const Surface_options& options, const Plan& plan)
+{
+  if (!is_grid_scheme(options.scheme.scheme)) return;
+  const std::pair<bool, const char*> refused[] = {
+    {options.limit.points, "--limit"},
+    {plan.limit.normals, plan.limit.normals_option},
+    {plan.interpolation.has_value(), "--interpolate"},
+    {plan.chord.has_value(), "--chord"},
+    {options.check, "--check"},
+    {is_in_pieces(options, plan.output), "--pieces, --memory"}};
+  for (const auto& [is_given, option] : refused)
+    if (is_given)
+      throw Usage_error(std::string(option) + ": " + options.scheme.scheme +
+                        " has no rules for it; catmull-clark has");
+}
+
 Texture_rule texture_rule(const Surface_options& options)
 {
   if (!options.texture_rule)
@@ -151,6 +167,7 @@ Plan make_plan(const Surface_options& options)
   plan.is_adaptive = plan.chord && !options.auto_levels;
   plan.output_normals = Output_normals::make(options, plan.output);
   if (!plan.is_adaptive) plan.limit = limit_choice(options, plan.output_normals);
+  require_options_for_grids(options, plan);
   if (!options.scheme.scheme.empty()) require_limit_of_vertices(options.scheme.scheme, plan.limit);
   if (options.merge_distance) parse_box_length(*options.merge_distance, "--merge-distance");
   if (is_in_pieces(options, plan.output)) require_options_for_pieces(options, plan.output);
@@ -259,13 +276,15 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
     set_roundness(mesh, plan.roundness, std::move(roundness_of_file),
                   from_file && !has_other_normals, creases);
   const std::string round = roundness_description(mesh.roundness);
+  const std::string of_file =
+    plan.normals.smooths ? "smoothed normals of the file" : "normals of the file";
   if (from_file) {
     if (are_all_zero(mesh)) return "no normals, those of the file are zero";
     warn_of_opposing_normals(opposing, input, report);
-    if (plan.output_normals.copies) return "normals of the file" + round;
+    if (plan.output_normals.copies) return of_file + round;
     warn_of_other_normals(mesh.normal_kind, input, report);
     mesh.normal_kind = Normal_kind::control;
-    return "normals of the file" + round;
+    return of_file + round;
   }
   mesh.normal_kind = Normal_kind::control;
   if (source == Source::none) return "no normals";
@@ -316,20 +335,24 @@ Kept_normals control_normals_at_limits(const Surface& surface, const Plan& plan,
   return kept_normals(copy);
 }
 
-void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
-                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
-                    Report& report)
+void report_limits(const Limit_summary& summary, const Plan& plan, Report& report)
 {
-  const Limit_summary summary = limits(surface, plan, options, scheme, creases, plan.limit);
   report.note(summary.description(plan.limit));
   report.set_limit(summary.numbers(plan.limit));
   const std::string warning = summary.warning();
   if (!warning.empty()) report.warn(plan.output.title("standard output") + ": " + warning);
 }
 
+void move_to_limits(Surface& surface, const Plan& plan, const Surface_options& options,
+                    const Scheme_choice& scheme, const std::optional<Crease_maps>& creases,
+                    Report& report)
+{
+  report_limits(limits(surface, plan, options, scheme, creases, plan.limit), plan, report);
+}
+
 // The mesh becomes a control net of the surface through its vertices.
 void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme,
-                 bool has_file_normals, Report& report)
+                 bool has_file_normals, const std::optional<Crease_maps>& creases, Report& report)
 {
   using Source = Normals_option::Source;
   Interpolation interpolation;
@@ -339,7 +362,7 @@ void interpolate(Surface& surface, const Plan& plan, const Scheme_choice& scheme
   interpolation.improves_normals =
     interpolation.mode == Interpolation_mode::slide &&
     (source == Source::estimate || (source == Source::automatic && !has_file_normals));
-  const Interpolation_report result = interpolate_surface(surface, scheme, interpolation);
+  const Interpolation_report result = interpolate_surface(surface, scheme, interpolation, creases);
   report.note(description(result));
   const std::string text = warning(result);
   if (!text.empty()) report.warn(plan.input.title("standard input") + ": " + text);
@@ -451,11 +474,14 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
-  if (plan.interpolation) interpolate(surface, plan, scheme, has_file_normals, report);
   Refinement rounds = refinement(options, plan.threads, report);
   Wedge_list wedges;
   rounds.wedges = &wedges;
-  if (is_creased) rounds.creases = add_creases(surface, creases, plan.limit.is_used() || has_tags);
+  if (is_creased)
+    rounds.creases = add_creases(
+      surface, creases, plan.limit.is_used() || has_tags || plan.interpolation.has_value());
+  if (plan.interpolation)
+    interpolate(surface, plan, scheme, has_file_normals, rounds.creases, report);
   if (check) check->set_net(surface, rounds.creases);
   if (options.levels > 0) {
     Carried_attributes carried(surface, std::move(attributes), plan.texture_rule);
@@ -518,16 +544,22 @@ void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned
                     std::to_string(static_cast<unsigned long>(std::ceil(sharpness))) + " or more");
 }
 
-// Interpolation takes the mesh as a smooth surface.
-void require_interpolation_without_creases(const Creases& creases, const Plan& plan)
+// Control points slide on smooth surfaces only, and limits are those of what is smooth or sharp for ever.
+void require_interpolation_of_creases(const Creases& creases, const Plan& plan)
 {
   if (!plan.interpolation) return;
-  if (creases.any())
-    throw Error(
-      "--interpolate: surfaces with sharp edges cannot be made to pass through points; leave "
-      "it out, or take --sharp none");
-  if (creases.border != Border::surface)
-    throw Usage_error("--interpolate is known with --border surface only");
+  const bool slides = *plan.interpolation == Interpolation_mode::slide;
+  if (creases.any() && slides)
+    throw Error("--interpolate slide: control points slide on surfaces without sharp edges only; "
+                "take --interpolate points, or --sharp none");
+  if (creases.border != Border::surface && slides)
+    throw Usage_error("--interpolate slide is known with --border surface only: take --interpolate "
+                      "points");
+  const auto is_finite = [](double s) { return s > 0 && !std::isinf(s); };
+  if (std::any_of(creases.edges.begin(), creases.edges.end(), is_finite) ||
+      std::any_of(creases.vertices.begin(), creases.vertices.end(), is_finite))
+    throw Error("--interpolate points: limits are known only of edges that are smooth or sharp for "
+                "ever; leave out --sharpness, or take --sharp none");
 }
 
 void warn_of_lost_normals(bool has_corner_normals, const Plan& plan, Report& report)
@@ -652,7 +684,8 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
   warn_of_lost_normals(job.has_lost_normals, plan, report);
-  write_pieces(job, plan.output.name, plan.threads, report);
+  const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
+  if (plan.limit.is_used()) report_limits(limits, plan, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
               rounds_of(plan, options, scheme, job.has_normals) + ", " + normals +
@@ -697,7 +730,7 @@ void run_surface_command(const Surface_options& given_options)
     if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan, options.levels);
-    require_interpolation_without_creases(creases, plan);
+    require_interpolation_of_creases(creases, plan);
     if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals);
     const bool has_file_normals = mesh.has_normals();
     normals = takes_surface_normals(plan, part)
@@ -712,7 +745,7 @@ void run_surface_command(const Surface_options& given_options)
     if (rounds && !part) report_rounds(*rounds, chord, report);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
-                               plan.output_normals);
+                               plan.output_normals, plan.limit);
     else {
       if (part) table.emplace(*part, mesh);
       process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);

@@ -12,6 +12,7 @@
 #include "io/near_miss.h"
 #include "surface/Scheme.h"
 
+#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <algorithm>
@@ -32,10 +33,26 @@ std::string enumeration(const std::vector<std::string>& names, const std::string
   return s;
 }
 
+constexpr const char* grid_name = PN::grid_CatmullClark_scheme::name();
+
+// What the command asks of grid_CatmullClark_scheme. What would average its rows as those of others is refused.
+struct Grid_facts
+{
+  using Host = PN::grid_CatmullClark_scheme::Host;
+  static constexpr const char* name() { return grid_name; }
+
+  template <class FT>
+  PN::CatmullClark_mask<FT> mask(const PN::Level_connectivity&, unsigned) const
+  {
+    throw Usage_error(std::string("--scheme ") + grid_name + " has no rules for this");
+  }
+};
+
 std::vector<std::string> all_names()
 {
   std::vector<std::string> names;
   PN::for_each_shipped_scheme([&names](const auto& scheme) { names.push_back(scheme.name()); });
+  names.push_back(grid_name);
   return names;
 }
 
@@ -71,7 +88,7 @@ void require_that_they_go_together(const Scheme_choice& choice, const Scheme& sc
 {
   if (choice.scheme == *choice.normal_scheme) return;
   for (const Scheme* const s : {&scheme, &normal_scheme})
-    if (s->transfers_curvature())
+    if (s->transfers_curvature() || is_grid_scheme(s->name()))
       throw Usage_error("--normal-scheme: " + s->name() +
                         " refines points and normals together and goes with no other scheme");
   if (!scheme.has_host_of(normal_scheme))
@@ -144,6 +161,7 @@ std::vector<Scheme_parameter> scheme_parameters()
 
 Scheme make_scheme(const std::string& option, const std::string& name, const Scheme_choice& choice)
 {
+  if (name == grid_name) return Scheme(Grid_facts());
   std::optional<Scheme> found;
   PN::for_each_shipped_scheme([&](const auto& scheme) {
     using S = std::decay_t<decltype(scheme)>;
@@ -168,6 +186,11 @@ void require_surface_schemes(const Scheme_choice& choice)
   if (choice.normal_scheme)
     require_that_they_go_together(choice, scheme,
                                   make_scheme("--normal-scheme", *choice.normal_scheme, choice));
+}
+
+bool is_grid_scheme(const std::string& scheme)
+{
+  return scheme == grid_name;
 }
 
 bool needs_triangles(const std::string& scheme)

@@ -37,34 +37,33 @@ Result with_scheme_and_maps(const Surface& surface, const S& scheme, double chor
                             Attribute_table& attributes)
 {
   const Normal_map normals = add_normals(result);
+  const auto all = PN::parameters::join(PN::parameters::attributes(attributes), np);
   if (!has_corners)
-    return PN::tessellate<Tag>(surface, scheme, chord, result, np,
-                               CGAL::parameters::vertex_normal_map(normals), attributes);
-  return PN::tessellate<Tag>(surface, scheme, chord, result, np,
-                             CGAL::parameters::vertex_normal_map(add_corner_normals(result)),
-                             attributes);
+    return PN::tessellate<Tag>(surface, scheme, chord, result, all,
+                               CGAL::parameters::vertex_normal_map(normals));
+  return PN::tessellate<Tag>(surface, scheme, chord, result, all,
+                             CGAL::parameters::vertex_normal_map(add_corner_normals(result)));
 }
 
 Result with_creases(Surface& surface, const Scheme_choice& choice, const Crease_maps& creases,
                     double chord, Surface& result, Attribute_table& attributes)
 {
-  const auto sharp = CGAL::parameters::edge_is_constrained_map(creases.edges)
+  const auto sharp = PN::parameters::border(creases.border)
+                       .edge_is_constrained_map(creases.edges)
                        .vertex_is_constrained_map(creases.vertices);
   if (!normals_of(surface)) {
-    const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
-    return with_scheme_and_maps(surface, PN::linear(PN::with_border(scheme, creases.border)), chord,
-                                result, true, sharp, attributes);
+    return with_scheme_and_maps(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
+                                chord, result, true, sharp, attributes);
   }
   std::optional<Corner_normal_map> normals = corner_normals_of(surface);
   if (!normals) normals = add_corner_normals(surface);
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
-  const auto np =
-    PN::parameters::vertex_roundness_map(roundness, sharp.vertex_normal_map(*normals));
+  const auto np = PN::parameters::join(
+    PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
+    sharp.vertex_normal_map(*normals));
   return with_scheme(choice, [&](const auto& scheme) {
-    return with_scheme_and_maps(
-      surface, PN::with_crease_tangents(PN::with_border(scheme, creases.border), creases.tangents),
-      chord, result, true, np, attributes);
+    return with_scheme_and_maps(surface, scheme, chord, result, true, np, attributes);
   });
 }
 
@@ -78,8 +77,7 @@ Result without_creases(Surface& surface, const Scheme_choice& choice, double cho
                                 attributes);
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);
-  const auto np =
-    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(*normals));
+  const auto np = PN::parameters::vertex_roundness_map(roundness).vertex_normal_map(*normals);
   return with_scheme(choice, [&](const auto& scheme) {
     return with_scheme_and_maps(surface, scheme, chord, result, false, np, attributes);
   });

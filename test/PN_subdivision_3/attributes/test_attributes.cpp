@@ -10,6 +10,7 @@
 // refused.
 
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/PN_subdivision_3.h>
@@ -90,9 +91,10 @@ TEST(Attributes, ConstantsKeepTheirBits)
     auto f = add<V, float>(mesh, "f", float(value));
     auto l = add<V, Load>(mesh, "l", {0.1, 7});
     auto u = add<H, double>(mesh, "u", value);
-    PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(3),
-                  PN::attributes(PN::vertex_attribute(t), PN::vertex_attribute(f),
-                                 PN::vertex_attribute(l), PN::corner_attribute(u)));
+    PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                  PN::parameters::attributes(PN::vertex_attribute(t), PN::vertex_attribute(f),
+                                             PN::vertex_attribute(l), PN::corner_attribute(u))
+                    .number_of_iterations(3));
     const auto same = [](auto a, auto b) {
       return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
     };
@@ -117,8 +119,8 @@ TEST(Attributes, LinearFunctionsStayToFourUlp)
     t[v] = linear_function(mesh.point(v));
     size = std::max(size, std::abs(t[v]));
   }
-  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()), params::number_of_iterations(4),
-                PN::attributes(PN::vertex_attribute(t)));
+  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
+                PN::parameters::attributes(PN::vertex_attribute(t)).number_of_iterations(4));
   for (auto v : mesh.vertices()) EXPECT_LE(ulps(t[v], linear_function(mesh.point(v)), size), 4);
 }
 
@@ -149,11 +151,13 @@ TEST(Attributes, OfEveryType)
     c[v] = CGAL::IO::Color((unsigned char)(q.x() > 0 ? 255 : 0), 7, 255, 0);
   }
   // Kobbelt's weights are negative, too: values beyond the greatest are cut off
-  PN::subdivide(
-    mesh, PN::linear(PN::Kobbelt_scheme()), params::number_of_iterations(2),
-    PN::attributes(PN::vertex_attribute(f), PN::vertex_attribute(a), PN::vertex_attribute(e),
-                   PN::vertex_attribute(p), PN::vertex_attribute(w), PN::vertex_attribute(l),
-                   PN::vertex_attribute(i), PN::vertex_attribute(b), PN::vertex_attribute(c)));
+  PN::subdivide(mesh, PN::linear(PN::Kobbelt_scheme()),
+                PN::parameters::join(
+                  PN::parameters::attributes(
+                    PN::vertex_attribute(f), PN::vertex_attribute(a), PN::vertex_attribute(e),
+                    PN::vertex_attribute(p), PN::vertex_attribute(w), PN::vertex_attribute(l),
+                    PN::vertex_attribute(i), PN::vertex_attribute(b), PN::vertex_attribute(c)),
+                  params::number_of_iterations(2)));
   bool has_overshoot = false;
   for (auto v : mesh.vertices()) {
     const auto& q = mesh.point(v);
@@ -189,9 +193,10 @@ TEST(Attributes, FacesAndEdgesInherit)
       mark[e] = true;
       ++marks;
     }
-  PN::subdivide(
-    mesh, PN::linear(PN::CatmullClark_scheme()), params::number_of_iterations(2),
-    PN::attributes(PN::face_attribute(patch), PN::edge_attribute(mark), PN::face_parents(parent)));
+  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
+                PN::parameters::attributes(PN::face_attribute(patch), PN::edge_attribute(mark),
+                                           PN::face_parents(parent))
+                  .number_of_iterations(2));
   std::size_t halves = 0;
   for (auto e : mesh.edges()) halves += mark[e];
   EXPECT_EQ(halves, 4 * marks);
@@ -336,10 +341,10 @@ TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)
   EXPECT_TRUE(PN::has_seam(mesh, uv));
   Cut_open cut(c);
   EXPECT_GT(cut.mesh.number_of_vertices(), mesh.number_of_vertices() + 10);
-  PN::subdivide(mesh, PN::linear(TypeParam()), params::number_of_iterations(2),
-                PN::attributes(PN::corner_attribute(uv)));
+  PN::subdivide(mesh, PN::linear(TypeParam()),
+                PN::parameters::attributes(PN::corner_attribute(uv)).number_of_iterations(2));
   if constexpr (creases)
-    PN::subdivide(cut.mesh, PN::with_border(PN::linear(TypeParam()), PN::Border::corners),
+    PN::subdivide(cut.mesh, PN::internal::with_border(PN::linear(TypeParam()), PN::Border::corners),
                   params::number_of_iterations(2).vertex_is_constrained_map(cut.stays));
   else // the control points stay anyhow
     PN::subdivide(cut.mesh, PN::linear(TypeParam()), params::number_of_iterations(2));
@@ -359,9 +364,10 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
   auto uv = add<H, Uv>(mesh, "uv");
   auto parent = add<Mesh::Face_index, int>(mesh, "parent");
   put_uv(c, mesh, uv);
-  PN::subdivide(
-    mesh, PN::linear(TypeParam()), params::number_of_iterations(2),
-    PN::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear), PN::face_parents(parent)));
+  PN::subdivide(mesh, PN::linear(TypeParam()),
+                PN::parameters::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear),
+                                           PN::face_parents(parent))
+                  .number_of_iterations(2));
   // the areas of the parts are the area of the face
   const auto area = [](const std::vector<Uv>& p) {
     double sum = 0;
@@ -432,10 +438,11 @@ Results by_maps(const Charts& c)
   }
   for (auto e : mesh.edges()) mark[e] = int(e.idx() % 5);
   put_uv(c, mesh, uv);
-  PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(4),
-                     PN::attributes(PN::vertex_attribute(scalar), PN::vertex_attribute(color),
-                                    PN::corner_attribute(uv), PN::edge_attribute(mark),
-                                    PN::face_parents(parent)));
+  PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(),
+                     PN::parameters::attributes(
+                       PN::vertex_attribute(scalar), PN::vertex_attribute(color),
+                       PN::corner_attribute(uv), PN::edge_attribute(mark), PN::face_parents(parent))
+                       .number_of_iterations(4));
   Results r;
   for (auto v : mesh.vertices()) {
     r.scalar.push_back(scalar[v]);
@@ -470,7 +477,8 @@ Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0)
   table.edges.resize(1);
   for (auto e : mesh.edges()) table.edges[0].values.push_back(double(e.idx() % 5));
   table.has_face_parents = true;
-  PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(4), table);
+  PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(),
+                     PN::parameters::attributes(table).number_of_iterations(4));
   Results r;
   r.scalar = table.vertices[0].values;
   r.color = table.vertices[1].values;
@@ -507,8 +515,9 @@ TEST(Attributes, InTablesAlongCreases)
     table.vertices[0].dimension = 3;
     for (auto v : mesh.vertices())
       for (int k = 0; k < 3; ++k) table.vertices[0].values.push_back(mesh.point(v)[k]);
-    PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
-                  params::number_of_iterations(3).edge_is_constrained_map(sharp), table);
+    PN::subdivide(
+      mesh, PN::linear(PN::CatmullClark_scheme()),
+      PN::parameters::attributes(table).number_of_iterations(3).edge_is_constrained_map(sharp));
     ASSERT_EQ(table.vertices[0].values.size(), 3 * mesh.number_of_vertices());
     for (auto v : mesh.vertices())
       for (unsigned k = 0; k < 3; ++k)
@@ -522,7 +531,8 @@ TEST(Attributes, LeaveThePointsAlone)
   Mesh mesh = make(mixed_with_border()), other = mesh;
   auto t = add<V, double>(mesh, "t", 1);
   const auto np = params::number_of_iterations(3);
-  PN::subdivide(mesh, PN::CatmullClark_scheme(), np, PN::attributes(PN::vertex_attribute(t)));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                PN::parameters::join(PN::parameters::attributes(PN::vertex_attribute(t)), np));
   PN::subdivide(other, PN::CatmullClark_scheme(), np);
   EXPECT_EQ(points(mesh), points(other));
   EXPECT_EQ(faces_of(mesh), faces_of(other));
@@ -556,7 +566,7 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
   table.edges.resize(1);
   table.edges[0].dimension = 0;
   EXPECT_NE(message_of([&] {
-              PN::subdivide(mesh, PN::CatmullClark_scheme(), params::default_values(), table);
+              PN::subdivide(mesh, PN::CatmullClark_scheme(), PN::parameters::attributes(table));
             }).find("edges has dimension 0"),
             std::string::npos);
 
@@ -566,17 +576,19 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
   put_uv(c, mesh, uv);
   const auto doo_sabin = [&](const auto& attributes) {
     return message_of([&] {
-      PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()), params::default_values(), attributes);
+      PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()),
+                    PN::parameters::attributes(attributes));
     });
   };
-  EXPECT_NE(
-    doo_sabin(PN::attributes(PN::corner_attribute(uv))).find("seam at the edge of half-edge"),
-    std::string::npos);
-  EXPECT_NE(doo_sabin(PN::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear)))
+  EXPECT_NE(doo_sabin(test_options::attributes(PN::corner_attribute(uv)))
+              .find("seam at the edge of half-edge"),
+            std::string::npos);
+  EXPECT_NE(doo_sabin(test_options::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear)))
               .find("scheme keeps no edges"),
             std::string::npos);
-  EXPECT_NE(doo_sabin(PN::attributes(PN::edge_attribute(mark))).find("scheme keeps no edges"),
-            std::string::npos);
+  EXPECT_NE(
+    doo_sabin(test_options::attributes(PN::edge_attribute(mark))).find("scheme keeps no edges"),
+    std::string::npos);
   EXPECT_EQ(points(mesh), before);
 }
 
@@ -588,8 +600,9 @@ TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
   auto u = add<H, double>(mesh, "u");
   for (auto v : mesh.vertices()) t[v] = scalar_of(v);
   for (auto h : mesh.halfedges()) u[h] = t[mesh.target(h)];
-  PN::subdivide(mesh, PN::DooSabin_scheme(), params::number_of_iterations(2),
-                PN::attributes(PN::vertex_attribute(t), PN::corner_attribute(u)));
+  PN::subdivide(mesh, PN::DooSabin_scheme(),
+                PN::parameters::attributes(PN::vertex_attribute(t), PN::corner_attribute(u))
+                  .number_of_iterations(2));
   for (auto h : mesh.halfedges())
     if (!mesh.is_border(h)) {
       EXPECT_EQ(u[h], t[mesh.target(h)]);
@@ -632,11 +645,12 @@ TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
     for (auto v : mesh.vertices()) scalar[v] = fragile[v].x = scalar_of(v);
     const Mesh before = mesh;
     Fragile::left = n;
-    EXPECT_THROW(
-      PN::subdivide(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(2),
-                    PN::attributes(PN::vertex_attribute(scalar), PN::corner_attribute(uv),
-                                   PN::vertex_attribute(fragile))),
-      Failure)
+    EXPECT_THROW(PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                               PN::parameters::attributes(PN::vertex_attribute(scalar),
+                                                          PN::corner_attribute(uv),
+                                                          PN::vertex_attribute(fragile))
+                                 .number_of_iterations(2)),
+                 Failure)
       << n;
     EXPECT_EQ(mesh.number_of_vertices(), before.number_of_vertices());
     EXPECT_EQ(points(mesh), points(before));

@@ -83,9 +83,10 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
       v[x] = mesh.point(x) - CGAL::ORIGIN;
       c[x] = FT(5) / FT(7);
     }
-    PN::subdivide(mesh, PN::linear(Scheme()), params::number_of_iterations(2),
-                  PN::attributes(PN::vertex_attribute(t), PN::vertex_attribute(v),
-                                 PN::vertex_attribute(c), PN::vertex_attribute(load)));
+    PN::subdivide(mesh, PN::linear(Scheme()),
+                  PN::parameters::attributes(PN::vertex_attribute(t), PN::vertex_attribute(v),
+                                             PN::vertex_attribute(c), PN::vertex_attribute(load))
+                    .number_of_iterations(2));
     ASSERT_GT(mesh.number_of_vertices(), soup.points.size());
     for (auto x : mesh.vertices()) {
       EXPECT_EQ(t[x], linear_function(mesh.point(x)));
@@ -166,11 +167,11 @@ TYPED_TEST(Creased_attributes, LinearFunctionsStayOnCreases)
     for (auto h : mesh.halfedges()) corner[h] = t[mesh.target(h)];
     const PN::Border borders[] = {PN::Border::surface, PN::Border::curve, PN::Border::corners,
                                   PN::Border::fixed};
-    PN::subdivide(
-      mesh, PN::with_border(PN::linear(TypeParam()), borders[n / 3]),
-      params::number_of_iterations(3).edge_is_constrained_map(edges).vertex_is_constrained_map(
-        vertices),
-      PN::attributes(PN::vertex_attribute(t), PN::corner_attribute(corner)));
+    PN::subdivide(mesh, PN::internal::with_border(PN::linear(TypeParam()), borders[n / 3]),
+                  PN::parameters::attributes(PN::vertex_attribute(t), PN::corner_attribute(corner))
+                    .number_of_iterations(3)
+                    .edge_is_constrained_map(edges)
+                    .vertex_is_constrained_map(vertices));
     for (auto v : mesh.vertices()) EXPECT_EQ(t[v], linear_function(mesh.point(v)));
     if (!is_closed) continue; // a chart with one face at a border vertex stays there
     for (auto h : mesh.halfedges()) EXPECT_EQ(corner[h], t[mesh.target(h)]);
@@ -209,9 +210,10 @@ TYPED_TEST(Creased_attributes, ChartsMeetCreases)
   std::vector<bool> was_seam;
   for (auto e : mesh.edges()) was_seam.push_back(is_seam(e));
   PN::subdivide(mesh, PN::linear(TypeParam()),
-                params::number_of_iterations(2).edge_is_constrained_map(edges),
-                PN::attributes(PN::corner_attribute(corner), PN::face_attribute(chart),
-                               PN::edge_parents(parent)));
+                PN::parameters::attributes(PN::corner_attribute(corner), PN::face_attribute(chart),
+                                           PN::edge_parents(parent))
+                  .number_of_iterations(2)
+                  .edge_is_constrained_map(edges));
   std::size_t away = 0, seams = 0;
   for (auto e : mesh.edges()) {
     const bool expected =
@@ -251,8 +253,9 @@ TEST(Exact_attributes_of_a_polyhedron, InMapsOfTheirOwn)
     put(t, v, linear_function(v->point()));
     put(x, v, CGAL::to_double(v->point().x()));
   }
-  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()), params::number_of_iterations(2),
-                PN::attributes(PN::vertex_attribute(t), PN::vertex_attribute(x)));
+  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
+                PN::parameters::attributes(PN::vertex_attribute(t), PN::vertex_attribute(x))
+                  .number_of_iterations(2));
   for (auto v : vertices(mesh)) {
     EXPECT_EQ(get(t, v), linear_function(v->point()));
     EXPECT_EQ(get(x, v), CGAL::to_double(v->point().x()));

@@ -518,9 +518,10 @@ TEST(Parents, MapsSayWhatVisitorsAreTold)
       if (f != Surface_mesh::null_face()) least = std::min(least, int(f.idx()));
     of_vertex.push_back(least);
   }
-  PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()), params::number_of_iterations(2),
-                PN::attributes(PN::face_parents(face), PN::face_parents(number),
-                               PN::vertex_parents(vertex), PN::edge_parents(edge)));
+  PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()),
+                PN::parameters::attributes(PN::face_parents(face), PN::face_parents(number),
+                                           PN::vertex_parents(vertex), PN::edge_parents(edge))
+                  .number_of_iterations(2));
   ASSERT_EQ(mesh.number_of_faces(), expected.faces.size());
   for (auto f : mesh.faces()) {
     const PN::Control_element p = expected.faces[f.idx()];

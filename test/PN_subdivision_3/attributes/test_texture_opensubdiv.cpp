@@ -199,11 +199,11 @@ public:
     for (const auto& [e, s] : t.sharp_edges)
       sharp[mesh_.edge(mesh_.halfedge(index(e.first), index(e.second)))] = s;
     for (const auto& [v, s] : t.sharp_vertices) corner[index(v)] = s;
-    PN::subdivide(mesh_, PN::with_border(PN::linear(Scheme()), t.border),
-                  params::number_of_iterations(unsigned(rounds))
+    PN::subdivide(mesh_, PN::internal::with_border(PN::linear(Scheme()), t.border),
+                  PN::parameters::attributes(PN::corner_attribute(uv_, rule))
+                    .number_of_iterations(unsigned(rounds))
                     .edge_is_constrained_map(sharp)
-                    .vertex_is_constrained_map(corner),
-                  PN::attributes(PN::corner_attribute(uv_, rule)));
+                    .vertex_is_constrained_map(corner));
   }
 
   const Mesh& mesh() const { return mesh_; }

@@ -105,6 +105,44 @@ block_of_rows(const PN::internal::Stencil_block<typename Block::FT>& rows,
   return result;
 }
 
+// One roundness of all values: that fraction of the way from the linear point, whichever the block.
+template <class Block, class FT>
+void expect_fraction_of_the_way(FT roundness)
+{
+  const auto old = some_values<FT>(40, 6);
+  const std::vector<typename Block::Stored_value> stored(old.begin(), old.end());
+  std::vector<PN::Coordinates<FT, 3>> points;
+  for (const auto& v : old) points.push_back(v.point);
+  PN::PN_average<FT, 3> average;
+  average.roundness = roundness;
+  const Block block{average};
+  for (std::size_t length = 1; length <= 20; ++length) {
+    const auto rows = some_rows<FT>(PN::internal::block_size_v<FT>, length, false, old.size());
+    const auto round = block_of_rows<Block>(rows, old);
+    auto part = round;
+    block(rows, stored.data(), part.data());
+    for (std::size_t r = 0; r < part.size(); ++r) {
+      const auto linear = PN::Linear_average<FT, 3>()(rows.begin(r), rows.end(r), points.data());
+      EXPECT_EQ(part[r].normal, round[r].normal);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const FT way = round[r].point[k] - linear[k];
+        EXPECT_NEAR(part[r].point[k], linear[k] + roundness * way,
+                    64 * std::numeric_limits<FT>::epsilon() * (1 + std::abs(way)))
+          << "row of " << length;
+      }
+    }
+  }
+}
+
+TYPED_TEST(PN_average_block, OneRoundnessOfAllIsAFractionOfTheWay)
+{
+  for (const TypeParam w : {TypeParam(0), TypeParam(3) / 8, TypeParam(1)}) {
+    expect_fraction_of_the_way<typename PN::internal::Block_of<PN::PN_average<TypeParam, 3>>::type>(
+      w);
+    expect_fraction_of_the_way<Narrow_block<TypeParam, 3>>(w);
+  }
+}
+
 template <class Block, class FT>
 void compare_block_with_rows(const PN::internal::Stencil_block<FT>& rows,
                              const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)

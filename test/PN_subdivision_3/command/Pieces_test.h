@@ -84,6 +84,14 @@ protected:
     EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options << " " << more;
     EXPECT_EQ(folder.number_of_files(), 4u); // the two controls and the two results
   }
+  // where both may warn of several normals
+  void expect_whole_with_warning(const std::string& scheme, const std::string& options)
+  {
+    const std::string expected = whole(scheme, options);
+    const Outcome outcome = run(in_out(scheme, "out.ply") + options + " --pieces 7");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(content("out.ply") == expected) << scheme << " " << options;
+  }
 };
 
 #endif // PN_SUBDIVISION_3_TEST_PIECES_TEST_H

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -357,6 +358,25 @@ TEST_F(Pn_subdivide_curve, ClosedPolygonsWithCornersBeginAtTheFirstVertex)
   ASSERT_EQ(rows.size(), 32u);
   EXPECT_EQ(rows[8], (std::vector<double>{1, 1, rows[8][2], rows[8][3]}));
   EXPECT_EQ(rows[24], (std::vector<double>{0, 0, rows[24][2], rows[24][3]}));
+}
+
+TEST_F(Pn_subdivide_curve, LinesAndArcsOfADrawingAreKept)
+{
+  const char* drawing = "1 0\n5 0\n5.5 0.1339746\n5.8660254 0.5\n6 1\n6 3\n0 3\n0 1\n"
+                        "0.1339746 0.5\n0.5 0.1339746\n";
+  const Rows rows =
+    numbers(refined(drawing, "--scheme bspline:3 --levels 3 --closed --sharp arcs"));
+  ASSERT_EQ(rows.size(), 80u);
+  for (const auto& row : rows) {
+    const double x = row[0], y = row[1];
+    const double center = x > 5 && y < 1 ? 5 : x < 1 && y < 1 ? 1 : -1;
+    const double distance =
+      center > 0 ? std::abs(std::hypot(x - center, y - 1) - 1)
+                 : std::min({std::abs(y), std::abs(y - 3), std::abs(x), std::abs(x - 6)});
+    EXPECT_LT(distance, 1e-7) << x << ' ' << y;
+  }
+  expect_failure(drawing, "--scheme bspline:3 --sharp arcs --interpolate points", 2,
+                 "--sharp arcs and --interpolate");
 }
 
 TEST_F(Pn_subdivide_curve, CornersThatCannotBe)

@@ -96,6 +96,24 @@ TEST_F(Level_masks, AreTakenRoundByRound)
               limit);
 }
 
+// Limits of all rounds are points of one curve.
+TEST_F(Level_masks, HaveLimitsAfterEachRound)
+{
+  const std::string masks = std::string(cubic) + four_point + cubic;
+  for (const std::string linear : {"", "--linear "}) {
+    const std::string options = linear + "--closed --limit --limit-tolerance 1e-12 --levels ";
+    const std::vector<double> all = numbers(by_masks(polygon, masks, options + "3"));
+    const std::size_t columns = linear.empty() ? 4 : 2;
+    ASSERT_EQ(all.size(), 40 * columns);
+    for (const std::size_t rounds : {0, 1, 2}) {
+      const auto some = numbers(by_masks(polygon, masks, options + std::to_string(rounds)));
+      ASSERT_EQ(some.size(), (std::size_t(5) << rounds) * columns);
+      for (std::size_t i = 0; i < some.size(); ++i)
+        EXPECT_NEAR(some[i], all[(i / columns << (3 - rounds)) * columns + i % columns], 1e-10);
+    }
+  }
+}
+
 TEST_F(Level_masks, AreRefusedByTheLine)
 {
   expect_refusal(std::string(cubic) + "-2 0.125 0.5 0.7 0.5 0.125\n", "--closed", 1,
@@ -113,7 +131,6 @@ TEST_F(Level_masks, AreRefusedByTheLine)
 TEST_F(Level_masks, AreRefusedBesideWhatTheyDoNotKnow)
 {
   const std::string two = std::string(cubic) + cubic + four_point;
-  expect_refusal(two, "--closed --levels 1 --limit", 2, "--levels 2 or more");
   expect_refusal(two, "--closed --normal-scheme 4-point", 2, "--normal-scheme");
   expect_refusal(two, "--closed --interpolate points", 2, "--interpolate");
   expect_one_line(run("curve '" + folder.write("polygon.txt", polygon) + "' '" +

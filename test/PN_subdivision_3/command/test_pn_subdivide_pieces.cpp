@@ -70,6 +70,26 @@ TEST_F(Pieces, OfEveryKindOfNormals)
   expect_whole("ct-catmull-clark", "--levels 3 --output-normals both", "--pieces 7 --resume");
 }
 
+// Points on the limit surface, and its normals.
+TEST_F(Pieces, AtTheLimit)
+{
+  for (const std::string& scheme : schemes) {
+    if (scheme == "doo-sabin" || scheme == "sqrt3") continue;
+    for (const char* const pieces : {"--pieces 1", "--pieces 7", "--pieces 64"})
+      expect_whole(scheme, "--levels 2 --limit", pieces);
+    expect_whole(scheme, "--levels 1 --output-normals surface", "--pieces 7");
+  }
+  for (const char* const options :
+       {"--limit --linear", "--output-normals surface --linear", "--limit --output-normals none",
+        "--limit --output-normals control", "--limit --limit-tolerance 1e-4"})
+    expect_whole("catmull-clark", "--levels 2 " + std::string(options), "--pieces 7");
+  for (const char* const border : {"surface", "curve"})
+    for (const char* const options : {"--limit", "--output-normals surface", "--limit --linear"})
+      for (const char* const levels : {"0", "2"})
+        expect_whole_with_warning("loop", std::string("--sharp angle:25 --border ") + border +
+                                            " --levels " + levels + " " + options);
+}
+
 // Also the warning is there that vertices have several normals; where all creases have run out it is not.
 TEST_F(Pieces, OfCreases)
 {
@@ -169,9 +189,10 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   expect_refusal("--memory 1M --levels 6", 1, "at least");
   expect_refusal("--pieces 2", 2, ".ply or .pvtp", "out.obj");
   for (const std::string option :
-       {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide", "--limit",
-        "--surface-normals", "--output-normals surface", "--ascii"})
+       {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide",
+        "--limit --output-normals both", "--ascii"})
     expect_refusal("--pieces 2 " + option, 2, option.substr(0, option.find(' ')));
+  expect_one_line(run(in_out("sqrt3", "out.ply") + "--pieces 2 --limit"), 2, "--limit");
   expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
   expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
   folder.write("quads.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
@@ -334,6 +355,13 @@ TEST_F(Ranks, WriteTheWholeFile)
         expect_whole(scheme, "--levels 3", pieces, with_ranks(number));
 }
 
+// Each rank looks for the box of its own pieces.
+TEST_F(Ranks, AtTheLimit)
+{
+  for (const int number : {2, 3})
+    expect_whole("catmull-clark", "--levels 2 --limit", "--pieces 7", with_ranks(number));
+}
+
 TEST_F(Ranks, WithoutFurtherOptions)
 {
   expect_whole("catmull-clark", "--levels 3", "", with_ranks(2));
@@ -359,7 +387,7 @@ TEST_F(Ranks, FailTogether)
       const bool is_full = before == full;
       if (is_full && out == "out.obj") continue;
       const Outcome outcome =
-        run(in_out("catmull-clark", out) + "--levels 5 --pieces 7" + (is_full ? "" : " --limit"),
+        run(in_out("catmull-clark", out) + "--levels 5 --pieces 7" + (is_full ? "" : " --check"),
             before);
       EXPECT_NE(outcome.code, 0);
       EXPECT_EQ(lines_of_ours(outcome), 1u) << outcome.err;

@@ -365,5 +365,34 @@ TEST_F(Pn_subdivide_roundness, CurvesTakeANumber)
   for (const std::string x : {"1.5", "auto", "file", "-1"})
     expect_one_line(run(calls + "--roundness=" + x), 2, "from 0 to 1");
   expect_one_line(run(calls + "--roundness 1 --linear"), 2, "--linear");
-  expect_one_line(run(calls + "--roundness 0.5 --limit"), 2, "--limit");
+}
+
+// Limits are those of many rounds of the same roundness; a net that interpolates has its points on the curve.
+TEST_F(Pn_subdivide_roundness, CurvesHaveLimitsOfIt)
+{
+  const std::string polygon = folder.write("p.txt", "0 0\n4 0\n5 2\n3 4\n0 3\n-1 1\n");
+  const auto curve = [&](const std::string& options) {
+    const Outcome outcome = run("curve '" + polygon + "' '" + folder.file("o.txt") +
+                                "' --quiet --closed --scheme bspline:3 --roundness 0.5 " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<Triple> points;
+    std::istringstream lines(Temporary_folder::content(folder.file("o.txt")));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream numbers(line);
+      Triple p{};
+      numbers >> p[0] >> p[1];
+      points.push_back(p);
+    }
+    return points;
+  };
+  const auto limits = curve("--levels 0 --limit"), many = curve("--levels 12");
+  const auto through = curve("--levels 0 --interpolate points --limit");
+  ASSERT_EQ(limits.size(), 6u);
+  const std::vector<Triple> given{{0, 0, 0}, {4, 0, 0}, {5, 2, 0},
+                                  {3, 4, 0}, {0, 3, 0}, {-1, 1, 0}};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(limits[i][k], many[i << 12][k], 1e-6);
+      EXPECT_NEAR(through[i][k], given[i][k], 1e-7);
+    }
 }

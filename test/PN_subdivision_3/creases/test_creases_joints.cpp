@@ -74,7 +74,7 @@ double distance_outside(double x, double y)
 double farthest_outside(int steps, Control_normal_estimate how)
 {
   Bar bar(steps);
-  PN::subdivide(bar.mesh, PN::with_normal_estimate(PN::CatmullClark_scheme(), how),
+  PN::subdivide(bar.mesh, PN::internal::with_normal_estimate(PN::CatmullClark_scheme(), how),
                 CGAL::parameters::number_of_iterations(4).edge_is_constrained_map(bar.sharp));
   double largest = 0;
   for (auto v : bar.mesh.vertices())
@@ -102,8 +102,8 @@ TEST(Creases_joints, WedgesBesidePlanes)
     Bar bar(steps);
     const auto normals =
       bar.mesh.add_property_map<CGAL::SM_Halfedge_index, Kernel::Vector_3>("n").first;
-    PN::estimate_corner_normals(bar.mesh, bar.sharp, normals, CGAL::parameters::default_values(),
-                                how);
+    PN::estimate_corner_normals(bar.mesh, bar.sharp, normals,
+                                PN::parameters::control_normal_estimate(how));
     double largest = 0;
     for (auto h : bar.mesh.halfedges()) {
       const bool is_lid = bar.mesh.degree(bar.mesh.face(h)) > 4;

@@ -83,8 +83,8 @@ TYPED_TEST(Crease_maps_of, TheLargestIntegerIsSharpForEver)
   PN::subdivide(by_numbers, scheme, two.edge_is_constrained_map(numbers));
   for (const Edge e : by_integers.edges())
     EXPECT_EQ(integers[e], numbers[e] > 0 ? for_ever : TypeParam(0));
-  PN::subdivide_to_limit(by_integers, scheme, {}, np::edge_is_constrained_map(integers));
-  PN::subdivide_to_limit(by_numbers, scheme, {}, np::edge_is_constrained_map(numbers));
+  PN::subdivide_to_limit(by_integers, scheme, np::edge_is_constrained_map(integers));
+  PN::subdivide_to_limit(by_numbers, scheme, np::edge_is_constrained_map(numbers));
   std::vector<Point> a, b;
   EXPECT_EQ(points_of(by_integers, a), points_of(by_numbers, b));
   for (const Edge e : by_integers.edges())
@@ -140,7 +140,7 @@ TEST(Crease_maps, TangentsThatNobodyHasSetAreRefused)
     const auto tangents =
       mesh.add_property_map<Halfedge, Vector>("h:tangent", CGAL::NULL_VECTOR).first;
     tangents[Halfedge(5)] = Vector(0, length, 0);
-    const auto scheme = PN::with_crease_tangents(PN::CatmullClark_scheme(), tangents);
+    const auto scheme = PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), tangents);
     std::vector<Point> before, after;
     points_of(mesh, before);
     const auto expect_refusal = [&](const auto& call) {
@@ -155,7 +155,7 @@ TEST(Crease_maps, TangentsThatNobodyHasSetAreRefused)
     };
     expect_refusal([&] { PN::subdivide(mesh, scheme, np::edge_is_constrained_map(sharp)); });
     expect_refusal(
-      [&] { PN::subdivide_to_limit(mesh, scheme, {}, np::edge_is_constrained_map(sharp)); });
+      [&] { PN::subdivide_to_limit(mesh, scheme, np::edge_is_constrained_map(sharp)); });
   }
 }
 
@@ -196,7 +196,7 @@ TEST(Crease_maps, ControlTangentsAreNotTooShort)
     for (int i = 0; i < 2; ++i) sharp[mesh.edge(mesh.halfedge(b[i], b[i + 1]))] = true;
     const auto tangents =
       mesh.add_property_map<Halfedge, Vector>("h:tangent", CGAL::NULL_VECTOR).first;
-    const auto scheme = PN::with_crease_tangents(PN::CatmullClark_scheme(), tangents);
+    const auto scheme = PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), tangents);
     for (int round = 0; round < 3; ++round)
       ASSERT_NO_THROW(PN::subdivide(mesh, scheme, np::edge_is_constrained_map(sharp))) << fold;
     for (const Halfedge h : mesh.halfedges()) {

@@ -275,7 +275,8 @@ TEST(Creases_of_meshes, Without_tags_are_the_plain_surface)
     return map;
   };
   const auto tagged_normals = normals(tagged), plain_normals = normals(plain);
-  PN::subdivide(tagged.mesh, PN::with_border(PN::CatmullClark_scheme(), PN::Border::surface),
+  PN::subdivide(tagged.mesh,
+                PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::surface),
                 np::number_of_iterations(3)
                   .vertex_normal_map(tagged_normals)
                   .edge_is_constrained_map(tagged.sharp));
@@ -293,7 +294,7 @@ TEST(Creases_of_meshes, Border_rules)
   const Real z = part.of_border[0].point[2];
   const auto farthest = [&](PN::Border border) {
     Tagged<Surface_mesh> t(part.control());
-    PN::subdivide(t.mesh, PN::with_border(PN::CatmullClark_scheme(), border),
+    PN::subdivide(t.mesh, PN::internal::with_border(PN::CatmullClark_scheme(), border),
                   np::number_of_iterations(3).vertex_normal_map(t.normals));
     double greatest = 0;
     for (auto v : t.mesh.vertices())
@@ -308,7 +309,7 @@ TEST(Creases_of_meshes, Border_rules)
   EXPECT_GE(farthest(PN::Border::surface), 0.05);
   EXPECT_GE(farthest(PN::Border::fixed), 0.05);
   Tagged<Surface_mesh> t(part.control());
-  PN::subdivide(t.mesh, PN::with_border(PN::CatmullClark_scheme(), PN::Border::fixed),
+  PN::subdivide(t.mesh, PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::fixed),
                 np::number_of_iterations(1).vertex_normal_map(t.normals));
   for (std::size_t i = 0; i < part.points.size(); ++i)
     if (const Surface_mesh::Vertex_index v(static_cast<unsigned>(i)); t.mesh.is_border(v)) {
@@ -417,10 +418,10 @@ TEST(Creases_of_meshes, Are_refused_by_schemes_without_rules_for_them)
   corner.sharp_edges.clear();
   corner.sharp_vertices[2] = 1;
   expect_refusal(corner, PN::linear(PN::DooSabin_scheme()), "vertex 2 is sharp");
-  expect_refusal(ball_cap().control(), PN::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
-                 "is sharp");
-  expect_refusal(ball_cap().control(), PN::with_border(PN::Bilinear_scheme(), PN::Border::curve),
-                 "is sharp");
+  expect_refusal(ball_cap().control(),
+                 PN::internal::with_border(PN::Kobbelt_scheme(), PN::Border::curve), "is sharp");
+  expect_refusal(ball_cap().control(),
+                 PN::internal::with_border(PN::Bilinear_scheme(), PN::Border::curve), "is sharp");
   // nothing is sharp
   corner.sharp_vertices.clear();
   Tagged<Surface_mesh> t(corner);
@@ -434,14 +435,18 @@ TEST(Creases_of_meshes, Are_refused_by_matrices)
   const Tagged<Surface_mesh> cap(ball_cap().control());
   const PN::Loop_scheme loop;
   const PN::CatmullClark_scheme cc;
-  const std::string message = message_of(
-    [&] { PN::subdivision_matrix(cap.mesh, PN::linear(PN::with_border(cc, PN::Border::fixed))); });
-  EXPECT_NE(message.find("with_border() makes the edge of half-edge "), std::string::npos);
-  const auto rows = PN::subdivision_matrix(cap.mesh, PN::with_border(cc, PN::Border::surface));
+  const std::string message = message_of([&] {
+    PN::subdivision_matrix(cap.mesh, PN::linear(PN::internal::with_border(cc, PN::Border::fixed)));
+  });
+  EXPECT_NE(message.find("border makes the edge of half-edge "), std::string::npos);
+  const auto rows =
+    PN::subdivision_matrix(cap.mesh, PN::internal::with_border(cc, PN::Border::surface));
   EXPECT_EQ(rows.cols(), Eigen::Index(cap.mesh.number_of_vertices()));
   // without a border there is nothing to refuse
   const Tagged<Surface_mesh> cube(triangulated(crease_shapes::cube().control()));
-  EXPECT_EQ(PN::subdivision_matrix(cube.mesh, PN::with_border(loop, PN::Border::curve)).rows(), 26);
+  EXPECT_EQ(
+    PN::subdivision_matrix(cube.mesh, PN::internal::with_border(loop, PN::Border::curve)).rows(),
+    26);
 }
 
 // whose inverses are no numbers; found by fuzzing
@@ -524,8 +529,9 @@ TEST(Creases_of_meshes, Estimates_of_corners_by_angles)
   auto none = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:n", false).first;
   for (const auto estimate :
        {PN::Control_normal_estimate::angle, PN::Control_normal_estimate::reciprocal}) {
-    PN::estimate_corner_normals(mesh, none, corners, np::default_values(), estimate);
-    PN::estimate_control_normals(mesh, plain, np::default_values(), estimate);
+    PN::estimate_corner_normals(mesh, none, corners,
+                                PN::parameters::control_normal_estimate(estimate));
+    PN::estimate_control_normals(mesh, plain, PN::parameters::control_normal_estimate(estimate));
     for (auto h : mesh.halfedges()) EXPECT_EQ(corners[h], plain[mesh.target(h)]);
   }
 }

@@ -17,9 +17,9 @@
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/PN_subdivision_3/average/Crease_average.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -328,8 +328,8 @@ void add_octahedron(Wide_mesh& mesh)
 
 void refine(Wide_mesh& mesh, Border border)
 {
-  subdivide(mesh, with_border(Loop_scheme(), border),
-            CGAL::parameters::vertex_normal_map(wide_normals(mesh)));
+  subdivide(mesh, Loop_scheme(),
+            parameters::border(border).vertex_normal_map(wide_normals(mesh)));
 }
 
 // the angles that are not decided

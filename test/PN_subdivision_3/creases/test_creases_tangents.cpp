@@ -74,7 +74,8 @@ void expect_calls_are_rounds(const Control& control, const Scheme& scheme, unsig
 {
   With_tangents<Mesh> once(control), often(control);
   const auto with_tangents = [&](const auto& t) {
-    return PN::with_border(PN::with_crease_tangents(scheme, t.tangents), control.border);
+    return PN::internal::with_border(PN::internal::with_crease_tangents(scheme, t.tangents),
+                                     control.border);
   };
   once.subdivide(with_tangents(once), n);
   for (unsigned k = 0; k < n; ++k) often.subdivide(with_tangents(often), 1);
@@ -92,7 +93,8 @@ void expect_calls_are_rounds(const Control& control, unsigned n = 3)
 // several of them a further call does not go on from where the last one was, unless the scheme is linear.
 void expect_linear_calls_are_rounds(const Control& control, unsigned n)
 {
-  const auto scheme = PN::with_border(PN::linear(PN::CatmullClark_scheme()), control.border);
+  const auto scheme =
+    PN::internal::with_border(PN::linear(PN::CatmullClark_scheme()), control.border);
   Tagged<Surface_mesh> once(control), often(control);
   once.subdivide(scheme, n);
   for (unsigned k = 0; k < n; ++k) often.subdivide(scheme, 1);
@@ -222,7 +224,7 @@ TEST(Crease_tangents, Those_that_are_given_are_used)
   const Control control = cylinder();
   With_tangents<Surface_mesh> t(control);
   give(t, Given::both);
-  t.subdivide(PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents), 1);
+  t.subdivide(PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents), 1);
   std::map<std::pair<int, int>, int> on_edge; // the new vertex between two old ones
   for (auto v : t.mesh.vertices()) {
     std::vector<int> ends;
@@ -271,7 +273,7 @@ TEST(Crease_tangents, One_way_is_enough)
   const auto given = [&](Given g) {
     return refined(control, [&](auto& t) {
       give(t, g);
-      return PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
+      return PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
     });
   };
   EXPECT_TRUE(given(Given::both) == given(Given::one_way));
@@ -283,7 +285,7 @@ TEST(Crease_tangents, None_given_are_made)
   const Control control = cylinder();
   const auto made = refined(control, [](auto&) { return PN::CatmullClark_scheme(); });
   const auto zero = refined(control, [](auto& t) {
-    return PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
+    return PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
   });
   EXPECT_TRUE(made == zero);
 }
@@ -296,7 +298,7 @@ TEST(Crease_tangents, Those_that_are_not_opposite_give_their_difference)
       const Surface_mesh::Vertex_index v(0);
       put(t.tangents, t.mesh.halfedge(v, Surface_mesh::Vertex_index(1)), to_1);
       put(t.tangents, t.mesh.halfedge(v, Surface_mesh::Vertex_index(6)), to_6);
-      return PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
+      return PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
     });
   };
   const State kinked = run({0.6, 0.8, 0}, {0.6, -0.8, 0});
@@ -309,13 +311,13 @@ TEST(Crease_tangents, A_map_that_cannot_be_written_is_read)
   const Control control = cylinder();
   const auto written = refined(control, [&](auto& t) {
     give(t, Given::both);
-    return PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
+    return PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents);
   });
   const auto read = refined(control, [&](auto& t) {
     give(t, Given::both);
     const auto map = boost::make_function_property_map<Surface_mesh::Halfedge_index>(
       [tangents = t.tangents](Surface_mesh::Halfedge_index h) { return get(tangents, h); });
-    return PN::with_crease_tangents(PN::CatmullClark_scheme(), map);
+    return PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), map);
   });
   EXPECT_TRUE(read == written);
 }
@@ -329,7 +331,7 @@ TEST(Crease_tangents, Afterwards_they_are_those_of_the_creases)
     With_tangents<Surface_mesh> t(c);
     for (auto h : t.mesh.halfedges())
       if (!(get(t.sharp, t.mesh.edge(h)) > 0)) put(t.tangents, h, Vector_3(1, 0, 0)); // stale
-    t.subdivide(PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents), rounds);
+    t.subdivide(PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents), rounds);
     int number = 0;
     for (auto h : t.mesh.halfedges()) {
       const bool is_crease = get(t.sharp, t.mesh.edge(h)) > 0;
@@ -345,7 +347,8 @@ TEST(Crease_tangents, Are_nothing_to_a_linear_scheme)
   With_tangents<Surface_mesh> t(cylinder()), plain(cylinder());
   const Vector_3 nonsense(7, 8, std::nan(""));
   for (auto h : t.mesh.halfedges()) put(t.tangents, h, nonsense);
-  t.subdivide(PN::linear(PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents)), 1);
+  t.subdivide(PN::linear(PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents)),
+              1);
   plain.subdivide(PN::linear(PN::CatmullClark_scheme()), 1);
   EXPECT_TRUE(state(t).points == state(plain).points);
   EXPECT_EQ(get(t.tangents, Surface_mesh::Halfedge_index(0)).x(), 7);
@@ -362,21 +365,22 @@ TEST(Crease_tangents, Adaptors_nest_in_any_order)
   const PN::CatmullClark_scheme cc;
   const auto angle = PN::Control_normal_estimate::angle;
   const auto a = result([&](auto t) {
-    return PN::with_normal_estimate(PN::with_border(PN::with_crease_tangents(cc, t), Border::curve),
-                                    angle);
+    return PN::internal::with_normal_estimate(
+      PN::internal::with_border(PN::internal::with_crease_tangents(cc, t), Border::curve), angle);
   });
   const auto b = result([&](auto t) {
-    return PN::with_crease_tangents(
-      PN::with_border(PN::with_normal_estimate(cc, angle), Border::curve), t);
+    return PN::internal::with_crease_tangents(
+      PN::internal::with_border(PN::internal::with_normal_estimate(cc, angle), Border::curve), t);
   });
-  const auto other =
-    result([&](auto t) { return PN::with_crease_tangents(PN::with_border(cc, Border::curve), t); });
+  const auto other = result([&](auto t) {
+    return PN::internal::with_crease_tangents(PN::internal::with_border(cc, Border::curve), t);
+  });
   EXPECT_TRUE(a == b);
   EXPECT_FALSE(a.first == other.first); // the estimate counts
   // of two the outer one
   const auto outer = result([&](auto t) {
-    return PN::with_crease_tangents(
-      PN::with_border(PN::with_border(cc, Border::fixed), Border::curve), t);
+    return PN::internal::with_crease_tangents(
+      PN::internal::with_border(PN::internal::with_border(cc, Border::fixed), Border::curve), t);
   });
   EXPECT_TRUE(outer == other);
 }
@@ -391,7 +395,7 @@ void expect_refusal(const Vector_3& tangent, const std::string& part)
   const State before = state(t);
   std::string message;
   try {
-    t.subdivide(PN::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents), 1);
+    t.subdivide(PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), t.tangents), 1);
   } catch (const std::invalid_argument& e) {
     message = e.what();
   }
@@ -419,9 +423,10 @@ TEST(Crease_tangents, What_fails_leaves_all_as_it_was)
     const auto tangents = t.all_tangents();
     int puts = left;
     try {
-      t.subdivide(PN::with_crease_tangents(PN::CatmullClark_scheme(),
+      t.subdivide(
+        PN::internal::with_crease_tangents(PN::CatmullClark_scheme(),
                                            Failing_map<decltype(t.tangents)>{t.tangents, &puts}),
-                  1);
+        1);
       break;
     } catch (const std::runtime_error&) {
       ++failures;

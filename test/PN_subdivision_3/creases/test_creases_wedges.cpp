@@ -53,7 +53,7 @@ std::map<H, Vector_3> spread(const Mesh& mesh, const Normals_of_vertices& of_ver
 template <class Scheme>
 void expect_same(const Control& control, const Scheme& scheme, unsigned rounds)
 {
-  const auto with_border = PN::with_border(scheme, control.border);
+  const auto with_border = PN::internal::with_border(scheme, control.border);
   Tagged<Mesh> dense(control), sparse(control);
   dense.subdivide(with_border, rounds);
 
@@ -110,7 +110,7 @@ TEST(Wedge_normals, AreNoneWhereNoVertexHasTwoWedges)
   Tagged<Mesh> tagged(c);
   auto of_vertices = tagged.mesh.add_property_map<V, Vector_3>("v:n", CGAL::NULL_VECTOR).first;
   Wedge_normals::List list;
-  PN::subdivide(tagged.mesh, PN::with_border(PN::CatmullClark_scheme(), c.border),
+  PN::subdivide(tagged.mesh, PN::internal::with_border(PN::CatmullClark_scheme(), c.border),
                 np::number_of_iterations(2).vertex_normal_map(
                   Wedge_normals{tagged.normals, of_vertices, &list}));
   EXPECT_TRUE(list.empty());

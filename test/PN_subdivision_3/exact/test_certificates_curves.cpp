@@ -93,7 +93,7 @@ Space_curve on(const Shape& shape, std::size_t n, Curve_end end)
   return polygon;
 }
 
-bool is_on_circle(const Exact::Point_2& p, const Exact::Vector_2& n)
+bool is_on(const Exact::Point_2& p, const Exact::Vector_2& n)
 {
   return n * n == Number(1) && p.x() - Number(center[0]) == Number(radius) * n.x() &&
          p.y() - Number(center[1]) == Number(radius) * n.y();
@@ -102,7 +102,7 @@ bool is_on_circle(const Exact::Point_2& p, const Exact::Vector_2& n)
 std::size_t number_off_circle(const Circle_curve& curve)
 {
   std::size_t off = 0;
-  for (const auto& [p, n] : curve) off += !is_on_circle(p, n);
+  for (const auto& [p, n] : curve) off += !is_on(p, n);
   return off;
 }
 
@@ -183,10 +183,10 @@ TEST(CurveCertificate, FailsIfTheFormulaIsChanged)
       const auto& q = linear[i].first;
       if (p == q) continue; // the ends
       ++changed;
-      EXPECT_TRUE(is_on_circle(p, n));
-      EXPECT_FALSE(is_on_circle(p + Number(tiny) * (p - q), n)); // heights
-      EXPECT_FALSE(is_on_circle(p + Number(tiny) * n, n));
-      EXPECT_FALSE(is_on_circle(p, Number(1 + std::ldexp(1., -52)) * n));
+      EXPECT_TRUE(is_on(p, n));
+      EXPECT_FALSE(is_on(p + Number(tiny) * (p - q), n)); // heights
+      EXPECT_FALSE(is_on(p + Number(tiny) * n, n));
+      EXPECT_FALSE(is_on(p, Number(1 + std::ldexp(1., -52)) * n));
     }
     EXPECT_GT(changed, 5u);
   }

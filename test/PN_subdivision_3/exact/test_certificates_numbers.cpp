@@ -49,9 +49,9 @@ void expect_refuted()
   using K = Kernel_of<FT>;
   const typename K::Sphere_3 sphere(typename K::Point_3(0, 0, 0), FT(1));
   const typename K::Point_3 p(FT(1), FT(std::ldexp(1., -200)), FT(0));
-  EXPECT_TRUE(certainly_not(PN::is_on_sphere(p, sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on(p, sphere)));
   expect_tight(PN::distance_interval(p, sphere), std::ldexp(1., -401));
-  EXPECT_TRUE(certainly(PN::is_on_sphere(typename K::Point_3(0, 0, -1), sphere)));
+  EXPECT_TRUE(certainly(PN::is_on(typename K::Point_3(0, 0, -1), sphere)));
 }
 
 TEST(Certificates_of_rounded_numbers, KnowWhatIsBelowTheirRounding)
@@ -95,7 +95,7 @@ TEST(Certificates_beyond_the_range_of_double, AreTight)
       EXPECT_GE(distance.inf(), std::numeric_limits<double>::max());
     }
     const K::Point_3 near(Q(radius * (Q(1) + tiny * tiny * tiny)), 0, 0);
-    EXPECT_TRUE(certainly_not(PN::is_on_sphere(near, sphere)));
+    EXPECT_TRUE(certainly_not(PN::is_on(near, sphere)));
     EXPECT_LE(PN::distance_in_ulps(near, sphere).sup(), 4 * denormal);
   }
 }
@@ -108,9 +108,9 @@ TEST(Certificates_beyond_the_range_of_double, TakeCoordinatesAsTheyAre)
   CGAL::Gmpfr tiny(1);
   for (int i = 0; i < 1300; ++i) tiny = tiny / 2;
   const K::Sphere_3 sphere(K::Point_3(0, 0, 0), CGAL::Gmpfr(1));
-  EXPECT_TRUE(certainly_not(PN::is_on_sphere(K::Point_3(1, tiny, 0), sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on(K::Point_3(1, tiny, 0), sphere)));
   const K::Sphere_3 small(K::Point_3(0, 0, 0), CGAL::Gmpfr(tiny * tiny));
-  EXPECT_TRUE(certainly(PN::is_on_sphere(K::Point_3(0, tiny, 0), small)));
+  EXPECT_TRUE(certainly(PN::is_on(K::Point_3(0, tiny, 0), small)));
   CGAL::Gmpfr::set_default_precision(old);
 }
 
@@ -122,10 +122,10 @@ void expect_shapes_are_taken(const FT& two)
   using Double = Kernel_of<double>;
   using Interval = Kernel_of<CGAL::Interval_nt<>>;
   const typename K::Sphere_3 sphere(typename K::Point_3(0, 0, 0), two);
-  EXPECT_TRUE(certainly(PN::is_on_sphere(Double::Point_3(1, 1, 0), sphere)));
-  EXPECT_TRUE(certainly_not(PN::is_on_sphere(Double::Point_3(1, 1, 0x1p-30), sphere)));
-  EXPECT_TRUE(CGAL::possibly(PN::is_on_sphere(Interval::Point_3(1, 1, 0), sphere)));
-  EXPECT_TRUE(certainly_not(PN::is_on_sphere(Interval::Point_3(1, 1, 1), sphere)));
+  EXPECT_TRUE(certainly(PN::is_on(Double::Point_3(1, 1, 0), sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on(Double::Point_3(1, 1, 0x1p-30), sphere)));
+  EXPECT_TRUE(CGAL::possibly(PN::is_on(Interval::Point_3(1, 1, 0), sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on(Interval::Point_3(1, 1, 1), sphere)));
 }
 
 TEST(Certificates_of_mixed_kernels, TakeShapesOfExactAndOfRoundedNumbers)
@@ -139,7 +139,7 @@ TEST(Certificates_of_mixed_kernels, TakeShapesOfExactAndOfRoundedNumbers)
   using K = Kernel_of<CGAL::Gmpq>;
   const K::Sphere_3 sphere(K::Point_3(0, 0, 0), CGAL::Gmpq(11, 10));
   const double root = std::sqrt(1.1);
-  EXPECT_TRUE(certainly_not(PN::is_on_sphere(Kernel_of<double>::Point_3(root, 0, 0), sphere)));
+  EXPECT_TRUE(certainly_not(PN::is_on(Kernel_of<double>::Point_3(root, 0, 0), sphere)));
   EXPECT_LE(PN::distance_in_ulps(Kernel_of<double>::Point_3(root, 0, 0), sphere).sup(), 1);
 }
 

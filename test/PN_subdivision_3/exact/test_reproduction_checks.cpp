@@ -164,16 +164,16 @@ TYPED_TEST(Exact_checks, ValuesByHand)
 TYPED_TEST(Exact_checks, NamedPredicates)
 {
   const Shapes<TypeParam> s;
-  EXPECT_TRUE(PN::is_on_circle(typename TypeParam::Point_2(13, 1), s.circle_2));
-  EXPECT_TRUE(PN::is_on_line(typename TypeParam::Point_2(9, 7), s.line_2));
-  EXPECT_TRUE(PN::is_on_sphere(typename TypeParam::Point_3(12, 0, 8), s.sphere));
-  EXPECT_TRUE(PN::is_on_cylinder(s.o + s.u + s.u + s.w, s.cylinder));
-  EXPECT_TRUE(PN::is_on_circle(s.o + s.v + s.v, s.circle_3));
-  EXPECT_TRUE(PN::is_on_plane(s.o + s.v, s.plane));
-  EXPECT_TRUE(PN::is_on_line(s.o + s.w, s.line_3));
-  EXPECT_FALSE(PN::is_on_line(s.o + s.w + s.u, s.line_3));
-  EXPECT_TRUE(PN::is_on_line(s.o + s.w + s.u, s.line_3, 3.));
-  EXPECT_FALSE(PN::is_on_line(s.o + s.w + s.u, s.line_3, 2.75));
+  EXPECT_TRUE(PN::is_on(typename TypeParam::Point_2(13, 1), s.circle_2));
+  EXPECT_TRUE(PN::is_on(typename TypeParam::Point_2(9, 7), s.line_2));
+  EXPECT_TRUE(PN::is_on(typename TypeParam::Point_3(12, 0, 8), s.sphere));
+  EXPECT_TRUE(PN::is_on(s.o + s.u + s.u + s.w, s.cylinder));
+  EXPECT_TRUE(PN::is_on(s.o + s.v + s.v, s.circle_3));
+  EXPECT_TRUE(PN::is_on(s.o + s.v, s.plane));
+  EXPECT_TRUE(PN::is_on(s.o + s.w, s.line_3));
+  EXPECT_FALSE(PN::is_on(s.o + s.w + s.u, s.line_3));
+  EXPECT_TRUE(PN::is_on(s.o + s.w + s.u, s.line_3, 3.));
+  EXPECT_FALSE(PN::is_on(s.o + s.w + s.u, s.line_3, 2.75));
 }
 
 // --- tolerances ---
@@ -208,7 +208,7 @@ TEST(Tolerance, InUnitsOfTheLastPlace)
   const Double::Sphere_3 unit({0, 0, 0}, 1);
   EXPECT_TRUE(near_only_from(Double::Point_3(0, 1 + ulp, 0), unit, ulp));
   EXPECT_TRUE(near_only_from(Double::Point_3(0, 0, -1 + ulp / 2), unit, ulp / 2));
-  EXPECT_FALSE(PN::is_on_sphere(Double::Point_3(0, 1 + ulp, 0), unit));
+  EXPECT_FALSE(PN::is_on(Double::Point_3(0, 1 + ulp, 0), unit));
 }
 
 template <class Kernel>
@@ -239,13 +239,13 @@ TEST(Tolerance, IntervalsMayNotDecide)
   using I = CGAL::Interval_nt<>;
   const Interval::Sphere_3 unit({0, 0, 0}, I(1));
   const Interval::Point_3 p(I(1 - ulp, 1 + ulp), 0, 0), q(I(1 + ulp, 1 + 2 * ulp), 0, 0);
-  EXPECT_TRUE(is_indeterminate(PN::is_on_sphere(p, unit)));
-  EXPECT_TRUE(certainly_not(PN::is_on_sphere(q, unit)));
-  EXPECT_TRUE(certainly(PN::is_on_sphere(p, unit, 8 * ulp)));
-  EXPECT_TRUE(certainly(PN::is_on_sphere(q, unit, 8 * ulp)));
-  EXPECT_TRUE(is_indeterminate(PN::is_on_sphere(q, unit, 1.5 * ulp)));
-  EXPECT_TRUE(certainly(PN::is_on_sphere(Interval::Point_3(0, 1, 0), unit)));
-  EXPECT_THROW(static_cast<void>(static_cast<bool>(PN::is_on_sphere(p, unit))),
+  EXPECT_TRUE(is_indeterminate(PN::is_on(p, unit)));
+  EXPECT_TRUE(certainly_not(PN::is_on(q, unit)));
+  EXPECT_TRUE(certainly(PN::is_on(p, unit, 8 * ulp)));
+  EXPECT_TRUE(certainly(PN::is_on(q, unit, 8 * ulp)));
+  EXPECT_TRUE(is_indeterminate(PN::is_on(q, unit, 1.5 * ulp)));
+  EXPECT_TRUE(certainly(PN::is_on(Interval::Point_3(0, 1, 0), unit)));
+  EXPECT_THROW(static_cast<void>(static_cast<bool>(PN::is_on(p, unit))),
                CGAL::Uncertain_conversion_exception);
 }
 
@@ -279,7 +279,7 @@ TEST(MixedKernels, NothingIsRounded)
   // at 2^50 coordinates have steps of 1/4; both sums of squares need 101 bits
   const double far = std::ldexp(1., 50);
   const Double::Sphere_3 sphere({far, far, far}, 25);
-  EXPECT_TRUE(PN::is_on_sphere(Double::Point_3(far + 3, far, far - 4), sphere));
+  EXPECT_TRUE(PN::is_on(Double::Point_3(far + 3, far, far - 4), sphere));
   EXPECT_EQ(PN::squared_deviation(Double::Point_3(far + 3, far + 0.25, far - 4), sphere),
             power_of_2(-8) / Q(100));
   CGAL::Gmpfr::set_default_precision(100);

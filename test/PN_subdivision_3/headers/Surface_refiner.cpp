@@ -20,9 +20,8 @@ void use_refiner(Mesh& mesh)
 {
   Surface_refiner refiner(mesh, linear(Loop_scheme()));
   (void)refiner.number_of_control_vertices();
-  Surface_refiner carrying(mesh, linear(Loop_scheme()), CGAL::parameters::default_values(),
-                           attributes());
-  carrying.build_mesh(mesh, CGAL::parameters::default_values(), attributes());
+  Surface_refiner carrying(mesh, linear(Loop_scheme()), parameters::attributes());
+  carrying.build_mesh(mesh, parameters::attributes());
 }
 
 } // namespace header_in_use

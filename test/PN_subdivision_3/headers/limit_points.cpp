@@ -18,7 +18,9 @@ namespace header_in_use {
 
 void use_limits(Mesh& mesh)
 {
-  move_to_limit(mesh, linear(Loop_scheme()));
+  const auto limits =
+    mesh.add_property_map<Mesh::Vertex_index, Limit_point<Kernel>>("v:limit").first;
+  limit_points(mesh, linear(Loop_scheme()), limits);
 }
 
 } // namespace header_in_use

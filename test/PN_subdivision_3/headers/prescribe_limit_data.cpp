@@ -18,7 +18,7 @@ namespace header_in_use {
 
 void use_prescription(Mesh& mesh)
 {
-  prescribe_limit_data(mesh, linear(Loop_scheme()), Nothing_prescribed(), Nothing_prescribed());
+  prescribe_limit_data(mesh, linear(Loop_scheme()));
 }
 
 } // namespace header_in_use

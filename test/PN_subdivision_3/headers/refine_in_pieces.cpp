@@ -18,7 +18,7 @@ namespace header_in_use {
 
 void use_pieces(Mesh& mesh)
 {
-  Surface_pieces pieces(mesh, linear(Loop_scheme()), 2);
+  Surface_pieces pieces(mesh, linear(Loop_scheme()), parameters::number_of_pieces(2));
   const auto piece = pieces.piece(0);
   (void)piece.points();
 }

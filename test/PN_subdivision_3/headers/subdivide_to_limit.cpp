@@ -18,8 +18,7 @@ namespace header_in_use {
 
 void use_subdivide_to_limit(Mesh& mesh)
 {
-  subdivide_to_limit(mesh, linear(Loop_scheme()), Limit_options(),
-                     CGAL::parameters::default_values(), attributes());
+  subdivide_to_limit(mesh, linear(Loop_scheme()), parameters::tolerance(1e-3));
   subdivide_to_limit(mesh, linear(Loop_scheme()));
 }
 

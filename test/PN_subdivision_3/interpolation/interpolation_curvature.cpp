@@ -9,6 +9,7 @@
 // Prescribed curvatures of limit surfaces.
 
 #include "Prescription_cases.h"
+#include "support/Options.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ Control_mesh graph(Cells cells = Cells::quads)
 template <class Scheme>
 Limits limits_and_curvatures(Surface_mesh& mesh, const Scheme& scheme)
 {
-  PN::Limit_options options = limit_cases::close(1e-13, 0);
+  test_options::Limit_options options = limit_cases::close(1e-13, 0);
   options.max_depth = 12;
   options.curvatures = true;
   return limits(mesh, scheme, options);

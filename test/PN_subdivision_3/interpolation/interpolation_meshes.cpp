@@ -32,7 +32,7 @@ TEST(Interpolation_input, SharpEdgesAreRefusedByName)
   sharp[Surface_mesh::Edge_index(3)] = true;
   try {
     PN::interpolate_limit_points(
-      mesh, scheme, Options(),
+      mesh, scheme,
       CGAL::parameters::vertex_normal_map(normal_map(mesh)).edge_is_constrained_map(sharp));
     ADD_FAILURE() << "a sharp edge is taken for a smooth one";
   } catch (const std::invalid_argument& e) {
@@ -66,11 +66,12 @@ TEST(Interpolation_input, AFailureLeavesTheMeshAsItWas)
   const Control_mesh data = ellipsoid_quads(2);
   Surface_mesh mesh = to_surface_mesh(data);
   int writes = 5;
-  EXPECT_THROW(
-    PN::interpolate_limit_points(mesh, scheme, strict(),
-                                 CGAL::parameters::vertex_point_map(Failing_map{&mesh, &writes})
-                                   .vertex_normal_map(normal_map(mesh))),
-    std::runtime_error);
+  EXPECT_THROW(PN::interpolate_limit_points(
+                 mesh, scheme,
+                 PN::parameters::join(
+                   strict().pack(), CGAL::parameters::vertex_point_map(Failing_map{&mesh, &writes})
+                                      .vertex_normal_map(normal_map(mesh)))),
+               std::runtime_error);
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 }
 
@@ -92,8 +93,9 @@ void expect_same_net(const Control_mesh& data)
     map[w] = typename K::Vector_3(n.x(), n.y(), n.z());
   }
   const Report report = PN::interpolate_limit_points(
-    other, scheme, strict(),
-    CGAL::parameters::vertex_normal_map(boost::make_assoc_property_map(map)));
+    other, scheme,
+    PN::parameters::join(strict().pack(),
+                         CGAL::parameters::vertex_normal_map(boost::make_assoc_property_map(map))));
   EXPECT_EQ(report.steps, expected.report.steps);
   const auto points = get(CGAL::vertex_point, other);
   for (const auto& [v, w] : pairs) {

@@ -9,6 +9,7 @@
 // Prescribed limit points and surface normals.
 
 #include "Prescription_cases.h"
+#include "support/Options.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ using test_meshes::Cells;
 template <class Scheme>
 Limits limits_and_normals(Surface_mesh& mesh, const Scheme& scheme)
 {
-  PN::Limit_options options = limit_cases::close(1e-13, 0);
+  test_options::Limit_options options = limit_cases::close(1e-13, 0);
   options.max_depth = 15;
   return limits(mesh, scheme, options);
 }
@@ -43,7 +44,7 @@ std::vector<Kernel::Vector_3> extrapolated_normals(Surface_mesh& mesh, const Sch
 {
   std::vector<std::vector<Kernel::Vector_3>> table;
   for (unsigned depth = 9; depth < 14; ++depth) {
-    PN::Limit_options options = limit_cases::close(0, 0);
+    test_options::Limit_options options = limit_cases::close(0, 0);
     options.max_depth = depth;
     table.emplace_back();
     for (const auto& limit : limits(mesh, scheme, options).at)

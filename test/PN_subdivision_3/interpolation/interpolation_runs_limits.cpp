@@ -7,12 +7,13 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "Interpolation_runs.h"
+#include "support/Options.h"
 
 namespace interpolation_cases {
 
 template <class Scheme>
 Limits Limit_runs<Scheme>::at(Surface_mesh& mesh, const Scheme& scheme,
-                              const PN::Limit_options& options)
+                              const test_options::Limit_options& options)
 {
   return limit_cases::limits(mesh, scheme, options);
 }
@@ -22,7 +23,7 @@ Limits Limit_runs<Scheme>::refined(Surface_mesh& mesh, const Scheme& scheme, uns
 {
   using CGAL::parameters::vertex_normal_map;
   PN::subdivide(mesh, scheme, vertex_normal_map(normal_map(mesh)).number_of_iterations(rounds));
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.rounds_done = rounds;
   options.curvatures = true;
   return at(mesh, scheme, options);

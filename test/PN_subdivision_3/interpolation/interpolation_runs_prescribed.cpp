@@ -17,15 +17,22 @@ using CGAL::parameters::vertex_normal_map;
 template <class Scheme>
 Report Prescription_runs<Scheme>::solve(Prescription& p, const Scheme& scheme)
 {
-  return PN::prescribe_limit_data(p.mesh, scheme, p.points, p.normals, p.options,
-                                  vertex_normal_map(normal_map(p.mesh)));
+  return PN::prescribe_limit_data(
+    p.mesh, scheme,
+    PN::parameters::join(
+      PN::parameters::prescribed_point_map(p.points).prescribed_normal_map(p.normals),
+      p.options.pack(), vertex_normal_map(normal_map(p.mesh))));
 }
 
 template <class Scheme>
 Report Curvature_runs<Scheme>::solve(Prescription& p, const Scheme& scheme)
 {
-  return PN::prescribe_limit_data(p.mesh, scheme, p.points, p.normals, p.curvatures, p.options,
-                                  vertex_normal_map(normal_map(p.mesh)));
+  return PN::prescribe_limit_data(
+    p.mesh, scheme,
+    PN::parameters::join(PN::parameters::prescribed_point_map(p.points)
+                           .prescribed_normal_map(p.normals)
+                           .prescribed_curvature_map(p.curvatures),
+                         p.options.pack(), vertex_normal_map(normal_map(p.mesh))));
 }
 
 template <class Scheme>

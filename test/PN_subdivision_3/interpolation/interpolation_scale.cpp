@@ -7,6 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 // Control nets of meshes and polygons of any scale are those at scale 1, bit for bit, and so are the reports.
 
+#include "support/Options.h"
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/interpolate_curve.h>
@@ -27,7 +28,7 @@ namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
 namespace np = CGAL::parameters;
-using Options = PN::Limit_interpolation_options<>;
+using Options = test_options::Limit_interpolation_options<>;
 
 template <class FT>
 struct Net
@@ -63,8 +64,9 @@ template <class FT>
 Net<FT> interpolated(int exponent, const Options& options)
 {
   Net<FT> net(exponent);
-  net.report = PN::interpolate_limit_points(net.mesh, PN::Loop_scheme(), options,
-                                            np::vertex_normal_map(net.normals));
+  net.report = PN::interpolate_limit_points(
+    net.mesh, PN::Loop_scheme(),
+    PN::parameters::join(options.pack(), np::vertex_normal_map(net.normals)));
   return net;
 }
 
@@ -145,11 +147,11 @@ TEST(Interpolation_at_any_scale, OfPolygons)
        {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::limit_points}) {
     Options options;
     options.mode = mode;
-    const auto [one, report] =
-      PN::interpolate_curve(polygon(0), PN::B_spline_mask(3), PN::Curve_end::closed, options);
+    const auto [one, report] = PN::interpolate_curve(polygon(0), PN::B_spline_mask(3),
+                                                     PN::Curve_end::closed, options.pack());
     for (const int e : {-600, -300, -100, 100, 300, 600}) {
-      const auto [scaled, of_scaled] =
-        PN::interpolate_curve(polygon(e), PN::B_spline_mask(3), PN::Curve_end::closed, options);
+      const auto [scaled, of_scaled] = PN::interpolate_curve(polygon(e), PN::B_spline_mask(3),
+                                                             PN::Curve_end::closed, options.pack());
       expect_scaled(report, of_scaled, e);
       for (std::size_t i = 0; i < one.size(); ++i) {
         for (int k = 0; k < 2; ++k)

@@ -27,18 +27,19 @@ void reject(Mesh& mesh)
   const auto normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("normals").first;
   const auto curvatures =
     mesh.add_property_map<Vertex, std::optional<PN::Prescribed_curvature<Kernel>>>("c").first;
-  const PN::Nothing_prescribed nothing;
 
-  PN::interpolate_limit_points(mesh, PN::ct_Loop_scheme(), {}, params::vertex_normal_map(normals));
+  PN::interpolate_limit_points(mesh, PN::ct_Loop_scheme(), params::vertex_normal_map(normals));
   // expected: interpolation is not known for schemes that transfer curvature
 
-  PN::interpolate_limit_points(mesh, PN::Sqrt3_scheme(), {}, params::vertex_normal_map(normals));
+  PN::interpolate_limit_points(mesh, PN::Sqrt3_scheme(), params::vertex_normal_map(normals));
   // expected: interpolation is not known for this scheme
 
-  PN::prescribe_limit_data(mesh, PN::linear(PN::Loop_scheme()), nothing, nothing, curvatures, {},
-                           params::vertex_normal_map(normals));
+  PN::prescribe_limit_data(
+    mesh, PN::linear(PN::Loop_scheme()),
+    PN::parameters::prescribed_curvature_map(curvatures).vertex_normal_map(normals));
   // expected: curvature is prescribed by the control normals too, and linear
 
-  PN::prescribe_limit_data(mesh, PN::Loop_scheme(), nothing, nothing, curvatures);
+  PN::prescribe_limit_data(mesh, PN::Loop_scheme(),
+                           PN::parameters::prescribed_curvature_map(curvatures));
   // expected: prescribed curvatures change the control normals: give a
 }

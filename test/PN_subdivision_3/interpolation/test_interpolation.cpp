@@ -10,6 +10,7 @@
 // the surfaces that were sampled.
 
 #include "Interpolation_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 
@@ -310,7 +311,7 @@ TEST(Interpolation, MovesWithTheData)
 TEST(Interpolation, SomeVertices)
 {
   const Control_mesh data = ellipsoid_quads(4);
-  PN::Limit_interpolation_options<Chosen> options;
+  test_options::Limit_interpolation_options<Chosen> options;
   Surface_mesh mesh = to_surface_mesh(data);
   options.vertices =
     mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:chosen", false).first;

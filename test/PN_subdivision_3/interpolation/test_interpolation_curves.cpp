@@ -8,6 +8,7 @@
 
 // Interpolation by curves.
 
+#include "support/Options.h"
 #include <CGAL/PN_subdivision_3/interpolate_curve.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -32,7 +33,7 @@ using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 using Curve_2 = std::vector<std::pair<Point_2, Vector_2>>;
 using Curve_3 = std::vector<std::pair<Point_3, Vector_3>>;
-using Options = PN::Limit_interpolation_options<>;
+using Options = test_options::Limit_interpolation_options<>;
 
 const PN::B_spline_mask cubic(3);
 constexpr double pi = 3.14159265358979323846;
@@ -59,7 +60,8 @@ Curve_2 ellipse(int n, double a, double b, bool uneven = true)
 
 // where a vertex of the control polygon comes to lie after many rounds
 template <class Curve, class Mask>
-auto limit_by_rounds(const Curve& net, const Mask& mask, PN::Curve_end end, std::size_t vertex)
+auto limit_by_rounds(const Curve& net, const Mask& mask, PN::Curve_end end, std::size_t vertex,
+                     double roundness = 1)
 {
   // its neighborhood, refined again and again
   Curve curve = net;
@@ -76,7 +78,7 @@ auto limit_by_rounds(const Curve& net, const Mask& mask, PN::Curve_end end, std:
       vertex -= from;
       end = PN::Curve_end::reflect;
     }
-    curve = PN::subdivide_curve(curve, mask, end);
+    curve = PN::subdivide_curve(curve, mask, end, PN::parameters::roundness(roundness));
     vertex *= 2;
   }
   return curve[vertex].first;
@@ -115,7 +117,7 @@ TEST(Interpolating_curves, StrictLimitsAreThePoints)
          {PN::Limit_interpolation_normals::given, PN::Limit_interpolation_normals::solved}) {
       Options options = strict();
       options.normals = normals;
-      const auto [net, report] = PN::interpolate_curve(data, cubic, end, options);
+      const auto [net, report] = PN::interpolate_curve(data, cubic, end, options.pack());
       EXPECT_TRUE(report.is_within_tolerance());
       for (std::size_t i = 0; i < data.size(); ++i)
         EXPECT_LE(CGAL::squared_distance(limit_by_rounds(net, cubic, end, i), data[i].first), 1e-22)
@@ -124,6 +126,21 @@ TEST(Interpolating_curves, StrictLimitsAreThePoints)
 }
 
 // The system of classic interpolation, solved here.
+TEST(Interpolating_curves, StrictLimitsOfAnyRoundnessAreThePoints)
+{
+  const Curve_2 data = ellipse(9, 3, 1);
+  for (const double w : {0., .5})
+    for (const auto end : {PN::Curve_end::closed, PN::Curve_end::reflect}) {
+      const auto [net, report] = PN::interpolate_curve(
+        data, cubic, end, PN::parameters::join(strict().pack(), PN::parameters::roundness(w)));
+      EXPECT_LE(report.residual, report.tolerance);
+      for (std::size_t i = 0; i < data.size(); ++i)
+        EXPECT_LE(
+          std::sqrt(CGAL::squared_distance(limit_by_rounds(net, cubic, end, i, w), data[i].first)),
+          1e-9);
+    }
+}
+
 TEST(Interpolating_curves, LinearIsClassicInterpolation)
 {
   const Curve_2 data = ellipse(9, 2, 1);
@@ -141,7 +158,8 @@ TEST(Interpolating_curves, LinearIsClassicInterpolation)
     }
     const Eigen::MatrixXd expected = matrix.partialPivLu().solve(b);
     const auto [net, report] = PN::interpolate_curve(
-      data, PN::linear(cubic), closed ? PN::Curve_end::closed : PN::Curve_end::reflect, strict());
+      data, PN::linear(cubic), closed ? PN::Curve_end::closed : PN::Curve_end::reflect,
+      strict().pack());
     EXPECT_EQ(report.steps, 1u);
     for (Eigen::Index i = 0; i < n; ++i) {
       EXPECT_NEAR(net[std::size_t(i)].first.x(), expected(i, 0), 1e-13);
@@ -208,7 +226,7 @@ TEST(Interpolating_curves, CornersPartByPart)
   auto parts = PN::split_at_corners(data, PN::Curve_end::closed, {0, 5});
   for (auto& part : parts) {
     const Curve_2 before = part;
-    part = PN::interpolate_curve(part, cubic, PN::Curve_end::reflect, strict()).first;
+    part = PN::interpolate_curve(part, cubic, PN::Curve_end::reflect, strict().pack()).first;
     EXPECT_EQ(part.front(), before.front());
     EXPECT_EQ(part.back(), before.back());
   }
@@ -223,15 +241,16 @@ TEST(Interpolating_curves, SmallAndStrangeInput)
         for (const bool same : {false, true}) {
           Curve_2 data = ellipse(n, same ? 0 : 1, same ? 0 : 1);
           for (auto& item : data) item.second = same ? Vector_2(0, 0) : item.second;
-          const auto [net, report] = PN::interpolate_curve(data, cubic, end, options);
+          const auto [net, report] = PN::interpolate_curve(data, cubic, end, options.pack());
           ASSERT_EQ(net.size(), data.size());
           EXPECT_TRUE(std::isfinite(report.residual));
           for (const auto& [p, normal] : net)
             EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
         }
       const Curve_2 data = ellipse(8, 2, 1);
-      EXPECT_EQ(PN::interpolate_curve(data, PN::Dubuc_Deslauriers_mask(4), end, options).first,
-                data);
+      EXPECT_EQ(
+        PN::interpolate_curve(data, PN::Dubuc_Deslauriers_mask(4), end, options.pack()).first,
+        data);
     }
 }
 
@@ -244,7 +263,7 @@ TEST(Interpolating_curves, WhatCannotBeIsRefused)
   EXPECT_THROW(PN::interpolate_curve(data, cubic, PN::Curve_end::none), std::invalid_argument);
   Options options = strict();
   options.free = PN::Limit_interpolation_free::smooth;
-  EXPECT_THROW(PN::interpolate_curve(data, cubic, closed, options), std::invalid_argument);
+  EXPECT_THROW(PN::interpolate_curve(data, cubic, closed, options.pack()), std::invalid_argument);
   Curve_2 infinite = data;
   infinite[3].first = Point_2(HUGE_VAL, 0);
   EXPECT_THROW(PN::interpolate_curve(infinite, cubic, closed), std::invalid_argument);
@@ -259,10 +278,11 @@ TEST(Interpolating_curves, ExactNumbers)
   for (const auto& [p, n] : same)
     data.emplace_back(Exact::Point_2(p.x(), p.y()), Exact::Vector_2(n.x(), n.y()));
   data[0].first = Exact::Point_2(Exact::FT(2) + Exact::FT(1) / 3 / 1e20, 0);
-  const auto [net, report] = PN::interpolate_curve(data, cubic, PN::Curve_end::reflect, strict());
+  const auto [net, report] =
+    PN::interpolate_curve(data, cubic, PN::Curve_end::reflect, strict().pack());
   EXPECT_EQ(net[0].first, data[0].first);
   const auto [expected, expected_report] =
-    PN::interpolate_curve(same, cubic, PN::Curve_end::reflect, strict());
+    PN::interpolate_curve(same, cubic, PN::Curve_end::reflect, strict().pack());
   for (std::size_t i = 1; i < net.size(); ++i)
     EXPECT_NEAR(CGAL::to_double(net[i].first.x()), expected[i].first.x(), 1e-14);
 }

@@ -9,6 +9,7 @@
 
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
@@ -17,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
@@ -26,6 +28,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
@@ -45,8 +48,8 @@ Roundness_map roundness_map(Surface_mesh& mesh)
 
 auto with_maps(Surface_mesh& mesh)
 {
-  return PN::parameters::vertex_roundness_map(
-    roundness_map(mesh), CGAL::parameters::vertex_normal_map(normal_map(mesh)));
+  return PN::parameters::vertex_roundness_map(roundness_map(mesh))
+    .vertex_normal_map(normal_map(mesh));
 }
 
 // by its first face, of points around the origin
@@ -95,9 +98,11 @@ std::vector<Surface_mesh> meshes_of(bool triangles)
 template <class Scheme>
 double distance_of_limits(Surface_mesh mesh, const Scheme& scheme, const Surface_mesh& data)
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.tolerance = 1e-13;
-  PN::move_to_limit(mesh, scheme, options, with_maps(mesh));
+  PN::subdivide_to_limit(mesh, scheme,
+                         PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                              options.pack(), with_maps(mesh)));
   double farthest = 0;
   for (auto v : mesh.vertices())
     farthest =
@@ -108,9 +113,10 @@ double distance_of_limits(Surface_mesh mesh, const Scheme& scheme, const Surface
 template <class Scheme>
 PN::Limit_interpolation_report interpolate(Surface_mesh& mesh, const Scheme& scheme, Mode mode)
 {
-  PN::Limit_interpolation_options<> options;
+  test_options::Limit_interpolation_options<> options;
   options.mode = mode;
-  return PN::interpolate_limit_points(mesh, scheme, options, with_maps(mesh));
+  return PN::interpolate_limit_points(mesh, scheme,
+                                      PN::parameters::join(options.pack(), with_maps(mesh)));
 }
 
 template <class Scheme>
@@ -140,16 +146,19 @@ TEST(Round_interpolation, HasTheUsualEnds)
   for (const Mode mode : {Mode::limit_points, Mode::slide})
     for (const Surface_mesh& data : meshes_of(true)) {
       Surface_mesh without = data, ones = data, zeros = data, linear = data;
-      PN::Limit_interpolation_options<> options;
+      test_options::Limit_interpolation_options<> options;
       options.mode = mode;
       const auto normals = [](Surface_mesh& m) {
         return CGAL::parameters::vertex_normal_map(normal_map(m));
       };
-      PN::interpolate_limit_points(without, PN::Loop_scheme(), options, normals(without));
+      PN::interpolate_limit_points(without, PN::Loop_scheme(),
+                                   PN::parameters::join(options.pack(), normals(without)));
       PN::interpolate_limit_points(
-        ones, PN::Loop_scheme(), options,
-        PN::parameters::roundness(1., CGAL::parameters::vertex_normal_map(normal_map(ones))));
-      PN::interpolate_limit_points(linear, PN::linear(PN::Loop_scheme()), options, normals(linear));
+        ones, PN::Loop_scheme(),
+        PN::parameters::join(options.pack(),
+                             PN::parameters::roundness(1.).vertex_normal_map(normal_map(ones))));
+      PN::interpolate_limit_points(linear, PN::linear(PN::Loop_scheme()),
+                                   PN::parameters::join(options.pack(), normals(linear)));
       for (auto v : zeros.vertices()) roundness_map(zeros)[v] = 0;
       interpolate(zeros, PN::Loop_scheme(), mode);
       for (auto v : data.vertices()) {
@@ -162,6 +171,89 @@ TEST(Round_interpolation, HasTheUsualEnds)
     }
 }
 
+double largest_distance(const Surface_mesh& a, const Surface_mesh& b)
+{
+  double largest = 0;
+  for (auto v : a.vertices())
+    largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(a.point(v), b.point(v))));
+  return largest;
+}
+
+// Without a map of normals the result is for calls without one: they estimate normals and roundness from its points. Where
+// the tolerance cannot be met, as about antiprisms cut into triangles, the report says how far they are.
+template <class Scheme>
+void expect_limits_of_estimates_at_data(const Scheme& scheme, bool triangles)
+{
+  Mode mode = Mode::slide; // it plays no part
+  for (const Surface_mesh& data : meshes_of(triangles)) {
+    Surface_mesh mesh = data, limits = data;
+    test_options::Limit_interpolation_options<> options;
+    options.mode = std::exchange(mode, Mode::limit_points);
+    options.tolerance = 1e-10;
+    options.max_steps = 100;
+    const auto report = PN::interpolate_limit_points(mesh, scheme, options.pack());
+    EXPECT_GT(report.steps, 0u);
+    test_options::Limit_options close;
+    close.tolerance = 1e-13;
+    PN::subdivide_to_limit(
+      mesh, scheme, PN::parameters::join(CGAL::parameters::number_of_iterations(0), close.pack()));
+    PN::subdivide_to_limit(
+      limits, scheme,
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0), close.pack()));
+    const double left = largest_distance(mesh, data), before = largest_distance(limits, data);
+    EXPECT_LE(left, 1.1 * (std::max)(report.residual, report.tolerance));
+    EXPECT_LE(left, before / 4);
+    if (!triangles || options.mode == Mode::limit_points) {
+      EXPECT_LE(report.residual, report.tolerance);
+    }
+  }
+}
+
+TEST(Round_interpolation, WithoutNormalsIsThatOfEstimatedOnes)
+{
+  expect_limits_of_estimates_at_data(PN::CatmullClark_scheme(), false);
+  expect_limits_of_estimates_at_data(PN::Loop_scheme(), true);
+}
+
+TEST(Round_interpolation, WithoutNormalsTakesRoundnessAndEstimateThatAreGiven)
+{
+  for (const Surface_mesh& data : meshes_of(true)) {
+    Surface_mesh mesh = data;
+    test_options::Limit_interpolation_options<> options;
+    options.max_steps = 200;
+    const auto np =
+      PN::parameters::roundness(.5).control_normal_estimate(PN::Control_normal_estimate::angle);
+    const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(),
+                                                     PN::parameters::join(options.pack(), np));
+    EXPECT_LE(report.residual, report.tolerance);
+    PN::subdivide_to_limit(mesh, PN::Loop_scheme(), np.number_of_iterations(0));
+    for (auto v : mesh.vertices())
+      EXPECT_LE(CGAL::squared_distance(mesh.point(v), data.point(v)), 1e-16);
+  }
+}
+
+TEST(Round_interpolation, WithoutNormalsOthersDoNotMove)
+{
+  Surface_mesh data = meshes_of(true).back(), mesh = data;
+  const auto some = [](Vertex v) { return v.idx() % 2 == 0; };
+  test_options::Limit_interpolation_options<> smooth;
+  smooth.mode = Mode::limit_points;
+  smooth.free = PN::Limit_interpolation_free::smooth;
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth.pack()),
+               std::invalid_argument);
+  auto chosen = mesh.add_property_map<Vertex, bool>("v:chosen", false).first;
+  for (auto v : mesh.vertices()) chosen[v] = some(v);
+  test_options::Limit_interpolation_options<decltype(chosen)> options;
+  options.vertices = chosen;
+  options.max_steps = 200;
+  const auto report = PN::interpolate_limit_points(mesh, PN::Loop_scheme(), options.pack());
+  EXPECT_LE(report.residual, report.tolerance);
+  for (auto v : mesh.vertices())
+    if (!some(v)) {
+      EXPECT_EQ(mesh.point(v), data.point(v));
+    }
+}
+
 // the data point and the limit are the ends of an arc, along which the normal turns from one to the other
 TEST(Round_interpolation, SlidesAlongArcs)
 {
@@ -170,10 +262,12 @@ TEST(Round_interpolation, SlidesAlongArcs)
     const auto report = interpolate(mesh, PN::CatmullClark_scheme(), Mode::slide);
     ASSERT_LE(report.residual, 1e-11);
     Surface_mesh limit = mesh, before = data;
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.tolerance = 1e-13;
     options.surface_normals = !report.fallback;
-    PN::move_to_limit(limit, PN::CatmullClark_scheme(), options, with_maps(limit));
+    PN::subdivide_to_limit(limit, PN::CatmullClark_scheme(),
+                           PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                                options.pack(), with_maps(limit)));
     double farthest = 0;
     for (auto v : mesh.vertices()) {
       farthest = (std::max)(farthest, CGAL::squared_distance(data.point(v), limit.point(v)));
@@ -197,12 +291,17 @@ TEST(Round_interpolation, PrescribesPointsAndNormals)
     points[v] = mesh.point(v) + Kernel::Vector_3(0.05, -0.03, 0.02);
     const Kernel::Vector_3 n = normal_map(mesh)[v] + Kernel::Vector_3(0.2, 0.1, -0.1);
     normals[v] = n / std::sqrt(n.squared_length());
-    PN::prescribe_limit_data(mesh, PN::Loop_scheme(), points, normals,
-                             PN::Limit_prescription_options(), with_maps(mesh));
-    PN::Limit_options options;
+    PN::prescribe_limit_data(
+      mesh, PN::Loop_scheme(),
+      PN::parameters::join(
+        PN::parameters::prescribed_point_map(points).prescribed_normal_map(normals),
+        with_maps(mesh)));
+    test_options::Limit_options options;
     options.tolerance = 1e-13;
     options.surface_normals = true;
-    PN::move_to_limit(mesh, PN::Loop_scheme(), options, with_maps(mesh));
+    PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
+                           PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                                options.pack(), with_maps(mesh)));
     EXPECT_LT(CGAL::squared_distance(mesh.point(v), *points[v]), 1e-22);
     EXPECT_LT((normal_map(mesh)[v] - *normals[v]).squared_length(), 1e-12);
   }
@@ -244,12 +343,13 @@ TEST(Round_interpolation, TakesExactNumbers)
     for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners.push_back(of[v.idx()]);
     exact.add_face(corners);
   }
-  PN::Limit_interpolation_options<> options;
+  test_options::Limit_interpolation_options<> options;
   options.mode = Mode::limit_points;
   interpolate(mesh, PN::Loop_scheme(), Mode::limit_points);
   PN::interpolate_limit_points(
-    exact, PN::Loop_scheme(), options,
-    PN::parameters::vertex_roundness_map(roundness, CGAL::parameters::vertex_normal_map(normals)));
+    exact, PN::Loop_scheme(),
+    PN::parameters::join(
+      options.pack(), PN::parameters::vertex_roundness_map(roundness).vertex_normal_map(normals)));
   for (auto v : mesh.vertices()) {
     const auto& p = exact.point(of[v.idx()]);
     const Kernel::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));

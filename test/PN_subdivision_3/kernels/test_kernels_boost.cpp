@@ -121,8 +121,8 @@ void expect_angle_weighted_normal(const FT& epsilon)
   mesh.add_face(v(0), v(1), v(3));
   mesh.add_face(v(1), v(2), v(3));
   auto normals = mesh.template add_property_map<typename D::Vertex, typename D::Vector>("n").first;
-  PN::estimate_control_normals(mesh, normals, params::default_values(),
-                               PN::Control_normal_estimate::angle);
+  PN::estimate_control_normals(
+    mesh, normals, PN::parameters::control_normal_estimate(PN::Control_normal_estimate::angle));
   const FT root = FT(CGAL::sqrt(FT(2)));
   const typename D::Vector n = normals[v(0)], expected(FT(1), root, FT(FT(2) - root));
   EXPECT_LE(

@@ -225,7 +225,7 @@ TYPED_TEST(Interval_kernel, NormalsAreEstimatedOrRefused)
     blurred.point(v) = {p.x() + wide, p.y() + wide, p.z() + wide};
   }
   const auto scheme =
-    PN::with_normal_estimate(PN::Loop_scheme(), PN::Control_normal_estimate::reciprocal);
+    PN::internal::with_normal_estimate(PN::Loop_scheme(), PN::Control_normal_estimate::reciprocal);
   EXPECT_NE(refusal([&] { PN::subdivide(blurred, scheme); }).find("precision"), std::string::npos);
 }
 

@@ -9,8 +9,10 @@
 // Limits of meshes with creases: linear schemes, the functions that compute them, and what is refused.
 
 #include "Creased_limit_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <gtest/gtest.h>
@@ -55,7 +57,7 @@ TEST(Limit_creases, LinearLimitsAreThoseOfTheCubicSpline)
     ends[std::size_t(b)].push_back(a);
   }
   const Exact_mesh control = mesh;
-  PN::subdivide_to_limit(mesh, PN::linear(PN::CatmullClark_scheme()), PN::Limit_options(),
+  PN::subdivide_to_limit(mesh, PN::linear(PN::CatmullClark_scheme()),
                          np::edge_is_constrained_map(sharp).vertex_is_constrained_map(fixed));
   const auto x = [&](int v) {
     return control.point(CGAL::SM_Vertex_index(CGAL::SM_Vertex_index::size_type(v))).x();
@@ -85,7 +87,7 @@ TEST(Limit_creases, LinearSurfaceNormalsOfFlatSidesAreTheirs)
   Part part = capped_cylinder(uneven(7));
   const Control control = part.control();
   Tagged<Mesh> t(control);
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.surface_normals = true;
   const PN::Limit_report report = to_limit(t, PN::linear(PN::CatmullClark_scheme()), 2, options);
   EXPECT_EQ(report.number_of_stand_ins, 14u);
@@ -108,7 +110,7 @@ TEST(Limit_creases, SubdivideAndMoveAreTheSameByTwoCalls)
     const Control c = random_net(seed);
     for (const bool surface_normals : {false, true}) {
       Tagged<Mesh> one(c), two(c);
-      PN::Limit_options options;
+      test_options::Limit_options options;
       options.surface_normals = surface_normals;
       const auto tangents_of = [](Mesh& mesh) {
         return mesh.add_property_map<Mesh::Halfedge_index, Vector_3>("h:t", Vector_3(0, 0, 0))
@@ -116,15 +118,18 @@ TEST(Limit_creases, SubdivideAndMoveAreTheSameByTwoCalls)
       };
       const auto tangents = tangents_of(one.mesh), others = tangents_of(two.mesh);
       const auto scheme = [&](const auto& map) {
-        return PN::with_crease_tangents(PN::with_border(PN::CatmullClark_scheme(), c.border), map);
+        return PN::internal::with_crease_tangents(
+          PN::internal::with_border(PN::CatmullClark_scheme(), c.border), map);
       };
       const PN::Limit_report report = to_limit(one, scheme(tangents), 2, options);
       two.subdivide(scheme(others), 2);
       options.rounds_done = 2;
-      const PN::Limit_report moved = PN::move_to_limit(two.mesh, scheme(others), options,
-                                                       np::edge_is_constrained_map(two.sharp)
-                                                         .vertex_is_constrained_map(two.corners)
-                                                         .vertex_normal_map(two.normals));
+      const PN::Limit_report moved = PN::subdivide_to_limit(
+        two.mesh, scheme(others),
+        PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                             np::edge_is_constrained_map(two.sharp)
+                               .vertex_is_constrained_map(two.corners)
+                               .vertex_normal_map(two.normals)));
       EXPECT_TRUE(state(one) == state(two)) << seed;
       for (const auto h : one.mesh.halfedges()) EXPECT_EQ(tangents[h], others[h]);
       EXPECT_EQ(report.error, moved.error);
@@ -142,8 +147,8 @@ TEST(Limit_creases, VerticesHaveTheMeanOfTheirWedges)
   using Limit = PN::Limit_point<Kernel>;
   const auto limits = points.mesh.add_property_map<Mesh::Vertex_index, Limit>("v:l").first;
   const PN::CatmullClark_scheme scheme;
-  to_limit(corners, scheme, 0, PN::Limit_options());
-  PN::limit_points(points.mesh, scheme, limits, PN::Limit_options(),
+  to_limit(corners, scheme, 0, test_options::Limit_options());
+  PN::limit_points(points.mesh, scheme, limits,
                    np::edge_is_constrained_map(points.sharp)
                      .vertex_is_constrained_map(points.corners)
                      .vertex_normal_map(points.normals));
@@ -163,14 +168,14 @@ TEST(Limit_creases, AreTheSameInPolyhedraAndByThreads)
   const Control c = random_net(1);
   Tagged<Mesh> s(c);
   Tagged<CGAL::Polyhedron_3<Kernel>> p(c);
-  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), c.border);
-  to_limit(s, scheme, 2, PN::Limit_options());
-  to_limit(p, scheme, 2, PN::Limit_options());
+  const auto scheme = PN::internal::with_border(PN::CatmullClark_scheme(), c.border);
+  to_limit(s, scheme, 2, test_options::Limit_options());
+  to_limit(p, scheme, 2, test_options::Limit_options());
   EXPECT_TRUE(state(s) == state(p));
 #ifdef CGAL_LINKED_WITH_TBB
   Tagged<Mesh> parallel(c);
   to_limit<Mesh, std::decay_t<decltype(scheme)>, CGAL::Parallel_tag>(parallel, scheme, 2,
-                                                                     PN::Limit_options());
+                                                                     test_options::Limit_options());
   EXPECT_TRUE(state(s) == state(parallel));
 #endif
 }
@@ -178,8 +183,8 @@ TEST(Limit_creases, AreTheSameInPolyhedraAndByThreads)
 TEST(Limit_creases, OfAnEmptyMeshAreNone)
 {
   Tagged<Mesh> none{Control()};
-  EXPECT_TRUE(
-    to_limit(none, PN::CatmullClark_scheme(), 2, PN::Limit_options()).is_within_tolerance());
+  EXPECT_TRUE(to_limit(none, PN::CatmullClark_scheme(), 2, test_options::Limit_options())
+                .is_within_tolerance());
   EXPECT_EQ(none.mesh.number_of_vertices(), 0u);
 }
 
@@ -192,7 +197,7 @@ void expect_refusal(const Control& control, const Scheme& scheme, unsigned round
   Tagged<Mesh> t(control);
   const State before = state(t);
   try {
-    to_limit(t, scheme, rounds, PN::Limit_options());
+    to_limit(t, scheme, rounds, test_options::Limit_options());
     ADD_FAILURE() << "not refused: " << what;
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find(what), std::string::npos) << e.what();
@@ -211,12 +216,12 @@ TEST(Limit_creases, WhatIsNotSharpForEverIsRefused)
   expect_refusal(c, scheme, 2, "by 1 more round,");
   expect_refusal(c, scheme, 2, "the edge of half-edge");
   Tagged<Mesh> smooth(c);
-  EXPECT_NO_THROW(to_limit(smooth, scheme, 3, PN::Limit_options()));
+  EXPECT_NO_THROW(to_limit(smooth, scheme, 3, test_options::Limit_options()));
   c.sharp_edges.begin()->second = infinity;
   c.sharp_vertices[5] = 1.25;
   expect_refusal(c, scheme, 1, "the sharpness of vertex 5 is 1.25");
   Tagged<Mesh> corner(c);
-  EXPECT_NO_THROW(to_limit(corner, scheme, 2, PN::Limit_options()));
+  EXPECT_NO_THROW(to_limit(corner, scheme, 2, test_options::Limit_options()));
 }
 
 TEST(Limit_creases, AMapThatThrowsLeavesTheMeshAsItWas)
@@ -229,7 +234,7 @@ TEST(Limit_creases, AMapThatThrowsLeavesTheMeshAsItWas)
       int points_left = fails_at_points ? puts % 97 : 1000, normals_left = puts;
       EXPECT_THROW(
         PN::subdivide_to_limit(
-          t.mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+          t.mesh, PN::CatmullClark_scheme(),
           np::vertex_point_map(Failing_map<decltype(t.points)>{t.points, &points_left})
             .vertex_normal_map(Failing_map<decltype(t.normals)>{t.normals, &normals_left})
             .edge_is_constrained_map(t.sharp)),

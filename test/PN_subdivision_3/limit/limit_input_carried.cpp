@@ -11,6 +11,7 @@
 
 #include "Carrying_mesh.h"
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
@@ -42,9 +43,10 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
   for (const unsigned rounds : {0u, 1u, 2u}) {
     Carrying<Mesh, Number> limit(soup), plain(soup);
     const auto np = params::number_of_iterations(rounds);
-    PN::subdivide_to_limit<Concurrency_tag>(limit.mesh, scheme, PN::Limit_options(), np,
-                                            limit.attributes());
-    PN::subdivide<Concurrency_tag>(plain.mesh, scheme, np, plain.attributes());
+    PN::subdivide_to_limit<Concurrency_tag>(
+      limit.mesh, scheme, PN::parameters::join(PN::parameters::attributes(limit.attributes()), np));
+    PN::subdivide<Concurrency_tag>(
+      plain.mesh, scheme, PN::parameters::join(PN::parameters::attributes(plain.attributes()), np));
     EXPECT_EQ(limit.carried(), plain.carried()) << rounds << " rounds";
     EXPECT_NE(mesh_cases::points(limit.mesh), mesh_cases::points(plain.mesh));
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(limit.mesh));
@@ -96,14 +98,17 @@ TEST(Carried_to_the_limit, AVisitorCancelsBeforeTheMeshIsTouched)
   Carrying<Surface_mesh> whole(soup);
   const auto np = params::number_of_iterations(3);
   const PN::CatmullClark_scheme scheme;
-  PN::subdivide_to_limit(whole.mesh, scheme, PN::Limit_options(), np, whole.attributes());
+  PN::subdivide_to_limit(whole.mesh, scheme,
+                         PN::parameters::join(PN::parameters::attributes(whole.attributes()), np));
   for (int n = 1; n <= 5; ++n) {
     Carrying<Surface_mesh> c(soup), before(soup);
     int left = n;
     const Canceller visitor{&left};
-    EXPECT_THROW(PN::subdivide_to_limit(c.mesh, scheme, PN::Limit_options(), np.visitor(visitor),
-                                        c.attributes()),
-                 Cancelled);
+    EXPECT_THROW(
+      PN::subdivide_to_limit(
+        c.mesh, scheme,
+        PN::parameters::join(PN::parameters::attributes(c.attributes()), np.visitor(visitor))),
+      Cancelled);
     // faces are told of when all is there
     const auto& expected = n <= 3 ? before : whole;
     EXPECT_EQ(c.carried(), expected.carried()) << n;
@@ -117,11 +122,13 @@ TEST(Carried_to_the_limit, WithoutLimitsNothingIsChanged)
 {
   const mesh_cases::Soup soup = mesh_cases::mixed_with_border();
   Carrying<Surface_mesh> c(soup), before(soup);
-  PN::Limit_options wrong;
+  test_options::Limit_options wrong;
   wrong.tolerance = -1;
-  EXPECT_THROW(PN::subdivide_to_limit(c.mesh, PN::CatmullClark_scheme(), wrong,
-                                      params::number_of_iterations(2), c.attributes()),
-               std::invalid_argument);
+  EXPECT_THROW(
+    PN::subdivide_to_limit(c.mesh, PN::CatmullClark_scheme(),
+                           PN::parameters::join(PN::parameters::attributes(c.attributes()),
+                                                wrong.pack(), params::number_of_iterations(2))),
+    std::invalid_argument);
   EXPECT_EQ(c.carried(), before.carried());
   EXPECT_EQ(c.mesh.number_of_vertices(), before.mesh.number_of_vertices());
 }

@@ -10,6 +10,7 @@
 
 #include "Limit_cases.h"
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
@@ -64,14 +65,16 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
       const auto np = [](auto& m, unsigned k) {
         return params::vertex_normal_map(m.normals).number_of_iterations(k);
       };
-      PN::Limit_options options;
+      test_options::Limit_options options;
       options.surface_normals = surface_normals;
-      const PN::Limit_report report =
-        PN::subdivide_to_limit<Concurrency_tag>(one.mesh, scheme, options, np(one, rounds));
+      const PN::Limit_report report = PN::subdivide_to_limit<Concurrency_tag>(
+        one.mesh, scheme, PN::parameters::join(options.pack(), np(one, rounds)));
       PN::subdivide(two.mesh, scheme, np(two, rounds));
       options.rounds_done = rounds;
-      const PN::Limit_report expected =
-        PN::move_to_limit(two.mesh, scheme, options, params::vertex_normal_map(two.normals));
+      const PN::Limit_report expected = PN::subdivide_to_limit(
+        two.mesh, scheme,
+        PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                             params::vertex_normal_map(two.normals)));
       // what is not asked for is not set at new vertices
       const bool has_all_normals = surface_normals || !PN::internal::Is_linear<Scheme>::value;
       expect_same(one, two, has_all_normals ? num_vertices(one.mesh) : old_vertices);
@@ -106,14 +109,13 @@ TEST(Subdivide_to_limit, RunsOutsideTheMapsAndWithoutNormals)
   Surface_mesh one, two;
   mesh_cases::build(mesh_cases::mixed_with_border(), one);
   two = one;
-  PN::subdivide_to_limit(one, PN::CatmullClark_scheme(), PN::Limit_options(),
+  PN::subdivide_to_limit(one, PN::CatmullClark_scheme(),
                          PN::parameters::roundness(1)); // as that of given normals
   // normals are estimated once, on the control mesh
   const auto normals =
     two.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("n").first;
   PN::estimate_control_normals(two, normals);
-  PN::subdivide_to_limit(two, PN::CatmullClark_scheme(), PN::Limit_options(),
-                         params::vertex_normal_map(normals));
+  PN::subdivide_to_limit(two, PN::CatmullClark_scheme(), params::vertex_normal_map(normals));
   for (auto v : one.vertices()) EXPECT_EQ(one.point(v), two.point(v));
 }
 
@@ -125,11 +127,12 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
   const auto points = [&] {
     return std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end());
   };
-  const auto expect_refusal = [&](const auto& scheme, const PN::Limit_options& options,
+  const auto expect_refusal = [&](const auto& scheme, const test_options::Limit_options& options,
                                   const std::string& what) {
     const auto before = points();
     try {
-      PN::subdivide_to_limit(mesh, scheme, options, params::number_of_iterations(2));
+      PN::subdivide_to_limit(mesh, scheme,
+                             PN::parameters::join(options.pack(), params::number_of_iterations(2)));
       ADD_FAILURE() << what;
     } catch (const std::exception& e) {
       EXPECT_NE(std::string(e.what()).find(what), std::string::npos) << e.what();
@@ -138,16 +141,16 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
     EXPECT_TRUE(mesh.is_valid());
   };
   const PN::CatmullClark_scheme scheme;
-  expect_refusal(PN::with_border(PN::Kobbelt_scheme(), PN::Border::curve), PN::Limit_options(),
-                 "has no rules for creases");
-  PN::Limit_options counted;
+  expect_refusal(PN::internal::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
+                 test_options::Limit_options(), "has no rules for creases");
+  test_options::Limit_options counted;
   counted.rounds_done = 2;
   expect_refusal(scheme, counted, "leave rounds_done 0");
-  PN::Limit_options wrong;
+  test_options::Limit_options wrong;
   wrong.tolerance = -1;
   expect_refusal(scheme, wrong, "tolerance");
   const PN::modified_CatmullClark_scheme late(0.5, 20);
-  expect_refusal(late, PN::Limit_options(), "first round");
+  expect_refusal(late, test_options::Limit_options(), "first round");
 }
 
 // points of a mesh, of which the n-th that is put is refused
@@ -178,7 +181,7 @@ TEST(Subdivide_to_limit, AMapThatThrowsLeavesTheMeshAsItWas)
   for (const int puts : {0, 10, 22, 30}) {
     int puts_left = puts;
     EXPECT_THROW(
-      PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+      PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
                              params::vertex_point_map(Failing_points{&mesh, &puts_left})),
       std::runtime_error);
     EXPECT_EQ(std::vector<Kernel::Point_3>(mesh.points().begin(), mesh.points().end()), before);

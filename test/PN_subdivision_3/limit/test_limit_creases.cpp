@@ -9,9 +9,11 @@
 // Limits of meshes with creases, corners and borders that are creases: what they are.
 
 #include "Creased_limit_cases.h"
+#include "support/Options.h"
 
 #include <gtest/gtest.h>
 
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,8 +34,8 @@ void expect_exact(const Part& part, const Control& control, const Scheme& scheme
 {
   for (const unsigned rounds : {1u, 2u}) {
     Tagged<Mesh> t(control);
-    const PN::Limit_report report =
-      to_limit(t, PN::with_border(scheme, part.border), rounds, PN::Limit_options());
+    const PN::Limit_report report = to_limit(t, PN::internal::with_border(scheme, part.border),
+                                             rounds, test_options::Limit_options());
     EXPECT_TRUE(report.is_within_tolerance());
     const Real bar = 8 * Real(std::numeric_limits<double>::epsilon());
     Real points = 0, normals = 0, border = 0;
@@ -86,7 +88,7 @@ TEST(Limit_creases, RimsAreCirclesInFloat)
   }
   auto sharp = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
   PN::detect_creases(mesh, 75, sharp);
-  PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+  PN::subdivide_to_limit(mesh, PN::CatmullClark_scheme(),
                          np::number_of_iterations(2).edge_is_constrained_map(sharp));
   int rims = 0;
   for (const auto e : mesh.edges()) {
@@ -181,6 +183,38 @@ TEST(Limit_creases, AreTheSameBesideAnIrregularDart)
   random_creases::perturb(c, random);
   random_creases::give_normals(c, random);
   expect_limit_of_rounds(c, PN::modified_CatmullClark_scheme(), false);
+}
+
+// Roundness of its own at every vertex, or the same at all: a crease is then between its curve and the linear one.
+template <class Scheme>
+void expect_round_limit_of_rounds(const Control& control, const Scheme& scheme,
+                                  double any_roundness)
+{
+  std::vector<std::vector<Vector>> of_rounds;
+  for (const unsigned rounds : {0u, 1u, 3u}) {
+    Tagged<Mesh> t(control);
+    unsigned i = 0;
+    for (const auto v : t.mesh.vertices())
+      put(t.roundness, v, any_roundness < 0 ? (7 * i++ % 9) / 8. : any_roundness);
+    to_round_limit(t, PN::internal::with_border(scheme, control.border), rounds, close(1e-11));
+    of_rounds.emplace_back();
+    for (std::size_t v = 0; v < control.points.size(); ++v)
+      of_rounds.back().push_back(vector(t.mesh.point(Mesh::Vertex_index(Mesh::size_type(v)))));
+  }
+  for (std::size_t v = 0; v < control.points.size(); ++v)
+    for (const std::size_t k : {0u, 1u})
+      EXPECT_LE(double((of_rounds[k][v] - of_rounds[2][v]).norm()), 1e-10) << "vertex " << v;
+}
+
+TEST(Limit_creases, AreTheSameFromEveryLevelOfAnyRoundness)
+{
+  for (const double w : {-1., 0., .5})
+    for (int seed = 1; seed <= 6; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", roundness " + std::to_string(w));
+      const Control c = random_net(seed);
+      expect_round_limit_of_rounds(c, PN::CatmullClark_scheme(), w);
+      expect_round_limit_of_rounds(triangulated(c), PN::Loop_scheme(), w);
+    }
 }
 
 TEST(Limit_creases, TheErrorIsNotUnderestimated)

@@ -11,6 +11,7 @@
 
 #include "Curve_cases.h"
 #include "reference/Curve_limit.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
@@ -25,9 +26,9 @@ using namespace curve_cases;
 
 constexpr Curve_end all_ends[] = {Curve_end::closed, Curve_end::reflect, Curve_end::none};
 
-PN::Curve_limit_options close(double tolerance, double normal_tolerance = 1e-7)
+test_options::Curve_limit_options close(double tolerance, double normal_tolerance = 1e-7)
 {
-  PN::Curve_limit_options options;
+  test_options::Curve_limit_options options;
   options.tolerance = tolerance;
   options.normal_tolerance = normal_tolerance;
   options.max_depth = 30;
@@ -84,7 +85,7 @@ TEST(Curve_limits, OfLinearBSplinesAreThoseOfTheirPolynomials)
   const reference::Values control = values(polygon);
   for (int degree = 2; degree <= 9; ++degree) {
     const auto [limits, report] = PN::curve_limit_points(
-      polygon, PN::linear(PN::B_spline_mask(degree)), Curve_end::closed, close(1e-15));
+      polygon, PN::linear(PN::B_spline_mask(degree)), Curve_end::closed, close(1e-15).pack());
     ASSERT_EQ(limits.size(), 11u);
     EXPECT_EQ(report.error, 0);
     for (const auto& l : limits) {
@@ -148,7 +149,7 @@ TEST(Curve_limits, EqualBruteForce)
     for (const Curve_end end : all_ends) {
       if (end == Curve_end::none && s.parameter > (s.interpolating ? 3 : 5)) continue; // too short
       const auto [limits, report] = with_mask(s, [&](const auto& mask) {
-        return PN::curve_limit_points(polygon, mask, end, close(1e-13));
+        return PN::curve_limit_points(polygon, mask, end, close(1e-13).pack());
       });
       ASSERT_FALSE(limits.empty());
       if (end != Curve_end::none) {
@@ -164,13 +165,77 @@ TEST(Curve_limits, EqualBruteForce)
     }
 }
 
+// the tangents to the same tolerance, that is, they converge no slower than with roundness 1
+TEST(Curve_limits, OfARoundnessEqualBruteForce)
+{
+  const Curve_3<Double> polygon = wave(12);
+  for (const auto& s : schemes())
+    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+      const auto [limits, report] = with_mask(s, [&](const auto& mask) {
+        return PN::curve_limit_points(
+          polygon, mask, end,
+          PN::parameters::join(close(1e-13).pack(), PN::parameters::roundness(.5)));
+      });
+      reference::Curve_limit_by_rounds brute(s, s, false, Real(1) / 2);
+      expect_brute_force(polygon, limits, brute, end, {2e-12, 1e-6, s.interpolating ? .02 : .002},
+                         name_of(s, end));
+    }
+}
+
+// tangents and curvatures, too, although those of a point-normal curve are found in another way
+TEST(Curve_limits, OfRoundnessZeroAreThoseOfLinearTwins)
+{
+  const Curve_3<Double> polygon = wave(12);
+  for (const auto& s : schemes())
+    for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
+      const auto linear =
+        with_mask(s, [&](const auto& mask) {
+          return PN::curve_limit_points(polygon, PN::linear(mask), end, close(1e-13).pack());
+        }).first;
+      const auto limits =
+        with_mask(s, [&](const auto& mask) {
+          return PN::curve_limit_points(
+            polygon, mask, end,
+            PN::parameters::join(close(1e-13).pack(), PN::parameters::roundness(0.)));
+        }).first;
+      ASSERT_EQ(limits.size(), linear.size());
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        EXPECT_LE(CGAL::squared_distance(limits[i].point, linear[i].point), 1e-26);
+        EXPECT_LE((limits[i].tangent - linear[i].tangent).squared_length(), 1e-16);
+        EXPECT_NEAR(limits[i].curvature, linear[i].curvature, 1e-5) << name_of(s, end);
+      }
+    }
+}
+
+// what they are with fewer rounds is no farther away than they say
+TEST(Curve_limits, ErrorsOfAnyRoundnessAreNoLargerThanTheirEstimates)
+{
+  const Curve_3<Double> polygon = wave(12);
+  const PN::B_spline_mask mask(3);
+  const auto np = PN::parameters::roundness(.5);
+  const auto exact = PN::curve_limit_points(polygon, mask, Curve_end::closed,
+                                            PN::parameters::join(close(1e-14).pack(), np));
+  for (const unsigned depth : {2u, 4u, 6u}) {
+    test_options::Curve_limit_options options = close(0, 0);
+    options.max_depth = depth;
+    options.curvatures = false;
+    const auto rough = PN::curve_limit_points(polygon, mask, Curve_end::closed,
+                                              PN::parameters::join(options.pack(), np));
+    for (std::size_t i = 0; i < exact.first.size(); ++i) {
+      const auto &a = rough.first[i], &b = exact.first[i];
+      EXPECT_LE(std::sqrt(CGAL::squared_distance(a.point, b.point)), 1.01 * a.error + 1e-14);
+      EXPECT_LE(std::sqrt((a.tangent - b.tangent).squared_length()), 1.01 * a.tangent_error);
+    }
+  }
+}
+
 TEST(Curve_limits, OfLinearTwinsEqualBruteForce)
 {
   const Curve_3<Double> polygon = wave(12);
   for (const auto& s : schemes())
     for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
       const auto limits = with_mask(s, [&](const auto& mask) {
-        return PN::curve_limit_points(polygon, PN::linear(mask), end, close(1e-13)).first;
+        return PN::curve_limit_points(polygon, PN::linear(mask), end, close(1e-13).pack()).first;
       });
       reference::Curve_limit_by_rounds brute(s, s, true);
       expect_brute_force(polygon, limits, brute, end, {2e-13, 1e-7, 2e-3}, name_of(s, end));
@@ -187,14 +252,14 @@ TEST(Curve_limits, WithAnotherMaskForTheNormalsEqualBruteForce)
                        PN::curve_limit_points(
                          polygon,
                          PN::with_normal_mask(PN::B_spline_mask(3), PN::Dubuc_Deslauriers_mask(4)),
-                         end, close(1e-13))
+                         end, close(1e-13).pack())
                          .first,
                        a, end, {2e-12, 1e-6, .01}, "cubic, normals by 4 points");
     expect_brute_force(polygon,
                        PN::curve_limit_points(
                          polygon,
                          PN::with_normal_mask(PN::Dubuc_Deslauriers_mask(4), PN::B_spline_mask(5)),
-                         end, close(1e-13))
+                         end, close(1e-13).pack())
                          .first,
                        b, end, {2e-12, 1e-6, .01}, "4 points, normals by quintics");
   }
@@ -207,7 +272,7 @@ TEST(Curve_limits, OfCirclesAreOnThem)
     for (const auto& s : schemes()) {
       const auto limits = with_mask(s, [&](const auto& mask) {
         return PN::curve_limit_points(circle, mask, closed ? Curve_end::closed : Curve_end::reflect,
-                                      close(1e-14))
+                                      close(1e-14).pack())
           .first;
       });
       for (const auto& l : limits) {
@@ -229,7 +294,7 @@ TEST(Curve_limits, OfHelicesAreOnTheirCylinders)
   const Curve_3<Double> curve = helix(uneven_angles(9, 3, 9, false, 4), 2, .3L);
   for (const auto& s : schemes()) {
     const auto limits = with_mask(s, [&](const auto& mask) {
-      return PN::curve_limit_points(curve, mask, Curve_end::reflect, close(1e-14)).first;
+      return PN::curve_limit_points(curve, mask, Curve_end::reflect, close(1e-14).pack()).first;
     });
     for (const auto& l : limits)
       EXPECT_LE(double(cylinder_error(l.point, 2)), 8 * ulp) << name_of(s);
@@ -243,10 +308,11 @@ TEST(Curve_limits, CurvatureHasASignInThePlane)
   const PN::B_spline_mask cubic(3);
   for (const bool reversed : {false, true}) {
     for (const auto& l :
-         PN::curve_limit_points(polygon, cubic, Curve_end::closed, close(1e-12)).first)
+         PN::curve_limit_points(polygon, cubic, Curve_end::closed, close(1e-12).pack()).first)
       EXPECT_NEAR(l.curvature, reversed ? -.5 : .5, 1e-6);
     for (const auto& l :
-         PN::curve_limit_points(polygon, PN::linear(cubic), Curve_end::closed, close(1e-12)).first)
+         PN::curve_limit_points(polygon, PN::linear(cubic), Curve_end::closed, close(1e-12).pack())
+           .first)
       EXPECT_GT((reversed ? -1 : 1) * l.normal * (l.point - CGAL::ORIGIN), 0);
     std::reverse(polygon.begin(), polygon.end());
   }
@@ -272,12 +338,12 @@ TEST(Curve_limits, ErrorsAreNoLargerThanTheirEstimates)
   for (const auto& s : schemes())
     for (const Curve_end end : {Curve_end::closed, Curve_end::reflect})
       with_mask(s, [&](const auto& mask) {
-        const auto exact = PN::curve_limit_points(polygon, mask, end, close(1e-14)).first;
+        const auto exact = PN::curve_limit_points(polygon, mask, end, close(1e-14).pack()).first;
         for (const unsigned depth : {1u, 2u, 4u}) {
-          PN::Curve_limit_options options = close(0, 0);
+          test_options::Curve_limit_options options = close(0, 0);
           options.max_depth = depth;
           options.curvatures = false;
-          const auto [limits, report] = PN::curve_limit_points(polygon, mask, end, options);
+          const auto [limits, report] = PN::curve_limit_points(polygon, mask, end, options.pack());
           for (std::size_t i = 0; i < limits.size(); ++i) {
             EXPECT_LE(std::sqrt(CGAL::squared_distance(limits[i].point, exact[i].point)),
                       limits[i].error + 1e-13)
@@ -296,7 +362,7 @@ TEST(Curve_limits, HaveNoTangentsAtKinks)
   const Curve_3<Double> polygon = wave(7);
   for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
     const auto [limits, report] =
-      PN::curve_limit_points(polygon, PN::B_spline_mask(1), end, close(1e-9));
+      PN::curve_limit_points(polygon, PN::B_spline_mask(1), end, close(1e-9).pack());
     EXPECT_EQ(report.number_of_stand_ins, 7u);
     for (std::size_t i = 0; i < limits.size(); ++i) {
       EXPECT_FALSE(limits[i].has_tangent || limits[i].has_curvature);
@@ -311,7 +377,7 @@ TEST(Curve_limits, HaveNoCurvatureThatDoesNotSettle)
 {
   const PN::Univariate_mask<double> mask(-4, {-.05, 0, .325, .5, .45, .5, .325, 0, -.05});
   for (const auto& l :
-       PN::curve_limit_points(wave(12), mask, Curve_end::closed, close(1e-9)).first) {
+       PN::curve_limit_points(wave(12), mask, Curve_end::closed, close(1e-9).pack()).first) {
     EXPECT_TRUE(l.has_tangent);
     EXPECT_FALSE(l.has_curvature);
   }
@@ -350,18 +416,18 @@ TEST(Curve_limits, OfOtherNumbersAreClose)
     exact.emplace_back(E::Point_2(p.x(), p.y()), E::Vector_2(n.x(), n.y()));
     intervals.emplace_back(I::Point_2(p.x(), p.y()), I::Vector_2(n.x(), n.y()));
   }
-  PN::Curve_limit_options options;
+  test_options::Curve_limit_options options;
   options.max_depth = 1;
   for (const int degree : {2, 3}) {
     const PN::B_spline_mask mask(degree);
     const auto end = Curve_end::reflect;
-    const auto limits = PN::curve_limit_points(polygon, mask, end, options).first;
-    const auto long_limits = PN::curve_limit_points(long_polygon, mask, end, options).first;
-    const auto exact_limits = PN::curve_limit_points(exact, mask, end, options).first;
+    const auto limits = PN::curve_limit_points(polygon, mask, end, options.pack()).first;
+    const auto long_limits = PN::curve_limit_points(long_polygon, mask, end, options.pack()).first;
+    const auto exact_limits = PN::curve_limit_points(exact, mask, end, options.pack()).first;
     const auto linear_limits =
-      PN::curve_limit_points(polygon, PN::linear(mask), end, options).first;
+      PN::curve_limit_points(polygon, PN::linear(mask), end, options.pack()).first;
     const auto interval_limits =
-      PN::curve_limit_points(intervals, PN::linear(mask), end, options).first;
+      PN::curve_limit_points(intervals, PN::linear(mask), end, options.pack()).first;
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const Double::Point_2& p = limits[i].point;
       EXPECT_NEAR(p.x(), double(long_limits[i].point.x()), 20 * ulp);
@@ -381,7 +447,8 @@ TEST(Curve_limits, OfFewPoints)
   const auto of = [](std::size_t n, int degree, Curve_end end) {
     Curve_3<Double> polygon = wave(12);
     polygon.resize(n);
-    return PN::curve_limit_points(polygon, PN::B_spline_mask(degree), end, close(1e-12)).first;
+    return PN::curve_limit_points(polygon, PN::B_spline_mask(degree), end, close(1e-12).pack())
+      .first;
   };
   for (const Curve_end end : {Curve_end::closed, Curve_end::reflect}) {
     EXPECT_TRUE(of(0, 3, end).empty());
@@ -411,7 +478,7 @@ TEST(Curve_limits, AreFiniteForAnyNormals)
     }
     for (const auto& s : schemes()) {
       const auto limits = with_mask(s, [&](const auto& mask) {
-        return PN::curve_limit_points(polygon, mask, Curve_end::reflect, close(1e-12)).first;
+        return PN::curve_limit_points(polygon, mask, Curve_end::reflect, close(1e-12).pack()).first;
       });
       for (const auto& l : limits) {
         for (const double x : {l.point.x(), l.point.y(), l.point.z(), l.control_normal.x(),
@@ -442,12 +509,12 @@ TEST(Curve_limits, BadInputIsRefused)
 {
   Curve_3<Double> polygon = wave(7);
   const PN::B_spline_mask cubic(3);
-  PN::Curve_limit_options options;
+  test_options::Curve_limit_options options;
   options.tolerance = -1;
-  EXPECT_THROW(PN::curve_limit_points(polygon, cubic, Curve_end::closed, options),
+  EXPECT_THROW(PN::curve_limit_points(polygon, cubic, Curve_end::closed, options.pack()),
                std::invalid_argument);
   options.tolerance = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(PN::curve_limit_points(polygon, cubic, Curve_end::closed, options),
+  EXPECT_THROW(PN::curve_limit_points(polygon, cubic, Curve_end::closed, options.pack()),
                std::invalid_argument);
   const Curve_3<Double> short_polygon(polygon.begin(), polygon.begin() + 3);
   EXPECT_THROW(PN::curve_limit_points(short_polygon, PN::B_spline_mask(9), Curve_end::none),

@@ -8,6 +8,7 @@
 
 // Normals of surfaces and tangents of curves where the tolerance cannot be met, however deep the rounds go.
 
+#include "support/Options.h"
 #include <CGAL/Gmpfr.h>
 #include <CGAL/PN_subdivision_3/curve_limit_points.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
@@ -81,11 +82,13 @@ struct Sphere
   template <class Scheme>
   std::vector<Error> errors(const Scheme& scheme, unsigned depth)
   {
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.tolerance = options.normal_tolerance = 0;
     options.max_depth = depth;
     options.surface_normals = true;
-    PN::limit_points(mesh, scheme, limits, options, CGAL::parameters::vertex_normal_map(normals));
+    PN::limit_points(
+      mesh, scheme, limits,
+      PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normals)));
     std::vector<Error> result;
     for (Vertex v : mesh.vertices())
       result.push_back(
@@ -173,13 +176,14 @@ void expect_true_tangents(double least)
     const FT x = FT(p) / FT(r), y = FT(q) / FT(r);
     polygon.emplace_back(typename K::Point_2(x, y), typename K::Vector_2(x, y));
   }
-  PN::Curve_limit_options options;
+  test_options::Curve_limit_options options;
   options.tolerance = options.normal_tolerance = 0;
   options.curve_normals = true;
   for (const unsigned depth : depths) {
     options.max_depth = depth;
     const auto limits =
-      PN::curve_limit_points(polygon, PN::B_spline_mask(3), PN::Curve_end::closed, options).first;
+      PN::curve_limit_points(polygon, PN::B_spline_mask(3), PN::Curve_end::closed, options.pack())
+        .first;
     for (const auto& l : limits) {
       const double x = CGAL::to_double(l.point.x()), y = CGAL::to_double(l.point.y());
       const double cosine = CGAL::to_double(l.tangent.x()) * x + CGAL::to_double(l.tangent.y()) * y;

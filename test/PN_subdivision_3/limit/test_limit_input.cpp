@@ -11,9 +11,11 @@
 
 #include "Limit_cases.h"
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <stdexcept>
@@ -39,10 +41,10 @@ TEST(Limit_input, PolyhedronGivesWhatSurfaceMeshGives)
     auto normals = get(CGAL::dynamic_vertex_property_t<Kernel::Vector_3>(), mesh);
     mesh_cases::put_normals(mesh_cases::normals(soup), mesh, normals);
     auto limits = get(CGAL::dynamic_vertex_property_t<Limit>(), mesh);
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.surface_normals = true;
-    PN::limit_points(mesh, PN::CatmullClark_scheme(), limits, options,
-                     params::vertex_normal_map(normals));
+    PN::limit_points(mesh, PN::CatmullClark_scheme(), limits,
+                     PN::parameters::join(options.pack(), params::vertex_normal_map(normals)));
     std::vector<Limit> result;
     for (auto v : vertices(mesh)) result.push_back(get(limits, v));
     return result;
@@ -65,11 +67,12 @@ TEST(Limit_input, RemovedElementsAndIsolatedVerticesTakeNoPart)
   mesh.remove_vertex(mesh.add_vertex(Kernel::Point_3(1, 1, 1)));
   const auto last = mesh.add_vertex(Kernel::Point_3(5, 5, 5));
   ASSERT_TRUE(mesh.has_garbage());
-  PN::Limit_options options = close(1e-12);
+  test_options::Limit_options options = close(1e-12);
   options.surface_normals = true;
   const auto map = mesh.add_property_map<Surface_mesh::Vertex_index, Limit>("v:l").first;
-  const PN::Limit_report report = PN::limit_points(mesh, PN::Loop_scheme(), map, options,
-                                                   params::vertex_normal_map(normal_map(mesh)));
+  const PN::Limit_report report = PN::limit_points(
+    mesh, PN::Loop_scheme(), map,
+    PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
   EXPECT_EQ(map[lone].point, mesh.point(lone));
   EXPECT_EQ(map[lone].control_normal, Kernel::Vector_3(0, 0, 1));
   EXPECT_EQ(map[lone].surface_normal, Kernel::Vector_3(0, 0, 1));
@@ -85,7 +88,7 @@ TEST(Limit_input, RemovedElementsAndIsolatedVerticesTakeNoPart)
 TEST(Limit_input, AnEmptyMeshHasNoLimits)
 {
   Surface_mesh mesh;
-  const Limits none = limits(mesh, PN::CatmullClark_scheme(), PN::Limit_options());
+  const Limits none = limits(mesh, PN::CatmullClark_scheme(), test_options::Limit_options());
   EXPECT_TRUE(none.at.empty());
   EXPECT_TRUE(none.report.is_within_tolerance());
 }
@@ -95,9 +98,9 @@ TEST(Limit_input, NormalsAreEstimatedWhereNoneAreGiven)
 {
   Surface_mesh mesh = to_surface_mesh(test_meshes::all()[4]);
   PN::estimate_control_normals(mesh, normal_map(mesh));
-  const Limits given = limits(mesh, PN::Loop_scheme(), PN::Limit_options());
+  const Limits given = limits(mesh, PN::Loop_scheme(), test_options::Limit_options());
   const auto map = mesh.add_property_map<Surface_mesh::Vertex_index, Limit>("v:l").first;
-  PN::limit_points(mesh, PN::Loop_scheme(), map, PN::Limit_options(), PN::parameters::roundness(1));
+  PN::limit_points(mesh, PN::Loop_scheme(), map, PN::parameters::roundness(1));
   for (auto v : mesh.vertices()) EXPECT_EQ(map[v].point, given.at[v].point);
 }
 
@@ -107,11 +110,13 @@ TEST(Move_to_limit, WritesPointsAndTheNormalsAskedFor)
 {
   for (const bool surface_normals : {false, true}) {
     Surface_mesh mesh = to_surface_mesh(test_meshes::all()[0]);
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.surface_normals = surface_normals;
     const Limits all = limits(mesh, PN::Loop_scheme(), options);
-    const PN::Limit_report report = PN::move_to_limit(mesh, PN::Loop_scheme(), options,
-                                                      params::vertex_normal_map(normal_map(mesh)));
+    const PN::Limit_report report = PN::subdivide_to_limit(
+      mesh, PN::Loop_scheme(),
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                           params::vertex_normal_map(normal_map(mesh))));
     EXPECT_EQ(report.error, all.report.error);
     for (auto v : mesh.vertices()) {
       EXPECT_EQ(mesh.point(v), all.at[v].point);
@@ -125,13 +130,15 @@ TEST(Move_to_limit, OfALinearSchemeWritesNormalsOnlyWhenAskedFor)
 {
   Surface_mesh mesh = to_surface_mesh(test_meshes::all()[0]);
   const auto before = normal_map(mesh)[Surface_mesh::Vertex_index(0)];
-  PN::move_to_limit(mesh, PN::linear(PN::Loop_scheme()), PN::Limit_options(),
-                    params::vertex_normal_map(normal_map(mesh)));
+  PN::subdivide_to_limit(mesh, PN::linear(PN::Loop_scheme()),
+                         params::vertex_normal_map(normal_map(mesh)).number_of_iterations(0));
   EXPECT_EQ(normal_map(mesh)[Surface_mesh::Vertex_index(0)], before);
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.surface_normals = true;
-  PN::move_to_limit(mesh, PN::linear(PN::Loop_scheme()), options,
-                    params::vertex_normal_map(normal_map(mesh)));
+  PN::subdivide_to_limit(mesh, PN::linear(PN::Loop_scheme()),
+                         PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                              options.pack(),
+                                              params::vertex_normal_map(normal_map(mesh))));
   EXPECT_NE(normal_map(mesh)[Surface_mesh::Vertex_index(0)], before);
 }
 
@@ -170,8 +177,9 @@ TEST(Move_to_limit, PutsBackWhatItHasWrittenIfAMapThrows)
     int points_left = puts, normals_left = 100;
     const Failing_map<Kernel::Point_3> p{&points, &points_left};
     const Failing_map<Kernel::Vector_3> n{&normals, &normals_left};
-    EXPECT_THROW(PN::move_to_limit(mesh, PN::Loop_scheme(), PN::Limit_options(),
-                                   params::vertex_point_map(p).vertex_normal_map(n)),
+    EXPECT_THROW(PN::subdivide_to_limit(
+                   mesh, PN::Loop_scheme(),
+                   params::vertex_point_map(p).vertex_normal_map(n).number_of_iterations(0)),
                  std::runtime_error);
     EXPECT_EQ(points, old_points);
     EXPECT_EQ(normals, old_normals);
@@ -182,8 +190,8 @@ TEST(Move_to_limit, PutsBackWhatItHasWrittenIfAMapThrows)
 
 TEST(Limit_input, BadInputIsRefusedByName)
 {
-  const auto refuses = [](Surface_mesh& mesh, const auto& scheme, const PN::Limit_options& options,
-                          const std::string& what) {
+  const auto refuses = [](Surface_mesh& mesh, const auto& scheme,
+                          const test_options::Limit_options& options, const std::string& what) {
     try {
       limits(mesh, scheme, options);
       ADD_FAILURE() << "not refused: " << what;
@@ -192,20 +200,21 @@ TEST(Limit_input, BadInputIsRefusedByName)
     }
   };
   Surface_mesh quads = to_surface_mesh(test_meshes::star(5, 2, Cells::quads));
-  refuses(quads, PN::Loop_scheme(), PN::Limit_options(), "face 0 has 4 corners");
+  refuses(quads, PN::Loop_scheme(), test_options::Limit_options(), "face 0 has 4 corners");
   for (const double wrong : {-1., std::nan("")}) {
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.tolerance = wrong;
     refuses(quads, PN::CatmullClark_scheme(), options, "tolerance");
-    options = PN::Limit_options();
+    options = test_options::Limit_options();
     options.normal_tolerance = wrong;
     refuses(quads, PN::CatmullClark_scheme(), options, "tolerance");
   }
   quads.point(Surface_mesh::Vertex_index(3)) = Kernel::Point_3(0, HUGE_VAL, 0);
-  refuses(quads, PN::CatmullClark_scheme(), PN::Limit_options(), "the point of vertex 3");
+  refuses(quads, PN::CatmullClark_scheme(), test_options::Limit_options(), "the point of vertex 3");
   quads.point(Surface_mesh::Vertex_index(3)) = Kernel::Point_3(0, 0, 0);
   normal_map(quads)[Surface_mesh::Vertex_index(4)] = Kernel::Vector_3(std::nan(""), 0, 0);
-  refuses(quads, PN::CatmullClark_scheme(), PN::Limit_options(), "the normal of vertex 4");
+  refuses(quads, PN::CatmullClark_scheme(), test_options::Limit_options(),
+          "the normal of vertex 4");
 }
 
 TEST(Limit_input, BordersThatAreCreasesNeedRulesForThem)
@@ -220,7 +229,9 @@ TEST(Limit_input, BordersThatAreCreasesNeedRulesForThem)
   };
   const auto before = points(quads);
   try {
-    PN::move_to_limit(quads, PN::with_border(PN::Kobbelt_scheme(), PN::Border::curve));
+    PN::subdivide_to_limit(quads,
+                           PN::internal::with_border(PN::Kobbelt_scheme(), PN::Border::curve),
+                           CGAL::parameters::number_of_iterations(0));
     ADD_FAILURE();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("is sharp, but the scheme kobbelt has no rules"),
@@ -230,12 +241,14 @@ TEST(Limit_input, BordersThatAreCreasesNeedRulesForThem)
   EXPECT_EQ(points(quads), before);
   // without a border nothing changes
   Surface_mesh same = closed, other = closed;
-  PN::move_to_limit(same, scheme);
-  PN::move_to_limit(other, PN::with_border(scheme, PN::Border::curve));
+  PN::subdivide_to_limit(same, scheme, CGAL::parameters::number_of_iterations(0));
+  PN::subdivide_to_limit(other, PN::internal::with_border(scheme, PN::Border::curve),
+                         CGAL::parameters::number_of_iterations(0));
   EXPECT_EQ(points(same), points(other));
   Surface_mesh plain = quads;
-  PN::move_to_limit(plain, scheme);
-  PN::move_to_limit(quads, PN::with_border(scheme, PN::Border::surface));
+  PN::subdivide_to_limit(plain, scheme, CGAL::parameters::number_of_iterations(0));
+  PN::subdivide_to_limit(quads, PN::internal::with_border(scheme, PN::Border::surface),
+                         CGAL::parameters::number_of_iterations(0));
   EXPECT_EQ(points(quads), points(plain));
 }
 
@@ -286,10 +299,10 @@ TEST(Face_limit_points, AreTheCentroidsOfTheLinearScheme)
     test_meshes::set_uneven_normals(c, 2);
     Surface_mesh mesh = to_surface_mesh(c);
     const auto map = mesh.add_property_map<Surface_mesh::Face_index, Limit>("f:l").first;
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.surface_normals = true;
     const auto scheme = PN::linear(PN::DooSabin_scheme());
-    EXPECT_EQ(PN::face_limit_points(mesh, scheme, map, options).error, 0);
+    EXPECT_EQ(PN::limit_points(mesh, scheme, map, options.pack()).error, 0);
     for (auto f : mesh.faces()) {
       reference::Vector sum = reference::Vector::Zero();
       for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) sum += to_vector(mesh.point(v));
@@ -306,10 +319,11 @@ TEST(Face_limit_points, AreTheSameAtEveryLevel)
   Control_mesh control = test_meshes::house(5);
   test_meshes::set_uneven_normals(control, 2);
   Surface_mesh mesh = to_surface_mesh(control);
-  const auto limits_of_faces = [&](const PN::Limit_options& options) {
+  const auto limits_of_faces = [&](const test_options::Limit_options& options) {
     const auto map = mesh.add_property_map<Surface_mesh::Face_index, Limit>("f:l").first;
-    const PN::Limit_report report = PN::face_limit_points(
-      mesh, PN::DooSabin_scheme(), map, options, params::vertex_normal_map(normal_map(mesh)));
+    const PN::Limit_report report = PN::limit_points(
+      mesh, PN::DooSabin_scheme(), map,
+      PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
     EXPECT_TRUE(report.is_within_tolerance());
     std::vector<Limit> result;
     for (std::size_t f = 0; f < control.faces.size(); ++f)
@@ -341,10 +355,11 @@ TEST(Face_limit_points, StayOnASphere)
   control.normals = control.points;
   Surface_mesh mesh = to_surface_mesh(control);
   const auto map = mesh.add_property_map<Surface_mesh::Face_index, Limit>("f:l").first;
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.surface_normals = true;
-  PN::face_limit_points(mesh, PN::DooSabin_scheme(), map, options,
-                        params::vertex_normal_map(normal_map(mesh)));
+  PN::limit_points(
+    mesh, PN::DooSabin_scheme(), map,
+    PN::parameters::join(options.pack(), params::vertex_normal_map(normal_map(mesh))));
   for (auto f : mesh.faces()) {
     EXPECT_NEAR((map[f].point - CGAL::ORIGIN).squared_length(), 1, 4e-15);
     EXPECT_LE(CGAL::squared_distance(CGAL::ORIGIN + map[f].surface_normal, map[f].point), 1e-20);
@@ -376,9 +391,11 @@ struct Mesh_of
   }
 
   template <class Scheme>
-  PN::Limit_report limits(const Scheme& scheme, const PN::Limit_options& options)
+  PN::Limit_report limits(const Scheme& scheme, const test_options::Limit_options& options)
   {
-    return PN::limit_points(mesh, scheme, limit, options, params::vertex_normal_map(normals));
+    return PN::limit_points(
+      mesh, scheme, limit,
+      PN::parameters::join(options.pack(), params::vertex_normal_map(normals)));
   }
 
   Mesh mesh;
@@ -395,7 +412,7 @@ TEST(Limit_numbers, ExactLinearLimitsAreExact)
 {
   for (const int n : {3, 5, 7}) {
     Mesh_of<Exact> m(test_meshes::star(n, 2, Cells::quads));
-    m.limits(PN::linear(PN::CatmullClark_scheme()), PN::Limit_options());
+    m.limits(PN::linear(PN::CatmullClark_scheme()), test_options::Limit_options());
     const auto v0 = CGAL::SM_Vertex_index(0);
     Exact::FT sum = Exact::FT(n) * m.mesh.point(v0).x() / Exact::FT(n + 5);
     for (auto h : m.mesh.halfedges_around_target(m.mesh.halfedge(v0))) {
@@ -415,7 +432,7 @@ TEST(Limit_numbers, ExactMasksSumToOne)
     Mesh_of<Exact> m(control);
     for (auto v : m.mesh.vertices())
       m.mesh.point(v) = Exact::Point_3(Exact::FT(1) / 3, Exact::FT(2) / 7, 5);
-    m.limits(PN::linear(PN::Loop_scheme()), PN::Limit_options());
+    m.limits(PN::linear(PN::Loop_scheme()), test_options::Limit_options());
     for (auto v : m.mesh.vertices()) EXPECT_EQ(m.limit[v].point, m.mesh.point(v)) << n;
   }
 }
@@ -424,7 +441,7 @@ TEST(Limit_numbers, ExactPointNormalLimitsAreCloseToThoseOfDouble)
 {
   Control_mesh control = test_meshes::star(5, 2, Cells::quads);
   test_meshes::set_uneven_normals(control, 1);
-  PN::Limit_options once;
+  test_options::Limit_options once;
   once.max_depth = 1;
   once.surface_normals = true;
   Mesh_of<Exact> exact(control);
@@ -445,7 +462,7 @@ TEST(Limit_numbers, IntervalsContainTheLinearLimitOfALevel)
   using Interval_kernel = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
   CGAL::Protect_FPU_rounding<true> rounding;
   const Control_mesh control = test_meshes::star(4, 2, Cells::quads);
-  const PN::Limit_options options;
+  const test_options::Limit_options options;
   Mesh_of<Exact> exact(control);
   exact.limits(PN::linear(PN::CatmullClark_scheme()), options);
   Mesh_of<Interval_kernel> linear(control);
@@ -471,7 +488,7 @@ void expect_limits_that_continue_the_call(const Control_mesh& control, const Sch
     PN::subdivide(
       mesh, scheme,
       CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
-    PN::Limit_options options = close(1e-12);
+    test_options::Limit_options options = close(1e-12);
     options.rounds_done = rounds;
     from.push_back(limits(mesh, scheme, options));
     for (unsigned before = 0; before < rounds; ++before)
@@ -516,7 +533,7 @@ TEST(Limit_rounds, AFirstRoundFarAwayIsRefused)
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("first round"), std::string::npos) << e.what();
   }
-  PN::Limit_options options = close(1e-3);
+  test_options::Limit_options options = close(1e-3);
   options.rounds_done = 8;
   EXPECT_NO_THROW(limits(mesh, PN::modified_Loop_scheme(.5, 9), options));
 }

@@ -12,6 +12,7 @@
 #include "Curved_surfaces.h"
 #include "Limit_cases.h"
 #include "reference/Limit.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
 #include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
@@ -42,7 +43,7 @@ std::vector<double> mask_at(const Control_mesh& control, const Scheme& scheme, i
       units.points[first + k][k] = 1;
     units.normals.assign(weights.size(), {0, 0, 0});
     Surface_mesh mesh = to_surface_mesh(units);
-    const Limits all = limits(mesh, PN::linear(scheme), PN::Limit_options());
+    const Limits all = limits(mesh, PN::linear(scheme), test_options::Limit_options());
     const Kernel::Point_3& p = all.at[std::size_t(v)].point;
     for (std::size_t k = 0; k < 3 && first + k < weights.size(); ++k)
       weights[first + k] = p[int(k)];
@@ -130,13 +131,14 @@ TEST(Limit_masks, OfTheBorderAreThoseOfTheCubicBSpline)
 // after an odd round no face has two border edges, and an even round refuses them
 TEST(Limit_masks, OfCornersBeforeAnEvenRoundAreRefused)
 {
-  PN::Limit_options after_one;
+  test_options::Limit_options after_one;
   after_one.rounds_done = 1;
   for (Control_mesh control :
        {test_meshes::single_polygon(3), test_meshes::grid(3, 2, false, false, Cells::triangles)}) {
     test_meshes::set_uneven_normals(control, 2);
     Surface_mesh mesh = to_surface_mesh(control);
-    EXPECT_NO_THROW(limits(mesh, PN::Sqrt3_scheme(), PN::Limit_options())) << control.name;
+    EXPECT_NO_THROW(limits(mesh, PN::Sqrt3_scheme(), test_options::Limit_options()))
+      << control.name;
     EXPECT_THROW(limits(mesh, PN::Sqrt3_scheme(), after_one), std::invalid_argument)
       << control.name;
   }
@@ -286,7 +288,7 @@ TEST(Limit_estimates, AreNoLessThanTheErrors)
 TEST(Limit_estimates, SayWhereTheToleranceIsMissed)
 {
   Surface_mesh mesh = to_surface_mesh(test_meshes::all()[0]);
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.tolerance = 0;
   options.max_depth = 3;
   const Limits all = limits(mesh, PN::Loop_scheme(), options);
@@ -308,7 +310,7 @@ void expect_normal_rate(const Scheme& scheme, int degree, int valence, double la
   Surface_mesh mesh = to_surface_mesh(control_mesh(net, values));
   const Limits exact = limits(mesh, scheme, close(1e-9, 1e-10));
   ASSERT_TRUE(exact.at[0].has_surface_normal);
-  PN::Limit_options once = close(1, HUGE_VAL);
+  test_options::Limit_options once = close(1, HUGE_VAL);
   once.max_depth = 1;
   double error[5];
   for (double& e : error) {
@@ -432,7 +434,7 @@ TEST(Surface_normals, OfBordersOfSqrt3ContinueTheCall)
       PN::subdivide(
         mesh, PN::Sqrt3_scheme(),
         CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
-      PN::Limit_options options = close(1e-9, 1e-8);
+      test_options::Limit_options options = close(1e-9, 1e-8);
       options.rounds_done = rounds;
       const Limit l = limits(mesh, PN::Sqrt3_scheme(), options).at[0];
       EXPECT_EQ(l.has_surface_normal, faces > 1);
@@ -450,7 +452,7 @@ TEST(Surface_normals, AreTheBestOnesIfTheToleranceIsOutOfReach)
   for (const int faces : {2, 3}) {
     Surface_mesh mesh = to_surface_mesh(at_border(4, faces));
     const Limit fine = limits(mesh, PN::CatmullClark_scheme(), close(1e-9, 1e-9)).at[0];
-    PN::Limit_options never = close(0, 0);
+    test_options::Limit_options never = close(0, 0);
     never.max_depth = 60;
     const Limits best = limits(mesh, PN::CatmullClark_scheme(), never);
     EXPECT_FALSE(best.report.is_within_tolerance());
@@ -471,7 +473,7 @@ TEST(Limit_curvature, IsThatOfSpheresAndCylinders)
     for (const auto& f : sampled.soup.faces) control.faces.emplace_back(f.begin(), f.end());
     for (const auto& e : sampled.exact) control.normals.push_back(e.normal);
     Surface_mesh mesh = to_surface_mesh(control);
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.curvatures = true;
     const Limits all = limits(mesh, PN::CatmullClark_scheme(), options);
     int count = 0;
@@ -495,7 +497,7 @@ TEST(Limit_curvature, OfModifiedSchemesIsWhatRingsTendTo)
       extraordinary_data::sampled(zoom.net(), extraordinary_data::saddle));
     const auto measured = zoom.measure(values, 18);
     Surface_mesh mesh = to_surface_mesh(control_mesh(zoom.net(), values));
-    PN::Limit_options options = close(1e-12, 1e-6);
+    test_options::Limit_options options = close(1e-12, 1e-6);
     options.curvatures = true;
     const Limits all = limits(mesh, scheme, options);
     ASSERT_TRUE(all.at[0].has_curvature) << n;
@@ -513,7 +515,7 @@ TEST(Limit_curvature, IsNotClaimedWhereItDoesNotSettle)
   const PN::Extraordinary_net net(4, 5, 4);
   Surface_mesh mesh =
     to_surface_mesh(control_mesh(net, extraordinary_data::sampled(net, extraordinary_data::cubic)));
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.curvatures = true;
   EXPECT_FALSE(limits(mesh, PN::CatmullClark_scheme(), options).at[0].has_curvature);
   EXPECT_FALSE(limits(mesh, PN::Kobbelt_scheme(), options).at[1].has_curvature);

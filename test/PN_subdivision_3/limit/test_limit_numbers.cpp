@@ -10,6 +10,7 @@
 
 #include "Extent.h"
 #include "Test_meshes.h"
+#include "support/Options.h"
 
 #include <CGAL/Gmpfr.h>
 #include <CGAL/Interval_nt.h>
@@ -172,10 +173,10 @@ Polygon_of<FT> unit_polygon()
 // (1, 4, 1)/6
 TEST_F(Limit_precision, OfTheCubicBSpline)
 {
-  PN::Curve_limit_options options;
+  test_options::Curve_limit_options options;
   options.tolerance = 1e-40;
   const auto limits = PN::curve_limit_points(unit_polygon<FT>(), PN::linear(PN::B_spline_mask(3)),
-                                             PN::Curve_end::closed, options)
+                                             PN::Curve_end::closed, options.pack())
                         .first;
   const FT tolerance = power_of_two(-295);
   for (int i = 0; i < 9; ++i) {
@@ -206,10 +207,11 @@ TEST_F(Limit_precision, OfSchemesThatTransferCurvature)
     mesh.add_face(v(0), v(1 + i), v(1 + (i + 1) % 5));
     mesh.add_face(v(6), v(1 + (i + 1) % 5), v(1 + i));
   }
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.max_depth = 4;
-  PN::limit_points(mesh, PN::ct_Loop_scheme(), limits, options,
-                   CGAL::parameters::vertex_normal_map(normals));
+  PN::limit_points(
+    mesh, PN::ct_Loop_scheme(), limits,
+    PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normals)));
   for (const auto u : mesh.vertices()) {
     const K::Vector_3 p = limits[u].point - CGAL::ORIGIN;
     EXPECT_LE(CGAL::abs(FT(p * p - FT(1))), power_of_two(-285));
@@ -268,14 +270,12 @@ TEST(Limits_in_intervals, OfPointNormalSchemesAreRefused)
     }
   };
   const auto np = CGAL::parameters::vertex_normal_map(normals);
-  expect_refused(
-    [&] { PN::limit_points(star.mesh, PN::Loop_scheme(), map, PN::Limit_options(), np); });
+  expect_refused([&] { PN::limit_points(star.mesh, PN::Loop_scheme(), map, np); });
   expect_refused([&] {
     PN::curve_limit_points(unit_polygon<Interval>(), PN::B_spline_mask(3), PN::Curve_end::closed);
   });
   // interpolatory ones keep the points
-  EXPECT_NO_THROW(
-    PN::limit_points(star.mesh, PN::Butterfly_scheme(), map, PN::Limit_options(), np));
+  EXPECT_NO_THROW(PN::limit_points(star.mesh, PN::Butterfly_scheme(), map, np));
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include "Limit_cases.h"
 #include "Mesh_files.h"
+#include "support/Options.h"
 
 namespace {
 
@@ -156,7 +157,7 @@ TYPED_TEST(Limit_points, AreTheSameAtEveryLevel)
     Surface_mesh mesh = mesh_files::read(file);
     if (!mesh_files::takes<TypeParam>(mesh) || mesh.number_of_vertices() > 400) continue;
     if (!mesh_files::has_normals(mesh)) PN::estimate_control_normals(mesh, normal_map(mesh));
-    PN::Limit_options options;
+    test_options::Limit_options options;
     const Limits base = limits(mesh, TypeParam::scheme(), options);
     EXPECT_TRUE(base.report.is_within_tolerance()) << file;
     options.rounds_done = 3;
@@ -183,7 +184,7 @@ TYPED_TEST(Limit_points, AreFiniteForAnyNormals)
                                test_meshes::Triple{0, 0, kind == 1 ? 0. : 1.});
       if (kind == 2) control.points.assign(control.points.size(), {1, 2, 3}); // a single point
       Surface_mesh mesh = to_surface_mesh(control);
-      const Limits all = limits(mesh, TypeParam::scheme(), PN::Limit_options());
+      const Limits all = limits(mesh, TypeParam::scheme(), test_options::Limit_options());
       for (const Limit& l : all.at) {
         ASSERT_TRUE(is_finite(l)) << control.name;
         const double length = l.control_normal.squared_length();
@@ -202,7 +203,7 @@ TYPED_TEST(Limit_points, OfInterpolatorySchemesAreTheVertices)
   if (!TypeParam::is_interpolatory) return;
   for (const Control_mesh& control : meshes_for<TypeParam>()) {
     Surface_mesh mesh = to_surface_mesh(control);
-    const Limits all = limits(mesh, TypeParam::scheme(), PN::Limit_options());
+    const Limits all = limits(mesh, TypeParam::scheme(), test_options::Limit_options());
     EXPECT_EQ(all.report.error, 0);
     for (auto v : mesh.vertices()) {
       EXPECT_EQ(all.at[v].point, mesh.point(v));
@@ -215,7 +216,7 @@ TYPED_TEST(Limit_points, AreTheSameWithThreads)
 {
   Surface_mesh mesh = to_surface_mesh(meshes_for<TypeParam>()[0]);
   refine<TypeParam>(mesh, 3);
-  PN::Limit_options options = close(1e-10, 1e-3);
+  test_options::Limit_options options = close(1e-10, 1e-3);
   options.curvatures = true;
   const Limits one = limits(mesh, TypeParam::scheme(), options);
   const Limits many = limits<CGAL::Parallel_if_available_tag>(mesh, TypeParam::scheme(), options);

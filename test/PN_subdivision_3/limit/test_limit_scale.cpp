@@ -8,11 +8,13 @@
 // Surface normals: on the side of the faces around, whatever the side of the control normals; limits of meshes of any
 // scale are those of the mesh at scale 1, bit for bit.
 
+#include "support/Options.h"
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -67,9 +69,9 @@ struct Shape
   typename Mesh::template Property_map<Vertex, Vector> normals;
 };
 
-PN::Limit_options surface_normals()
+test_options::Limit_options surface_normals()
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.surface_normals = options.curvatures = true;
   return options;
 }
@@ -81,7 +83,9 @@ std::vector<typename Shape<FT>::Limit> limits(Shape<FT>& s, const Scheme& scheme
     s.mesh
       .template add_property_map<typename Shape<FT>::Vertex, typename Shape<FT>::Limit>("v:limit")
       .first;
-  PN::limit_points(s.mesh, scheme, map, surface_normals(), np::vertex_normal_map(s.normals));
+  PN::limit_points(
+    s.mesh, scheme, map,
+    PN::parameters::join(surface_normals().pack(), np::vertex_normal_map(s.normals)));
   std::vector<typename Shape<FT>::Limit> result;
   for (const auto v : s.mesh.vertices()) result.push_back(map[v]);
   return result;
@@ -119,8 +123,9 @@ TEST(Limit_normals, OfFacesAreOnTheirSide)
   Shape<double> s(false, 0, -1);
   using Face = Shape<double>::Mesh::Face_index;
   const auto map = s.mesh.add_property_map<Face, Shape<double>::Limit>("f:limit").first;
-  PN::face_limit_points(s.mesh, PN::DooSabin_scheme(), map, surface_normals(),
-                        np::vertex_normal_map(s.normals));
+  PN::limit_points(
+    s.mesh, PN::DooSabin_scheme(), map,
+    PN::parameters::join(surface_normals().pack(), np::vertex_normal_map(s.normals)));
   for (const Face f : s.mesh.faces()) {
     ASSERT_TRUE(map[f].has_surface_normal);
     EXPECT_GT(map[f].surface_normal * (map[f].point - CGAL::ORIGIN), 0) << f;
@@ -145,10 +150,12 @@ TEST(Limit_normals, OfWedgesAreOnTheSideOfTheirFaces)
     const S::Vector n = CGAL::ORIGIN - s.mesh.point(s.mesh.target(h));
     normals[h] = n / std::sqrt(n.squared_length());
   }
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.surface_normals = true;
-  PN::move_to_limit(s.mesh, PN::CatmullClark_scheme(), options,
-                    np::edge_is_constrained_map(sharp).vertex_normal_map(normals));
+  PN::subdivide_to_limit(
+    s.mesh, PN::CatmullClark_scheme(),
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                         np::edge_is_constrained_map(sharp).vertex_normal_map(normals)));
   int smooth = 0;
   for (const auto v : s.mesh.vertices()) {
     int creases = 0;

@@ -12,6 +12,7 @@
 #include "Limit_cases.h"
 #include "Mesh_shapes.h"
 #include "Test_meshes.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
@@ -32,9 +33,9 @@ namespace in = PN::internal;
 using test_meshes::Cells;
 using test_meshes::Control_mesh;
 
-PN::Limit_options normals_alone(double normal_tolerance)
+test_options::Limit_options normals_alone(double normal_tolerance)
 {
-  PN::Limit_options options = close(1e-9, normal_tolerance);
+  test_options::Limit_options options = close(1e-9, normal_tolerance);
   options.points = false;
   return options;
 }
@@ -74,7 +75,8 @@ std::size_t expect_normals(const Control_mesh& control, const Scheme& scheme, un
   Surface_mesh mesh = to_surface_mesh(control);
   PN::subdivide(mesh, scheme,
                 CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
-  PN::Limit_options fine = close(1e-9, 1e-7), beside = close(1, 1e-3), alone = normals_alone(1e-3);
+  test_options::Limit_options fine = close(1e-9, 1e-7), beside = close(1, 1e-3),
+                              alone = normals_alone(1e-3);
   fine.rounds_done = beside.rounds_done = alone.rounds_done = rounds;
   const Limits expected = limits(mesh, scheme, fine), with_points = limits(mesh, scheme, beside);
   const Limits found = limits(mesh, scheme, alone);
@@ -176,13 +178,15 @@ TEST(Surface_normals_alone, LeavePointsWhereTheyAre)
 {
   const Control_mesh control = shaken(torus(Cells::quads), .1, .2, 10);
   const PN::CatmullClark_scheme scheme;
-  PN::Limit_options options = normals_alone(1e-3);
+  test_options::Limit_options options = normals_alone(1e-3);
   Surface_mesh mesh = to_surface_mesh(control), moved = to_surface_mesh(control);
   PN::subdivide(mesh, scheme,
                 CGAL::parameters::number_of_iterations(2).vertex_normal_map(normal_map(mesh)));
   PN::subdivide_to_limit(
-    moved, scheme, options,
-    CGAL::parameters::number_of_iterations(2).vertex_normal_map(normal_map(moved)));
+    moved, scheme,
+    PN::parameters::join(
+      options.pack(),
+      CGAL::parameters::number_of_iterations(2).vertex_normal_map(normal_map(moved))));
   options.rounds_done = 2;
   const Limits expected = limits(mesh, scheme, options);
   const auto expect_equal = [&](Surface_mesh& other) {
@@ -193,10 +197,16 @@ TEST(Surface_normals_alone, LeavePointsWhereTheyAre)
   };
   expect_equal(moved);
   Surface_mesh later = mesh;
-  PN::move_to_limit(later, scheme, options, CGAL::parameters::vertex_normal_map(normal_map(later)));
+  PN::subdivide_to_limit(
+    later, scheme,
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                         CGAL::parameters::vertex_normal_map(normal_map(later))));
   expect_equal(later);
   options.points = true;
-  PN::move_to_limit(mesh, scheme, options, CGAL::parameters::vertex_normal_map(normal_map(mesh)));
+  PN::subdivide_to_limit(
+    mesh, scheme,
+    PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                         CGAL::parameters::vertex_normal_map(normal_map(mesh))));
   EXPECT_NE(mesh.point(*mesh.vertices().begin()), later.point(*later.vertices().begin()));
 }
 
@@ -268,13 +278,13 @@ in::Ring_lanes::Masks random_masks(std::mt19937& g, std::size_t places)
   return masks;
 }
 
-in::Ring_geometry geometry(Case& c, const in::Ring_lanes::Masks& masks)
+in::Ring_geometry geometry(Case& c, const in::Ring_lanes::Masks& masks, double roundness = 1)
 {
   for (auto& v : c.ring)
     for (std::size_t i = 0; i < 3; ++i) v.point[i] -= c.limit.point[i];
   PN::Point_normal<double, 3> limit = c.limit;
   limit.point = {0, 0, 0};
-  return {c.ring, limit, masks};
+  return {c.ring, limit, masks, roundness};
 }
 
 TEST(Ring_lanes, FindWhatRingsOneByOneHave)
@@ -288,16 +298,36 @@ TEST(Ring_lanes, FindWhatRingsOneByOneHave)
     for (std::size_t l = 0; l < in::Ring_lanes::lanes; ++l) {
       cases.push_back(random_case(g, places, std::ldexp(1., k % 40 - 20)));
       put(cases[l], l, lanes);
+      lanes.roundness[l] = double((std::size_t(k) + l) % 3) / 2;
     }
     lanes.find(masks, {3, true});
     for (std::size_t l = 0; l < in::Ring_lanes::lanes; ++l) {
-      const in::Ring_geometry expected = geometry(cases[l], masks);
+      const in::Ring_geometry expected = geometry(cases[l], masks, lanes.roundness[l]);
       ASSERT_EQ(lanes.is_found[l], expected.is_regular());
       for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(lanes.normal[i][l], expected.normal()[i], 1e-11);
       EXPECT_NEAR(lanes.size[l], expected.size(), 1e-11 * expected.size());
     }
   }
+}
+
+// With roundness 0 the surface is that of the linear twin, of which all masks are exact: whatever the tolerance.
+TEST(Surface_normals, OfRoundnessZeroAreThoseOfTheLinearTwin)
+{
+  const Control_mesh control = shaken(torus(Cells::quads), .1, .3, 1);
+  Surface_mesh mesh = to_surface_mesh(control);
+  auto found =
+    mesh.add_property_map<Surface_mesh::Vertex_index, PN::Limit_point<Kernel>>("f").first;
+  auto linear =
+    mesh.add_property_map<Surface_mesh::Vertex_index, PN::Limit_point<Kernel>>("l").first;
+  test_options::Limit_options options = close(1, 1);
+  PN::limit_points(
+    mesh, PN::CatmullClark_scheme(), found,
+    PN::parameters::join(options.pack(),
+                         PN::parameters::roundness(0.).vertex_normal_map(normal_map(mesh))));
+  PN::limit_points(mesh, PN::linear(PN::CatmullClark_scheme()), linear, options.pack());
+  for (auto v : mesh.vertices())
+    EXPECT_LE((found[v].surface_normal - linear[v].surface_normal).squared_length(), 1e-24);
 }
 
 // What a lane holds has no part in the others.

@@ -11,6 +11,7 @@
 #include "Carrying_mesh.h"
 #include "Feature_matrix.h"
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
@@ -81,9 +82,12 @@ void compare(const mesh_cases::Soup& soup, const Scheme& scheme)
     Carrying<Control, Number> control(soup), plain(soup);
     Carrying<Built, Number> built;
     const auto np = params::number_of_iterations(rounds);
-    const PN::Surface_refiner refiner(control.mesh, scheme, np, control.attributes());
-    refiner.build_mesh(built.mesh, params::default_values(), built.attributes());
-    PN::subdivide(plain.mesh, scheme, np, plain.attributes());
+    const PN::Surface_refiner refiner(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
+    refiner.build_mesh(built.mesh, PN::parameters::attributes(built.attributes()));
+    PN::subdivide(plain.mesh, scheme,
+                  PN::parameters::join(PN::parameters::attributes(plain.attributes()), np));
     EXPECT_EQ(built.carried(), plain.carried()) << rounds << " rounds";
     EXPECT_EQ(control.carried(), (Carrying<Control, Number>(soup).carried()));
   }
@@ -105,9 +109,11 @@ TEST(Refiner_with_attributes, OnSeveralThreads)
   Carrying<Mesh> control(mesh_cases::mixed_with_border()), plain(mesh_cases::mixed_with_border());
   Carrying<Mesh> built;
   const PN::Surface_refiner<PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> refiner(
-    control.mesh, scheme, np, control.attributes());
-  refiner.build_mesh(built.mesh, params::default_values(), built.attributes());
-  PN::subdivide(plain.mesh, scheme, np, plain.attributes());
+    control.mesh, scheme,
+    PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
+  refiner.build_mesh(built.mesh, PN::parameters::attributes(built.attributes()));
+  PN::subdivide(plain.mesh, scheme,
+                PN::parameters::join(PN::parameters::attributes(plain.attributes()), np));
   EXPECT_EQ(built.carried(), plain.carried());
 }
 #endif
@@ -124,18 +130,19 @@ TEST(Refiner_with_attributes, ThatAreOthersAreRefused)
 {
   Carrying<Mesh> control(mesh_cases::mixed_with_border()), built;
   const PN::Surface_refiner refiner(control.mesh, PN::CatmullClark_scheme(),
-                                    params::default_values(), control.attributes());
+                                    PN::parameters::attributes(control.attributes()));
   const auto expect_refusal = [&](auto&& attributes) {
-    EXPECT_THROW(refiner.build_mesh(built.mesh, params::default_values(), attributes),
+    EXPECT_THROW(refiner.build_mesh(built.mesh, PN::parameters::attributes(attributes)),
                  std::invalid_argument);
     EXPECT_TRUE(built.mesh.is_empty());
   };
   const auto vertices = PN::vertex_attribute(built.of_vertices);
   const auto corners = PN::corner_attribute(built.of_corners);
   const auto edges = PN::edge_attribute(built.of_edges);
-  expect_refusal(PN::attributes(vertices, corners, edges));
-  expect_refusal(PN::attributes(corners, vertices, edges, PN::face_attribute(built.of_faces)));
-  expect_refusal(PN::attributes(vertices, corners, edges, vertices));
+  expect_refusal(test_options::attributes(vertices, corners, edges));
+  expect_refusal(
+    test_options::attributes(corners, vertices, edges, PN::face_attribute(built.of_faces)));
+  expect_refusal(test_options::attributes(vertices, corners, edges, vertices));
   PN::Attribute_table table;
   expect_refusal(table);
   refiner.build_mesh(built.mesh); // attributes may be left out

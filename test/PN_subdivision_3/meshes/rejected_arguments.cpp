@@ -56,8 +56,8 @@ void reject(Mesh& mesh)
                    mesh.add_property_map<Edge, PN::Limit_point<Kernel>>("of edges").first);
   // expected: the map of limit points is no property map of the mesh's vertices
 
-  PN::face_limit_points(mesh, PN::DooSabin_scheme(),
-                        mesh.add_property_map<Mesh::Face_index, Kernel::Point_3>("of faces").first);
+  PN::limit_points(mesh, PN::DooSabin_scheme(),
+                   mesh.add_property_map<Mesh::Face_index, Kernel::Point_3>("of faces").first);
   // expected: the values of the map of limit points are not Limit_point
 
   CGAL::Face_filtered_graph<Mesh> part(mesh);
@@ -69,22 +69,19 @@ void reject(Mesh& mesh)
   // expected: the mesh is no model of MutableFaceGraph
 
   auto creases = mesh.add_property_map<Edge, bool>("creases").first;
-  PN::estimate_control_normals(mesh, mesh.add_property_map<Vertex, Kernel::Vector_3>("n").first,
-                               params::edge_is_constrained_map(creases));
-  // expected: a named parameter is given that is not used here
 
   PN::CatmullClark_subdivision(mesh, params::edge_is_constrained_map(mesh.points()));
   // expected: edge_is_constrained_map or vertex_is_constrained_map is no
 
-  PN::subdivide(mesh, PN::with_crease_tangents(PN::Loop_scheme(), creases));
-  // expected: the map of with_crease_tangents() is no property map of the mesh's half-edges
+  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::crease_tangent_map(creases));
+  // expected: crease_tangent_map is no property map of the mesh's half-edges
 
   auto tangents = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_3>("tangents").first;
-  PN::subdivide(mesh, PN::with_crease_tangents(PN::Loop_scheme(), tangents));
-  // expected: the values of the map of with_crease_tangents() are not Vector_3
+  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::crease_tangent_map(tangents));
+  // expected: the values of crease_tangent_map are not Vector_3
 
-  PN::subdivide(mesh, PN::with_crease_tangents(PN::Sqrt3_scheme(), tangents));
-  // expected: with_crease_tangents() is given a scheme without rules for creases
+  PN::subdivide(mesh, PN::Sqrt3_scheme(), PN::parameters::crease_tangent_map(tangents));
+  // expected: crease_tangent_map is given for a scheme without rules for creases
 
   PN::subdivide(mesh, PN::Any_scheme<float>(PN::Loop_scheme()));
   // expected: the points have another number type than the Any_scheme
@@ -92,11 +89,12 @@ void reject(Mesh& mesh)
   PN::Any_scheme<>(PN::linear(PN::Loop_scheme()));
   // expected: make an Any_scheme of the scheme that is adapted, and adapt it
 
+  PN::limit_points(mesh, PN::grid_CatmullClark_scheme(),
+                   mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("of grids").first);
+  // expected: grid_CatmullClark_scheme is a scheme of subdivide() only
+
   PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
   // expected: the map of creases is no property map of the mesh's edges
-
-  PN::Loop_subdivision(mesh, params::number_of_iterations(2).face_index_map(1));
-  // expected: a named parameter is given that is not used here
 
   PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2.5));
   // expected: number_of_iterations is not an integer
@@ -126,15 +124,12 @@ void reject(Mesh& mesh)
   PN::estimate_control_normals(mesh, points);
   // expected: the values of the normal map are not Vector_3
 
-  PN::estimate_control_normals(mesh, normals, params::number_of_iterations(2));
-  // expected: a named parameter is given that is not used here
-
   PN::subdivide(mesh, PN::with_normal_scheme(PN::ct_Loop_scheme(), PN::Loop_scheme()));
   // expected: a scheme that transfers curvature refines points and normals together
 
-  PN::subdivide(
-    mesh, PN::with_normal_scheme(PN::CatmullClark_scheme(),
-                                 PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve)));
+  PN::subdivide(mesh, PN::with_normal_scheme(
+                        PN::CatmullClark_scheme(),
+                        PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve)));
   // expected: the border is that of the scheme of the points
 
   struct Visitor
@@ -174,37 +169,29 @@ void reject(Mesh& mesh)
   PN::CatmullClark_subdivision(mesh, params::visitor(Wrong_round()));
   // expected: void round_done(unsigned round, std::size_t number_of_faces)
 
-  PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(),
-                PN::attributes(PN::face_attribute(creases)));
+  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(PN::face_attribute(creases)));
   // expected: the map of an attribute is no property map of the
 
   const PN::Attribute_table table;
-  PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(), table);
+  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(table));
   // expected: the table of attributes is const
 
-  PN::subdivide(mesh, PN::Loop_scheme(), params::default_values(), creases);
-  // expected: the attributes are neither made by
-
-  PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::number_of_iterations(2));
-  // expected: a named parameter is given that is not used here
-
-  PN::move_to_limit(mesh, PN::Loop_scheme(), {}, params::vertex_is_constrained_map(creases));
-  // expected: is no property map of the mesh's edges or vertices
-
-  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::default_values(), 3);
-  // expected: the attributes are neither made by
-
-  PN::subdivide_to_limit(mesh, PN::Loop_scheme(), {}, params::default_values(),
-                         PN::attributes(PN::face_attribute(creases), PN::face_attribute(creases)));
+  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(creases));
   // expected: the map of an attribute is no property map of the
 
-  PN::Surface_refiner(mesh, PN::Loop_scheme(), params::visitor(3));
-  // expected: a named parameter is given that is not used here
+  PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
+                         params::vertex_is_constrained_map(creases).number_of_iterations(0));
+  // expected: is no property map of the mesh's edges or vertices
 
-  PN::Surface_refiner refiner(mesh, PN::Loop_scheme());
-  refiner.build_mesh(mesh, params::number_of_iterations(2));
-  // expected: a named parameter is given that is not used here
+  PN::Surface_refiner(mesh, PN::Loop_scheme(), PN::parameters::attributes(3));
+  // expected: the map of an attribute is no property map of the
 
-  PN::Surface_refiner(mesh, PN::with_crease_tangents(PN::CatmullClark_scheme(), tangents));
+  PN::subdivide_to_limit(
+    mesh, PN::Loop_scheme(),
+    PN::parameters::attributes(PN::face_attribute(creases), PN::face_attribute(creases)));
+  // expected: the map of an attribute is no property map of the
+
+  PN::Surface_refiner(mesh, PN::CatmullClark_scheme(),
+                      PN::parameters::crease_tangent_map(tangents));
   // expected: Surface_refiner makes the tangents of creases
 }

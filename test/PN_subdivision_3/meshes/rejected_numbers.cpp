@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Simple_homogeneous.h>
 #include <CGAL/Surface_mesh.h>
@@ -125,7 +126,7 @@ void reject()
   // expected: the points are of no CGAL kernel
 
   CGAL::Surface_mesh<Own_point<2>> more_points;
-  PN::move_to_limit(more_points, PN::Loop_scheme());
+  PN::subdivide_to_limit(more_points, PN::Loop_scheme(), CGAL::parameters::number_of_iterations(0));
   // expected: the points are of no CGAL kernel
 
   PN::subdivide_curve(std::vector<std::pair<Own_point<3>, Own_point<3>>>(), PN::B_spline_mask(3),

@@ -12,9 +12,9 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -347,7 +347,7 @@ TEST(Compare_with_linear, TangentsThatAreGivenAreTaken)
   const auto np = CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp);
   const PN::CatmullClark_scheme scheme;
   const auto given =
-    PN::compare_with_linear(control, PN::with_crease_tangents(scheme, tangents), np);
+    PN::compare_with_linear(control, PN::internal::with_crease_tangents(scheme, tangents), np);
   Mesh linear = mesh, result = mesh;
   const auto refine = [&](Mesh& m, const auto& s) {
     auto map = m.add_property_map<Mesh::Edge_index, bool>("e:sharp").first;
@@ -355,7 +355,7 @@ TEST(Compare_with_linear, TangentsThatAreGivenAreTaken)
   };
   refine(linear, PN::linear(scheme));
   auto map = result.add_property_map<Mesh::Halfedge_index, Vector_3>("h:t").first;
-  refine(result, PN::with_crease_tangents(scheme, map));
+  refine(result, PN::internal::with_crease_tangents(scheme, map));
   const auto expected = PN::compare_results_with_linear(control, result, linear);
   EXPECT_NEAR(given.volume_ratio, expected.volume_ratio, 1e-12);
   EXPECT_NEAR(given.largest_distance, expected.largest_distance, 1e-12);
@@ -639,7 +639,7 @@ TEST(Compare_with_linear, TakesWhatSubdivideTakes)
     normals[h] =
       mesh.face(h) == Mesh::Face_index(0) ? Vector_3(0, 0, -1) : Vector_3(p.x(), p.y(), 0);
   }
-  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  const auto scheme = PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
   const Mesh control = mesh;
   const auto c = PN::compare_with_linear(
     mesh, scheme,
@@ -694,7 +694,8 @@ TEST(Compare_with_linear, RoundnessOfAllVertices)
   for (const auto v : mesh.vertices()) normals[v] = mesh.point(v) - CGAL::ORIGIN;
   const PN::CatmullClark_scheme scheme;
   const auto of = [&](double w, const auto& np) {
-    const auto c = PN::compare_with_linear(mesh, scheme, PN::parameters::roundness(w, np));
+    const auto c =
+      PN::compare_with_linear(mesh, scheme, PN::parameters::join(PN::parameters::roundness(w), np));
     EXPECT_EQ(c.vertices_of_roundness_0, 0u); // it does not vary
     EXPECT_EQ(c.vertices_of_roundness_below_1, 0u);
     return c;

@@ -52,8 +52,8 @@ TEST(Creased_refiner, BordersThatAreCreases)
 {
   for (const PN::Border border :
        {PN::Border::surface, PN::Border::curve, PN::Border::corners, PN::Border::fixed})
-    expect_creases_as_subdivide(triangles(), PN::with_border(PN::modified_Loop_scheme(), border),
-                                3);
+    expect_creases_as_subdivide(triangles(),
+                                PN::internal::with_border(PN::modified_Loop_scheme(), border), 3);
 }
 
 // What is far from the change is left alone, though creases are evaluated everywhere.
@@ -155,7 +155,7 @@ TEST(Creased_refiner, IntervalsOnSeveralThreads)
     return a.inf() == b.inf() && a.sup() == b.sup();
   };
   using K = CGAL::Simple_cartesian<Interval>;
-  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  const auto scheme = PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
   expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
   expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
 }
@@ -164,7 +164,8 @@ TEST(Creased_refiner, ExactConstructionsOnSeveralThreads)
 {
   using K = CGAL::Exact_predicates_exact_constructions_kernel;
   const auto is_same = [](const K::FT& a, const K::FT& b) { return a == b; };
-  const auto scheme = PN::linear(PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
+  const auto scheme =
+    PN::linear(PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve));
   expect_numbers_as_subdivide<K, CGAL::Sequential_tag>(scheme, is_same);
   expect_numbers_as_subdivide<K, Parallel_tag>(scheme, is_same);
 }

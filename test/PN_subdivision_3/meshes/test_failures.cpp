@@ -9,6 +9,7 @@
 
 #include "Failing_allocations.h"
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
@@ -217,10 +218,12 @@ TYPED_TEST(Strong_guarantee_of_features, Creases)
 TYPED_TEST(Strong_guarantee_of_features, Limits)
 {
   const auto job = [](auto& t) {
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.max_depth = 3;
-    PN::move_to_limit(t.mesh, PN::Loop_scheme(), options,
-                      params::vertex_normal_map(failing(t.normals)));
+    PN::subdivide_to_limit(t.mesh, PN::Loop_scheme(),
+                           PN::parameters::join(CGAL::parameters::number_of_iterations(0),
+                                                options.pack(),
+                                                params::vertex_normal_map(failing(t.normals))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4);
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 4);
@@ -228,16 +231,19 @@ TYPED_TEST(Strong_guarantee_of_features, Limits)
 
 TYPED_TEST(Strong_guarantee_of_features, CreasedLimits)
 {
-  const auto scheme = PN::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
-  PN::Limit_options options;
+  const auto scheme = PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::curve);
+  test_options::Limit_options options;
   options.max_depth = 2;
   const auto subdivided = [&](auto& t) {
-    PN::subdivide_to_limit(t.mesh, scheme, options,
-                           params::vertex_normal_map(failing(t.corner_normals)));
+    PN::subdivide_to_limit(
+      t.mesh, scheme,
+      PN::parameters::join(options.pack(), params::vertex_normal_map(failing(t.corner_normals))));
   };
   const auto moved = [&](auto& t) {
-    PN::move_to_limit(t.mesh, scheme, options,
-                      params::vertex_normal_map(failing(t.corner_normals)));
+    PN::subdivide_to_limit(
+      t.mesh, scheme,
+      PN::parameters::join(CGAL::parameters::number_of_iterations(0), options.pack(),
+                           params::vertex_normal_map(failing(t.corner_normals))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, true), 24);
   EXPECT_GE(fail_everywhere<TypeParam>(mixed_with_border(), subdivided, false), 10);
@@ -246,13 +252,16 @@ TYPED_TEST(Strong_guarantee_of_features, CreasedLimits)
 
 TYPED_TEST(Strong_guarantee_of_features, WhatIsCarriedToTheLimit)
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.max_depth = 1;
   const auto job = [&](auto& t) {
     PN::subdivide_to_limit(
-      t.mesh, PN::Loop_scheme(), options, params::vertex_normal_map(failing(t.normals)),
-      PN::attributes(PN::vertex_attribute(failing(t.corners)), PN::edge_attribute(failing(t.sharp)),
-                     PN::corner_attribute(failing(t.corner_normals))));
+      t.mesh, PN::Loop_scheme(),
+      PN::parameters::join(
+        PN::parameters::attributes(PN::vertex_attribute(failing(t.corners)),
+                                   PN::edge_attribute(failing(t.sharp)),
+                                   PN::corner_attribute(failing(t.corner_normals))),
+        options.pack(), params::vertex_normal_map(failing(t.normals))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4 + 6 + 12);
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, false), 10);
@@ -266,7 +275,8 @@ TYPED_TEST(Strong_guarantee_of_features, MapsThatFailForGood)
   };
   EXPECT_GE(fail_for_good<TypeParam>(cube(), creases), 12 + 8 + 24);
   const auto limits = [](auto& t) {
-    PN::move_to_limit(t.mesh, PN::Loop_scheme(), {}, params::vertex_normal_map(failing(t.normals)));
+    PN::subdivide_to_limit(t.mesh, PN::Loop_scheme(),
+                           params::vertex_normal_map(failing(t.normals)).number_of_iterations(0));
   };
   EXPECT_GE(fail_for_good<TypeParam>(tetrahedron(), limits), 4);
 }

@@ -12,6 +12,7 @@
 // are compiled.
 
 #include "Feature_matrix.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
@@ -31,9 +32,11 @@ struct At_the_limit
   template <class Scheme, class Np>
   void operator()(Case& c, const Scheme& scheme, const Np& np) const
   {
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.max_depth = 1;
-    PN::subdivide_to_limit(c.mesh, scheme, options, np.visitor(std::ref(c.log)), c.table);
+    PN::subdivide_to_limit(c.mesh, scheme,
+                           PN::parameters::join(PN::parameters::attributes(c.table), options.pack(),
+                                                np.visitor(std::ref(c.log))));
   }
 };
 
@@ -44,12 +47,14 @@ struct Refiner
   template <class Scheme, class Np>
   void operator()(Case& c, const Scheme& scheme, const Np& np) const
   {
-    const PN::Surface_refiner refiner(c.mesh, scheme, np, c.table);
+    const PN::Surface_refiner refiner(
+      c.mesh, scheme, PN::parameters::join(PN::parameters::attributes(c.table), np));
     c.mesh.clear_without_removing_property_maps();
     if constexpr (std::is_same_v<Normals, Of_corners>)
-      refiner.build_mesh(c.mesh, params::vertex_normal_map(c.corner_normals), c.table);
+      refiner.build_mesh(c.mesh,
+                         PN::parameters::attributes(c.table).vertex_normal_map(c.corner_normals));
     else
-      refiner.build_mesh(c.mesh, params::vertex_normal_map(c.normals), c.table);
+      refiner.build_mesh(c.mesh, PN::parameters::attributes(c.table).vertex_normal_map(c.normals));
   }
 };
 

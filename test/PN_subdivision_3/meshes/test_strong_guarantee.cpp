@@ -10,6 +10,7 @@
 
 #include "Failing_allocations.h"
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Polyhedron_3.h>
@@ -348,11 +349,13 @@ long fail_with_attributes()
       }
     const std::string failure = failure_of([&] {
       const auto np = params::number_of_iterations(2).vertex_normal_map(n);
-      const auto attributes = PN::attributes(PN::vertex_attribute(t), PN::corner_attribute(u),
-                                             PN::corner_attribute(v, PN::Corner_rule::linear),
-                                             PN::face_attribute(id), PN::edge_attribute(mark));
+      const auto attributes =
+        test_options::attributes(PN::vertex_attribute(t), PN::corner_attribute(u),
+                                 PN::corner_attribute(v, PN::Corner_rule::linear),
+                                 PN::face_attribute(id), PN::edge_attribute(mark));
       const Allocation_limit limit(k);
-      PN::subdivide(mesh, PN::CatmullClark_scheme(), np, attributes);
+      PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                    PN::parameters::join(PN::parameters::attributes(attributes), np));
     });
     if (failure.empty()) return failure;
     i = 0;

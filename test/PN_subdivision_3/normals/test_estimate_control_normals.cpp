@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -50,7 +51,7 @@ std::vector<Triple> estimate(const Soup& soup,
   CGAL::Surface_mesh<typename K::Point_3> mesh;
   build(soup, mesh);
   auto n = mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
-  PN::estimate_control_normals(mesh, n, params::default_values(), how);
+  PN::estimate_control_normals(mesh, n, PN::parameters::control_normal_estimate(how));
   return values(mesh, n);
 }
 
@@ -332,7 +333,7 @@ TEST(Estimate_control_normals, Polyhedron)
     const auto n = get(CGAL::dynamic_vertex_property_t<Double::Vector_3>(), mesh);
     const auto& constant = mesh;
     for (Control_normal_estimate how : all) {
-      PN::estimate_control_normals(constant, n, params::default_values(), how);
+      PN::estimate_control_normals(constant, n, PN::parameters::control_normal_estimate(how));
       EXPECT_EQ(values(mesh, n), estimate<Double>(soup, how));
     }
   }
@@ -358,10 +359,11 @@ void expect_estimate(const Scheme& scheme, Control_normal_estimate how)
   build(mixed_with_border(), with);
   const auto n = with.add_property_map<CGAL::SM_Vertex_index, Double::Vector_3>("n").first;
   const auto w = with.add_property_map<CGAL::SM_Vertex_index, double>("w").first;
-  PN::estimate_control_normals(with, n, PN::parameters::vertex_roundness_map(w), how);
+  PN::estimate_control_normals(
+    with, n, PN::parameters::control_normal_estimate(how).vertex_roundness_map(w));
   PN::subdivide(
     with, scheme,
-    PN::parameters::vertex_roundness_map(w, params::number_of_iterations(2).vertex_normal_map(n)));
+    PN::parameters::vertex_roundness_map(w).number_of_iterations(2).vertex_normal_map(n));
   PN::subdivide(without, scheme, params::number_of_iterations(2));
   EXPECT_EQ(points(with), points(without));
 }
@@ -370,7 +372,7 @@ TEST(Estimate_control_normals, AreThoseOfASubdivisionWithoutNormals)
 {
   expect_estimate(PN::CatmullClark_scheme(), Control_normal_estimate::coherent);
   for (Control_normal_estimate how : all)
-    expect_estimate(PN::with_normal_estimate(PN::CatmullClark_scheme(), how), how);
+    expect_estimate(PN::internal::with_normal_estimate(PN::CatmullClark_scheme(), how), how);
 }
 
 // the named parameter chooses as the adaptor does, and before it
@@ -390,14 +392,19 @@ TEST(Estimate_control_normals, AreChosenByANamedParameter)
     const auto other = how == Control_normal_estimate::angle ? Control_normal_estimate::reciprocal
                                                              : Control_normal_estimate::angle;
     const auto expected =
-      run([&](Mesh& m) { PN::subdivide(m, PN::with_normal_estimate(scheme, how)); });
+      run([&](Mesh& m) { PN::subdivide(m, PN::internal::with_normal_estimate(scheme, how)); });
     EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, scheme, np); }), expected);
-    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, PN::with_normal_estimate(scheme, other), np); }),
+    EXPECT_EQ(run([&](Mesh& m) {
+                PN::subdivide(m, PN::internal::with_normal_estimate(scheme, other), np);
+              }),
               expected);
     EXPECT_EQ(run([&](Mesh& m) { PN::subdivide(m, PN::Any_scheme<>(scheme), np); }), expected);
     results.push_back(expected);
-    EXPECT_EQ(run([&](Mesh& m) { PN::move_to_limit(m, scheme, PN::Limit_options(), np); }),
-              run([&](Mesh& m) { PN::move_to_limit(m, PN::with_normal_estimate(scheme, how)); }));
+    EXPECT_EQ(run([&](Mesh& m) { PN::subdivide_to_limit(m, scheme, np.number_of_iterations(0)); }),
+              run([&](Mesh& m) {
+                PN::subdivide_to_limit(m, PN::internal::with_normal_estimate(scheme, how),
+                                       CGAL::parameters::number_of_iterations(0));
+              }));
     Mesh mesh;
     build(mixed_with_border(), mesh);
     auto n = mesh.add_property_map<CGAL::SM_Vertex_index, Double::Vector_3>("n").first;
@@ -426,12 +433,12 @@ TEST(Named_parameters, AreJoined)
     return points(mesh);
   };
   Not_copied visitor;
-  const auto ours = PN::parameters::roundness(
-    0.25, PN::parameters::control_normal_estimate(Control_normal_estimate::angle));
+  const auto ours =
+    PN::parameters::roundness(0.25).control_normal_estimate(Control_normal_estimate::angle);
   const auto cgals = params::number_of_iterations(3).visitor(std::ref(visitor));
-  const auto expected = refined(PN::parameters::roundness(
-    0.25, PN::parameters::control_normal_estimate(Control_normal_estimate::angle,
-                                                  params::number_of_iterations(3))));
+  const auto expected = refined(PN::parameters::roundness(0.25)
+                                  .control_normal_estimate(Control_normal_estimate::angle)
+                                  .number_of_iterations(3));
   EXPECT_EQ(refined(PN::parameters::join(ours, cgals)), expected);
   EXPECT_EQ(visitor.last, 3u);
   visitor.last = 0;
@@ -455,15 +462,17 @@ TEST(Estimate_control_normals, AdaptorsOfSchemesNest)
                  reciprocal = Control_normal_estimate::reciprocal;
   const auto both_masks = PN::with_normal_scheme(catmull_clark, PN::modified_CatmullClark_scheme());
   expect_estimate(both_masks, Control_normal_estimate::coherent);
-  expect_estimate(PN::with_normal_estimate(both_masks, angle), angle);
-  expect_estimate(PN::with_normal_scheme(PN::with_normal_estimate(catmull_clark, angle),
+  expect_estimate(PN::internal::with_normal_estimate(both_masks, angle), angle);
+  expect_estimate(PN::with_normal_scheme(PN::internal::with_normal_estimate(catmull_clark, angle),
                                          PN::modified_CatmullClark_scheme()),
                   angle);
-  expect_estimate(PN::with_normal_scheme(PN::with_normal_estimate(catmull_clark, reciprocal),
-                                         PN::with_normal_estimate(catmull_clark, angle)),
-                  angle);
   expect_estimate(
-    PN::with_normal_estimate(PN::with_normal_estimate(catmull_clark, reciprocal), angle), angle);
+    PN::with_normal_scheme(PN::internal::with_normal_estimate(catmull_clark, reciprocal),
+                           PN::internal::with_normal_estimate(catmull_clark, angle)),
+    angle);
+  expect_estimate(PN::internal::with_normal_estimate(
+                    PN::internal::with_normal_estimate(catmull_clark, reciprocal), angle),
+                  angle);
 
   // linear schemes have no normals, whatever is said of them
   std::vector<std::vector<Triple>> results;
@@ -474,8 +483,8 @@ TEST(Estimate_control_normals, AdaptorsOfSchemesNest)
     results.push_back(points(mesh));
   };
   add(PN::linear(catmull_clark));
-  add(PN::linear(PN::with_normal_estimate(catmull_clark, angle)));
-  add(PN::with_normal_estimate(PN::linear(catmull_clark), angle));
+  add(PN::linear(PN::internal::with_normal_estimate(catmull_clark, angle)));
+  add(PN::internal::with_normal_estimate(PN::linear(catmull_clark), angle));
   EXPECT_EQ(results[1], results[0]);
   EXPECT_EQ(results[2], results[0]);
 }

@@ -87,7 +87,7 @@ TEST(Normal_guards, BoxesAndBeamsSwellNoMoreThanByAngleWeights)
       for (std::size_t k = 0; k < 3; ++k) largest[k] = (std::max)(largest[k], std::abs(p[k]));
     const auto beyond = [&](Control_normal_estimate how) {
       auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(shape);
-      PN::subdivide(mesh, PN::with_normal_estimate(PN::CatmullClark_scheme(), how),
+      PN::subdivide(mesh, PN::internal::with_normal_estimate(PN::CatmullClark_scheme(), how),
                     CGAL::parameters::number_of_iterations(3));
       double result = 0;
       for (auto v : mesh.vertices())

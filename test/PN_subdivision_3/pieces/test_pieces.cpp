@@ -118,9 +118,11 @@ TEST(Pieces, ThatDoNotExistAreRefused)
 {
   const Control<double> control(random_controls(Kind::polygons, 1).front());
   const auto np = CGAL::parameters::number_of_iterations(2);
-  EXPECT_THROW((PN::Surface_pieces(control.mesh, PN::CatmullClark_scheme(), 0, np)),
+  EXPECT_THROW((PN::Surface_pieces(control.mesh, PN::CatmullClark_scheme(),
+                                   PN::parameters::join(PN::parameters::number_of_pieces(0), np))),
                std::invalid_argument);
-  const PN::Surface_pieces pieces(control.mesh, PN::CatmullClark_scheme(), 3, np);
+  const PN::Surface_pieces pieces(control.mesh, PN::CatmullClark_scheme(),
+                                  PN::parameters::join(PN::parameters::number_of_pieces(3), np));
   EXPECT_GT(pieces.piece(2).number_of_faces(), 0u);
   EXPECT_THROW(pieces.piece(3), std::out_of_range);
   EXPECT_NO_THROW(pieces.piece(2, 1));

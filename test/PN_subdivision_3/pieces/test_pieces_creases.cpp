@@ -149,8 +149,10 @@ void expect_mean_normals(const Creased& control, const Scheme& scheme, unsigned 
                 refined.parameters(rounds).vertex_normal_map(refined.normals));
   for (const std::size_t number : numbers) {
     SCOPED_TRACE(std::to_string(rounds) + " rounds, " + std::to_string(number) + " pieces");
-    const Pieces<Scheme> pieces(control.mesh, scheme, number,
-                                control.parameters(rounds).vertex_normal_map(control.normals));
+    const Pieces<Scheme> pieces(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::number_of_pieces(number),
+                           control.parameters(rounds).vertex_normal_map(control.normals)));
     Collected_pieces<double>(pieces).expect(refined.mesh, values_of(refined));
     Collected_pieces<double>(pieces, rings).expect(refined.mesh, values_of(refined));
   }
@@ -167,8 +169,10 @@ bool expect_corner_normals(const Creased& control, const Scheme& scheme, unsigne
                 refined.parameters(rounds).vertex_normal_map(refined.of_corners));
   for (const std::size_t number : numbers) {
     SCOPED_TRACE(std::to_string(rounds) + " rounds, " + std::to_string(number) + " pieces");
-    const Pieces<Scheme> pieces(control.mesh, scheme, number,
-                                control.parameters(rounds).vertex_normal_map(control.of_corners));
+    const Pieces<Scheme> pieces(
+      control.mesh, scheme,
+      PN::parameters::join(PN::parameters::number_of_pieces(number),
+                           control.parameters(rounds).vertex_normal_map(control.of_corners)));
     any_wedge = expect_corners(pieces, 0, refined) || any_wedge;
     any_wedge = expect_corners(pieces, rings, refined) || any_wedge;
   }
@@ -185,7 +189,7 @@ void expect_as_subdivide(const Any& scheme, Kind kind, unsigned rings)
     const Control_mesh control_mesh = random_meshes::random_mesh(kind, generator);
     SCOPED_TRACE(scheme.name() + ", " + control_mesh.name + ", seed " + std::to_string(seed));
     const Creased control(control_mesh, seed);
-    const auto with_border = PN::with_border(scheme, borders[seed % 4]);
+    const auto with_border = PN::internal::with_border(scheme, borders[seed % 4]);
     expect_mean_normals(control, with_border, 2, {1, 7}, rings);
     expect_mean_normals(control, with_border, 3, {2, 64}, rings);
     with_wedges += expect_corner_normals(control, with_border, 3, {1, 2, 7, 64}, rings);
@@ -197,25 +201,30 @@ void expect_as_subdivide(const Any& scheme, Kind kind, unsigned rings)
   expect_mean_normals(torus, scheme, 3, {7, 20}, rings);
   expect_corner_normals(torus, scheme, 3, {20}, rings);
   const Creased control(random_meshes::random_mesh(kind, generator), 1);
-  expect_mean_normals(control, PN::with_border(scheme, PN::Border::curve), 4, {7, 64}, rings);
-  expect_mean_normals(control, PN::with_border(scheme, PN::Border::curve), 1, {1, 7}, rings);
-  expect_mean_normals(control, PN::with_border(scheme, PN::Border::curve), 0, {1, 7}, rings);
+  expect_mean_normals(control, PN::internal::with_border(scheme, PN::Border::curve), 4, {7, 64},
+                      rings);
+  expect_mean_normals(control, PN::internal::with_border(scheme, PN::Border::curve), 1, {1, 7},
+                      rings);
+  expect_mean_normals(control, PN::internal::with_border(scheme, PN::Border::curve), 0, {1, 7},
+                      rings);
 }
 
 // as they are left by a round: with tangents
 template <class Scheme>
 bool expect_with_tangents(Creased control, const Scheme& scheme)
 {
-  PN::subdivide(control.mesh, PN::with_crease_tangents(scheme, control.tangents),
+  PN::subdivide(control.mesh, PN::internal::with_crease_tangents(scheme, control.tangents),
                 control.parameters(1).vertex_normal_map(control.of_corners));
   // others than those that would be made
   for (const Halfedge h : control.mesh.halfedges()) control.tangents[h] = 0.9 * control.tangents[h];
   Creased refined(control);
-  PN::subdivide(refined.mesh, PN::with_crease_tangents(scheme, refined.tangents),
+  PN::subdivide(refined.mesh, PN::internal::with_crease_tangents(scheme, refined.tangents),
                 refined.parameters(2).vertex_normal_map(refined.of_corners));
-  const auto with_tangents = PN::with_crease_tangents(scheme, control.tangents);
+  const auto with_tangents = PN::internal::with_crease_tangents(scheme, control.tangents);
   const Pieces<std::decay_t<decltype(with_tangents)>> pieces(
-    control.mesh, with_tangents, 7, control.parameters(2).vertex_normal_map(control.of_corners));
+    control.mesh, with_tangents,
+    PN::parameters::join(PN::parameters::number_of_pieces(7),
+                         control.parameters(2).vertex_normal_map(control.of_corners)));
   Collected_pieces<double>(pieces).expect(refined.mesh, {});
   return expect_corners(pieces, 0, refined);
 }
@@ -269,8 +278,9 @@ TEST(Pieces_creases, OfLinearSchemesAndEstimatedNormals)
       PN::subdivide(refined.mesh, scheme,
                     params::number_of_iterations(3).edge_is_constrained_map(refined.sharp));
       const Pieces<std::decay_t<decltype(scheme)>> pieces(
-        control.mesh, scheme, 7,
-        params::number_of_iterations(3).edge_is_constrained_map(control.sharp));
+        control.mesh, scheme,
+        PN::parameters::number_of_pieces(7).number_of_iterations(3).edge_is_constrained_map(
+          control.sharp));
       Collected_pieces<double>(pieces).expect(refined.mesh, {});
     };
     expect(PN::CatmullClark_scheme());
@@ -282,10 +292,12 @@ TEST(Pieces_creases, OfLinearSchemesAndEstimatedNormals)
 TEST(Pieces_creases, AreReadOnly)
 {
   const Creased control = random_creased(Kind::polygons, 3), copy(control);
-  const auto scheme = PN::with_crease_tangents(PN::CatmullClark_scheme(), control.tangents);
-  PN::for_each_piece(control.mesh, scheme, 3,
-                     control.parameters(2).vertex_normal_map(control.of_corners),
-                     [](const auto& piece) { EXPECT_GT(piece.number_of_faces(), 0u); });
+  const auto scheme =
+    PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), control.tangents);
+  PN::for_each_piece(
+    control.mesh, scheme, [](const auto& piece) { EXPECT_GT(piece.number_of_faces(), 0u); },
+    PN::parameters::join(PN::parameters::number_of_pieces(3),
+                         control.parameters(2).vertex_normal_map(control.of_corners)));
   for (const Edge e : copy.mesh.edges()) EXPECT_EQ(control.sharp[e], copy.sharp[e]);
   for (const Vertex v : copy.mesh.vertices()) EXPECT_EQ(control.corners[v], copy.corners[v]);
   for (const Halfedge h : copy.mesh.halfedges()) {
@@ -297,17 +309,23 @@ TEST(Pieces_creases, AreReadOnly)
 TEST(Pieces_creases, AreRefusedWithoutRules)
 {
   const Creased control = random_creased(Kind::triangles, 3);
-  EXPECT_THROW(
-    (Pieces<PN::Butterfly_scheme>(control.mesh, PN::Butterfly_scheme(), 2, control.parameters(2))),
-    std::invalid_argument);
-  EXPECT_THROW((Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()), 2, control.parameters(2))),
+  EXPECT_THROW((Pieces<PN::Butterfly_scheme>(
+                 control.mesh, PN::Butterfly_scheme(),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
                std::invalid_argument);
+  EXPECT_THROW(
+    (Pieces<Any>(control.mesh, Any(PN::Sqrt3_scheme()),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), control.parameters(2)))),
+    std::invalid_argument);
   Creased smooth(control);
   for (const Edge e : smooth.mesh.edges()) smooth.sharp[e] = 0;
   for (const Vertex v : smooth.mesh.vertices()) smooth.corners[v] = 0;
-  EXPECT_NO_THROW(
-    (Pieces<PN::Butterfly_scheme>(smooth.mesh, PN::Butterfly_scheme(), 2, smooth.parameters(2))));
+  EXPECT_NO_THROW((Pieces<PN::Butterfly_scheme>(
+    smooth.mesh, PN::Butterfly_scheme(),
+    PN::parameters::join(PN::parameters::number_of_pieces(2), smooth.parameters(2)))));
   smooth.sharp[Edge(0)] = -1;
-  EXPECT_THROW((Pieces<PN::Loop_scheme>(smooth.mesh, PN::Loop_scheme(), 2, smooth.parameters(2))),
+  EXPECT_THROW((Pieces<PN::Loop_scheme>(
+                 smooth.mesh, PN::Loop_scheme(),
+                 PN::parameters::join(PN::parameters::number_of_pieces(2), smooth.parameters(2)))),
                std::invalid_argument);
 }

@@ -45,6 +45,33 @@ inline Part narrow_plate(double flat, int facets)
   return b.take();
 }
 
+// cut off by a plane
+inline Part oblique_cylinder(int n, double slope)
+{
+  Part part;
+  part.name = "cylinder with an oblique end";
+  part.surfaces = {{Kind::cylinder, {}, {0, 0, 1}, 0.5, 0, 0},
+                   {Kind::plane, {}, {0, 0, -1}, 0, 0, 0},
+                   {Kind::plane, {0, 0, 2}, unit({-slope, 0, 1}), 0, 0, 0}};
+  std::vector<std::size_t> low, high;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * pi * i / n, x = 0.5 * std::cos(t), y = 0.5 * std::sin(t);
+    low.push_back(part.points.size());
+    part.points.push_back({x, y, 0});
+    high.push_back(part.points.size());
+    part.points.push_back({x, y, 2 + slope * x});
+  }
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const std::size_t k = (i + 1) % low.size();
+    part.faces.push_back({low[i], low[k], high[k], high[i]});
+  }
+  part.surface_of_face.assign(part.faces.size(), 0);
+  part.faces.push_back({low.rbegin(), low.rend()});
+  part.faces.push_back(high);
+  part.surface_of_face.insert(part.surface_of_face.end(), {1, 2});
+  return part;
+}
+
 // In a plate: half a hexagon, its left side going on in a wall.
 inline Part open_nut_trap()
 {

@@ -9,6 +9,7 @@
 // Parts that look like what they are not.
 
 #include "Part_marks.h"
+#include "Random_parts.h"
 #include "Trap_parts.h"
 
 #include <gtest/gtest.h>
@@ -143,4 +144,39 @@ TEST(Recognize_traps, far_from_the_origin)
 {
   expect_right(in_file(shaft(24, 6), File::single, 15 * 3.5));
   expect_right(in_file(bolt(6, 24), File::exact, 15 * 3.5));
+}
+
+// Another program turns and scales a six-digit file, and writes all digits; the points keep the rounding of six.
+TEST(Recognize_traps, six_digits_in_another_frame)
+{
+  Random random(23);
+  for (Part part : {bolt(8, 24), shaft(48, 6), plate_with_drilled_hole(24), grooved_shaft(24, 8)}) {
+    part = in_file(part, File::six_digits);
+    const double before = rounding(part) / diagonal(part.points);
+    Pose pose = random_pose(random, 0, 0);
+    pose.scale = 1.7;
+    place(part, pose);
+    EXPECT_EQ(Part_marks(part, recognition_of(part), 8 * before).text(), "") << part.name;
+    // far from the origin
+    Pose away;
+    away.shift = {1e5, -2e5, 3e4};
+    Part moved = part;
+    place(moved, away);
+    const Recognition r = recognition_of(moved), here = recognition_of(part);
+    EXPECT_EQ(r.segment_of_face, here.segment_of_face) << part.name;
+    place(part, {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}, std::ldexp(1., 600)});
+    EXPECT_EQ(recognition_of(part).segment_of_face, here.segment_of_face) << part.name;
+  }
+}
+
+// All corners of a plane that cuts a cylinder are on it, and some of its edges turn by little.
+TEST(Recognize_traps, oblique_end_of_a_cylinder)
+{
+  for (const double slope : {0.5, 1., 1.7}) expect_right(oblique_cylinder(24, slope));
+}
+
+// Few facets, unevenly wide, of a cone and of the cylinder beside it are on a torus.
+TEST(Recognize_traps, uneven_facets_on_a_torus)
+{
+  expect_right(Random_part(1134).part());
 }

@@ -36,11 +36,11 @@ Deviations refined(const Part& part, const Scheme& scheme)
   PN::surface_creases(mesh, patches, surfaces, sharp);
   PN::surface_corner_normals(mesh, patches, surfaces, normals);
   for (const auto f : mesh.faces()) truth[f] = static_cast<int>(part.surface_of_face[f]);
-  PN::subdivide(
-    mesh, scheme,
-    CGAL::parameters::number_of_iterations(2).edge_is_constrained_map(sharp).vertex_normal_map(
-      normals),
-    PN::attributes(PN::face_attribute(truth)));
+  PN::subdivide(mesh, scheme,
+                PN::parameters::attributes(PN::face_attribute(truth))
+                  .number_of_iterations(2)
+                  .edge_is_constrained_map(sharp)
+                  .vertex_normal_map(normals));
   EXPECT_EQ(num_faces(mesh), 16 * part.faces.size());
   Deviations largest{};
   for (const auto f : mesh.faces())

@@ -30,10 +30,12 @@ class Curve_limit_by_rounds
 {
 public:
   // The normals' scheme may be another one. Both are primal or both dual.
-  Curve_limit_by_rounds(const Curve_scheme& scheme, const Curve_scheme& normal_scheme, bool linear)
+  Curve_limit_by_rounds(const Curve_scheme& scheme, const Curve_scheme& normal_scheme, bool linear,
+                        Real roundness = 1)
     : scheme_(scheme)
     , normal_scheme_(normal_scheme)
     , linear_(linear)
+    , roundness_(roundness)
   {}
 
   // of vertex v, or of the edge behind it
@@ -86,14 +88,14 @@ private:
     const long first = std::max(0L, 2 * center_ - before());
     const long last = std::min(long(points.rows()) - 1, 2 * center_ + 8);
     for (long i = first; i <= last; ++i) {
+      Vector p = Vector::Zero();
+      for (long j = 0; j < n; ++j) p += points(i, j) * window_.points[std::size_t(j)];
       if (linear_) {
-        Vector p = Vector::Zero();
-        for (long j = 0; j < n; ++j) p += points(i, j) * window_.points[std::size_t(j)];
         next.points.push_back(p);
         next.normals.push_back(Vector::Zero());
       } else {
         const Point_normal value = pn_rule(points.row(i), normals.row(i), window_);
-        next.points.push_back(value.point);
+        next.points.push_back(p + roundness_ * (value.point - p));
         next.normals.push_back(value.normal);
       }
     }
@@ -129,6 +131,7 @@ private:
 
   Curve_scheme scheme_, normal_scheme_;
   bool linear_;
+  Real roundness_;
   std::map<long, std::pair<Matrix, Matrix>> matrices_;
   Values window_;
   long center_ = 0;

@@ -9,6 +9,7 @@
 // A scheme that is chosen at run time gives the bits of the scheme itself, in every function that takes a scheme.
 
 #include "Mesh_cases.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
@@ -138,7 +139,7 @@ TEST(Any_scheme, Creases)
     auto edges = mesh.add_property_map<Mesh::Edge_index, double>("e:sharpness", 0).first;
     for (const auto e : mesh.edges()) edges[e] = std::size_t(e) % 3 == 0 ? 1.5 : 0;
     PN::subdivide(
-      mesh, PN::with_border(s, PN::Border::curve),
+      mesh, PN::internal::with_border(s, PN::Border::curve),
       params::number_of_iterations(3).vertex_normal_map(normals).edge_is_constrained_map(edges));
   };
   expect_same(PN::CatmullClark_scheme(), subdivide);
@@ -171,9 +172,10 @@ TEST(Any_scheme, TwoSchemes)
 TEST(Any_scheme, Limits)
 {
   const auto to_limit = [](Mesh& mesh, const auto& s, const auto& normals) {
-    PN::Limit_options options;
+    test_options::Limit_options options;
     options.surface_normals = true;
-    PN::subdivide_to_limit(mesh, s, options, params::vertex_normal_map(normals));
+    PN::subdivide_to_limit(
+      mesh, s, PN::parameters::join(options.pack(), params::vertex_normal_map(normals)));
     for (const auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + normals[v];
   };
   expect_same(PN::CatmullClark_scheme(), to_limit);
@@ -188,7 +190,7 @@ TEST(Any_scheme, LimitsOfFaces)
 {
   expect_same(PN::DooSabin_scheme(), [](Mesh& mesh, const auto& s, const auto& normals) {
     auto limits = mesh.add_property_map<Mesh::Face_index, PN::Limit_point<Kernel>>("f:limit").first;
-    PN::face_limit_points(mesh, s, limits, PN::Limit_options(), params::vertex_normal_map(normals));
+    PN::limit_points(mesh, s, limits, params::vertex_normal_map(normals));
     std::size_t v = 0;
     for (const auto f : mesh.faces())
       mesh.point(Mesh::Vertex_index(unsigned(v++))) = limits[f].point;
@@ -212,7 +214,8 @@ TEST(Any_scheme, Pieces)
 {
   const auto refine = [](Mesh& mesh, const auto& s, const auto& normals) {
     const PN::Surface_pieces<std::decay_t<decltype(s)>, Kernel> pieces(
-      mesh, s, 3, params::number_of_iterations(3).vertex_normal_map(normals));
+      mesh, s,
+      PN::parameters::number_of_pieces(3).number_of_iterations(3).vertex_normal_map(normals));
     for (std::size_t i = 0; i < 3; ++i) {
       const auto piece = pieces.piece(i, 1);
       for (const auto& p : piece.points()) mesh.add_vertex(p);
@@ -233,8 +236,9 @@ TEST(Any_scheme, PiecesOfTwoSchemes)
   const auto with = [](const auto& points, const auto& normals) {
     return outcome(control_mesh<double>(false), [&](Mesh& mesh) {
       const PN::Surface_pieces pieces(
-        mesh, PN::with_normal_scheme(points, normals), 3,
-        params::number_of_iterations(3).vertex_normal_map(add_normals<double>(mesh)));
+        mesh, PN::with_normal_scheme(points, normals),
+        PN::parameters::number_of_pieces(3).number_of_iterations(3).vertex_normal_map(
+          add_normals<double>(mesh)));
       for (std::size_t i = 0; i < 3; ++i) {
         const auto piece = pieces.piece(i, 4);
         for (const auto& p : piece.points()) mesh.add_vertex(p);
@@ -250,7 +254,7 @@ TEST(Any_scheme, Interpolation)
 {
   const auto interpolate = [](Mesh& mesh, const auto& s, const auto& normals) {
     PN::natural_normals(mesh, s, normals);
-    PN::interpolate_limit_points(mesh, s, {}, params::vertex_normal_map(normals));
+    PN::interpolate_limit_points(mesh, s, params::vertex_normal_map(normals));
   };
   expect_same(PN::Loop_scheme(), interpolate);
   expect_same(PN::modified_CatmullClark_scheme(), interpolate);
@@ -285,7 +289,7 @@ TEST(Any_scheme, InFloat)
   const auto with = [](const auto& scheme) {
     Mesh_of<float> mesh = control_mesh<float>(true);
     auto normals = add_normals<float>(mesh);
-    PN::subdivide_to_limit(mesh, scheme, PN::Limit_options(), params::vertex_normal_map(normals));
+    PN::subdivide_to_limit(mesh, scheme, params::vertex_normal_map(normals));
     return numbers<float>(mesh);
   };
   EXPECT_EQ(with(PN::Any_scheme<float>(PN::Loop_scheme())), with(PN::Loop_scheme()));
@@ -378,13 +382,15 @@ TEST(Any_scheme, RefusedCalls)
   refused([&](Mesh& m) { PN::subdivide(m, PN::with_normal_scheme(quads, transferring)); },
           {"transfers curvature"});
   refused([&](Mesh& m) { PN::subdivide_to_limit(m, dual); }, {"doo-sabin", "faces"});
-  refused([&](Mesh& m) { PN::move_to_limit(m, dual); }, {"doo-sabin", "faces"});
+  refused(
+    [&](Mesh& m) { PN::subdivide_to_limit(m, dual, CGAL::parameters::number_of_iterations(0)); },
+    {"doo-sabin", "faces"});
   refused([&](Mesh& m) { PN::Surface_refiner<PN::Any_scheme<>, Kernel>(m, transferring); },
           {"transfers curvature"});
   refused([&](Mesh& m) { PN::interpolate_limit_points(m, PN::linear(dual)); }, {"doo-sabin"});
   refused(
     [&](Mesh& m) {
-      PN::interpolate_limit_points(m, transferring, {},
+      PN::interpolate_limit_points(m, transferring,
                                    params::vertex_normal_map(add_normals<double>(m)));
     },
     {"ct-catmull"});
@@ -401,6 +407,6 @@ TEST(Any_scheme, RefusedCalls)
       },
       {scheme.name(), "no rules for creases"});
   }
-  refused([&](Mesh& m) { PN::subdivide(m, PN::with_crease_tangents(dual, corners(m))); },
+  refused([&](Mesh& m) { PN::subdivide(m, PN::internal::with_crease_tangents(dual, corners(m))); },
           {"doo-sabin", "tangents"});
 }

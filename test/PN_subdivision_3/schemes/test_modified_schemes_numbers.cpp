@@ -241,10 +241,12 @@ void expect_same_on_other_meshes(const Control_mesh& control, const Subdivide& s
 
 TEST(Modified_schemes, HaveFunctionsForAllMeshesAndKernels)
 {
-  expect_same_on_other_meshes(star(5, 2, Cells::quads),
-                              [](auto& mesh) { PN::modified_CatmullClark_subdivision(mesh); });
-  expect_same_on_other_meshes(star(7, 2, Cells::triangles),
-                              [](auto& mesh) { PN::modified_Loop_subdivision(mesh); });
+  expect_same_on_other_meshes(star(5, 2, Cells::quads), [](auto& mesh) {
+    PN::CatmullClark_subdivision(mesh, PN::parameters::tuned(true));
+  });
+  expect_same_on_other_meshes(star(7, 2, Cells::triangles), [](auto& mesh) {
+    PN::Loop_subdivision(mesh, PN::parameters::tuned(true));
+  });
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 // p = q + w H n: with roundness of the vertices a round lies between the linear one and the point-normal one.
 
 #include "Scheme_runs.h"
+#include "support/Options.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/PN_subdivision_3.h>
@@ -155,7 +156,7 @@ void expect_composition(const Control_mesh& control, bool has_normals)
     Surface_mesh plain = mesh;
     const auto scheme = Description::scheme();
     const auto with_map = [&](Surface_mesh& m) {
-      return PN::parameters::vertex_roundness_map(roundness_map(m), np(m));
+      return PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(m)), np(m));
     };
     PN::subdivide(plain, scheme, with_map(plain));
     if constexpr (!PN::internal::Has_curvature_transfer<std::decay_t<decltype(scheme)>>::value) {
@@ -164,7 +165,8 @@ void expect_composition(const Control_mesh& control, bool has_normals)
       for (auto v : plain.vertices())
         ASSERT_EQ(plain.point(v), refiner.points()[v.idx()]) << control.name << ", refiner";
     }
-    const PN::Surface_pieces pieces(mesh, scheme, 3, with_map(mesh));
+    const PN::Surface_pieces pieces(
+      mesh, scheme, PN::parameters::join(PN::parameters::number_of_pieces(3), with_map(mesh)));
     for (std::size_t k = 0; k < pieces.number_of_pieces(); ++k) {
       const auto piece = pieces.piece(k);
       for (std::size_t i = 0; i < piece.number_of_vertices(); ++i) {
@@ -175,15 +177,16 @@ void expect_composition(const Control_mesh& control, bool has_normals)
     }
     if constexpr (Description::is_primal) {
       Surface_mesh at_limit = mesh;
-      const auto at_once =
-        PN::subdivide_to_limit(at_limit, scheme, PN::Limit_options(), with_map(at_limit));
-      PN::Limit_options later;
+      const auto at_once = PN::subdivide_to_limit(at_limit, scheme, with_map(at_limit));
+      test_options::Limit_options later;
       later.rounds_done = 2;
       normal_map(plain); // of the refined mesh
       if (has_normals) {
-        PN::move_to_limit(plain, scheme, later,
-                          PN::parameters::vertex_roundness_map(roundness_map(plain))
-                            .vertex_normal_map(normal_map(plain)));
+        PN::subdivide_to_limit(
+          plain, scheme,
+          PN::parameters::join(CGAL::parameters::number_of_iterations(0), later.pack(),
+                               PN::parameters::vertex_roundness_map(roundness_map(plain))
+                                 .vertex_normal_map(normal_map(plain))));
         double largest = 0;
         for (auto v : plain.vertices())
           largest = (std::max)(largest, CGAL::squared_distance(plain.point(v), at_limit.point(v)));
@@ -229,8 +232,8 @@ void expect_roundness_beside_creases(const Control_mesh& control)
   PN::subdivide(number, PN::linear(scheme), edges(number));
   PN::subdivide(round, scheme, edges(round).vertex_normal_map(normal_map(round)));
   PN::subdivide(mesh, scheme,
-                PN::parameters::vertex_roundness_map(
-                  roundness_map(mesh), edges(mesh).vertex_normal_map(normal_map(mesh))));
+                PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(mesh)),
+                                     edges(mesh).vertex_normal_map(normal_map(mesh))));
   for (auto v : mesh.vertices()) {
     const double w = number.point(v).x();
     ASSERT_NEAR(roundness_map(mesh)[v], w, 1e-14) << control.name << ", vertex " << v.idx();
@@ -292,6 +295,41 @@ TEST(Roundness_of_values, OutsideOfItsRangeIsRefusedAndTheMeshIsAsItWas)
     }
     EXPECT_THROW(refine_with_constant<CatmullClark_description>(mesh, w, 2), std::invalid_argument);
     expect_same_points(control, mesh, "as it was");
+  }
+}
+
+// A number is no map: values do not have it, and the result is the same bit for bit.
+TYPED_TEST(Roundness, OfANumberIsThatOfAConstantMap)
+{
+  for (const Control_mesh& control : meshes_for<TypeParam>())
+    for (const double w : {0.25, 0.5}) {
+      Surface_mesh number = to_surface_mesh(control), map = number;
+      roundness_map(map, w);
+      refine_with_constant<TypeParam>(number, w, 2);
+      refine_with_roundness<TypeParam>(map, 2);
+      expect_same_points(number, map, control.name);
+    }
+}
+
+TEST(Roundness_of_values, OfANumberIsThatOfAConstantMapAlongCreases)
+{
+  Surface_mesh number = bipyramid_in_quads(4);
+  auto sharp = number.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+  for (auto e : number.edges()) sharp[e] = e.idx() % 3 == 0; // creases, corners, darts
+  for (const unsigned rounds : {1u, 3u}) {
+    Surface_mesh a = number, b = number;
+    const auto edges = [](Surface_mesh& m) {
+      return m.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+    };
+    const auto np = [&](Surface_mesh& m) {
+      return CGAL::parameters::number_of_iterations(rounds)
+        .vertex_normal_map(normal_map(m))
+        .edge_is_constrained_map(edges(m));
+    };
+    PN::CatmullClark_subdivision(a, PN::parameters::join(PN::parameters::roundness(0.5), np(a)));
+    PN::CatmullClark_subdivision(
+      b, PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(b, 0.5)), np(b)));
+    expect_same_points(a, b, "creases");
   }
 }
 

@@ -313,7 +313,7 @@ TYPED_TEST(Scheme_property, EstimatesTheEntriesOfItsRows)
     const auto scheme = TypeParam::scheme();
     // adaptors pass it on
     const double estimate =
-      PN::estimated_row_entries(PN::with_border(PN::linear(scheme), PN::Border::surface),
+      PN::estimated_row_entries(PN::internal::with_border(PN::linear(scheme), PN::Border::surface),
                                 PN::internal::checked_level(access_to(mesh)), 2);
     double entries = 0;
     for (unsigned k : {1u, 2u}) {

@@ -10,6 +10,7 @@
 // circles are halved.
 
 #include "Scheme_runs.h"
+#include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
@@ -138,7 +139,7 @@ TYPED_TEST(Upsampling, CutsArcsOfCirclesIntoEqualParts)
 // Vertices are their limits; surface normals there are none, and the control normals stand in.
 TYPED_TEST(Upsampling, HasItsVerticesAsLimits)
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.surface_normals = options.curvatures = true;
   for (const Control_mesh& control : meshes_for<TypeParam>()) {
     Surface_mesh mesh = to_surface_mesh(control);
@@ -146,8 +147,8 @@ TYPED_TEST(Upsampling, HasItsVerticesAsLimits)
     const Normal_map normals = normal_map(mesh);
     std::map<Vertex, PN::Limit_point<Kernel>> limits;
     const auto report =
-      PN::limit_points(mesh, TypeParam::scheme(), boost::make_assoc_property_map(limits), options,
-                       np::vertex_normal_map(normals));
+      PN::limit_points(mesh, TypeParam::scheme(), boost::make_assoc_property_map(limits),
+                       PN::parameters::join(options.pack(), np::vertex_normal_map(normals)));
     EXPECT_EQ(report.error, 0);
     EXPECT_EQ(report.depth, 0u);
     EXPECT_EQ(report.number_of_stand_ins, mesh.number_of_vertices());
@@ -157,12 +158,12 @@ TYPED_TEST(Upsampling, HasItsVerticesAsLimits)
       EXPECT_EQ(l.surface_normal, l.control_normal);
       EXPECT_FALSE(l.has_surface_normal || l.has_curvature);
     }
-    PN::move_to_limit(mesh, TypeParam::scheme(), PN::Limit_options(),
-                      np::vertex_normal_map(normals));
+    PN::subdivide_to_limit(mesh, TypeParam::scheme(),
+                           np::vertex_normal_map(normals).number_of_iterations(0));
     for (auto v : mesh.vertices()) EXPECT_EQ(mesh.point(v), old.point(v));
     Surface_mesh refined = old, to_limit = old;
     refine<TypeParam>(refined, 2);
-    PN::subdivide_to_limit(to_limit, TypeParam::scheme(), PN::Limit_options(),
+    PN::subdivide_to_limit(to_limit, TypeParam::scheme(),
                            np::number_of_iterations(2).vertex_normal_map(normal_map(to_limit)));
     EXPECT_TRUE(is_identical(refined, to_limit)) << control.name;
   }
@@ -173,7 +174,7 @@ TYPED_TEST(Upsampling, LeavesNothingToInterpolate)
   const std::string name = TypeParam::scheme().name();
   Surface_mesh mesh = to_surface_mesh(meshes_for<TypeParam>().front()), old = mesh;
   try {
-    PN::interpolate_limit_points(mesh, TypeParam::scheme(), PN::Limit_interpolation_options<>(),
+    PN::interpolate_limit_points(mesh, TypeParam::scheme(),
                                  np::vertex_normal_map(normal_map(mesh)));
     ADD_FAILURE() << "not refused";
   } catch (const std::invalid_argument& e) {

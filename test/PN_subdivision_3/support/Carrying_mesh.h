@@ -10,6 +10,7 @@
 #define PN_SUBDIVISION_3_TEST_CARRYING_MESH_H
 
 #include "Mesh_cases.h"
+#include "Options.h"
 
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -51,9 +52,9 @@ struct Carrying
   }
   auto attributes() const
   {
-    return PN::attributes(PN::vertex_attribute(of_vertices),
-                          PN::corner_attribute(of_corners, PN::Corner_rule::linear),
-                          PN::edge_attribute(of_edges), PN::face_attribute(of_faces));
+    return test_options::attributes(PN::vertex_attribute(of_vertices),
+                                    PN::corner_attribute(of_corners, PN::Corner_rule::linear),
+                                    PN::edge_attribute(of_edges), PN::face_attribute(of_faces));
   }
   std::vector<Number> carried() const
   {

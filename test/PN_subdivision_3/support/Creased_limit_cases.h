@@ -11,6 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_CREASED_LIMIT_CASES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_CREASED_LIMIT_CASES_H
 
+#include "Options.h"
 #include "Random_creases.h"
 #include "Tagged_meshes.h"
 
@@ -29,9 +30,9 @@ namespace creased_limit_cases {
 using namespace tagged_meshes;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-inline PN::Limit_options close(double tolerance)
+inline test_options::Limit_options close(double tolerance)
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.tolerance = tolerance;
   options.max_depth = 40;
   return options;
@@ -39,13 +40,28 @@ inline PN::Limit_options close(double tolerance)
 
 template <class Any_mesh, class Scheme, class Concurrency_tag = CGAL::Sequential_tag>
 PN::Limit_report to_limit(Tagged<Any_mesh>& t, const Scheme& scheme, unsigned rounds,
-                          const PN::Limit_options& options)
+                          const test_options::Limit_options& options)
 {
-  return PN::subdivide_to_limit<Concurrency_tag>(t.mesh, scheme, options,
-                                                 np::number_of_iterations(rounds)
-                                                   .edge_is_constrained_map(t.sharp)
-                                                   .vertex_is_constrained_map(t.corners)
-                                                   .vertex_normal_map(t.normals));
+  return PN::subdivide_to_limit<Concurrency_tag>(
+    t.mesh, scheme,
+    PN::parameters::join(options.pack(), np::number_of_iterations(rounds)
+                                           .edge_is_constrained_map(t.sharp)
+                                           .vertex_is_constrained_map(t.corners)
+                                           .vertex_normal_map(t.normals)));
+}
+
+// the same with the roundness of the vertices
+template <class Any_mesh, class Scheme>
+PN::Limit_report to_round_limit(Tagged<Any_mesh>& t, const Scheme& scheme, unsigned rounds,
+                                const test_options::Limit_options& options)
+{
+  return PN::subdivide_to_limit(
+    t.mesh, scheme,
+    PN::parameters::join(options.pack(), PN::parameters::vertex_roundness_map(t.roundness)
+                                           .number_of_iterations(rounds)
+                                           .edge_is_constrained_map(t.sharp)
+                                           .vertex_is_constrained_map(t.corners)
+                                           .vertex_normal_map(t.normals)));
 }
 
 // the limits at the control vertices, after some rounds: points, and the normals of all corners
@@ -67,11 +83,11 @@ inline Vector vector(const Vector_3& p)
 
 template <class Scheme>
 Limits limits(const Control& control, const Scheme& scheme, unsigned rounds,
-              const PN::Limit_options& options)
+              const test_options::Limit_options& options)
 {
   Tagged<Mesh> t(control);
   Limits result;
-  result.report = to_limit(t, PN::with_border(scheme, control.border), rounds, options);
+  result.report = to_limit(t, PN::internal::with_border(scheme, control.border), rounds, options);
   for (std::size_t i = 0; i < control.points.size(); ++i) {
     const Mesh::Vertex_index v(static_cast<Mesh::size_type>(i));
     result.points.push_back(vector(t.mesh.point(v)));

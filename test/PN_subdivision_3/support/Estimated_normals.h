@@ -53,8 +53,8 @@ estimate(const Control_mesh& control,
   auto mesh = to_mesh<K>(control);
   auto normals =
     mesh.template add_property_map<CGAL::SM_Vertex_index, typename K::Vector_3>("n").first;
-  CGAL::PN_subdivision_3::estimate_control_normals(mesh, normals,
-                                                   CGAL::parameters::default_values(), how);
+  CGAL::PN_subdivision_3::estimate_control_normals(
+    mesh, normals, CGAL::PN_subdivision_3::parameters::control_normal_estimate(how));
   std::vector<typename K::Vector_3> result;
   for (auto v : mesh.vertices()) result.push_back(normals[v]);
   return result;

@@ -14,9 +14,9 @@
 #include <CGAL/PN_subdivision_3/Control_element.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -84,17 +84,25 @@ inline mesh_cases::Soup two_quads()
           {{0, 1, 2, 3}, {1, 4, 5, 2}}};
 }
 
+// a small one that the scheme takes
+inline mesh_cases::Soup soup_for(const std::string& scheme_name)
+{
+  return PN::any_scheme(scheme_name).needs_triangles() ? mesh_cases::triangles_with_border()
+         : scheme_name == "kobbelt"                    ? two_quads() // it takes quadrilaterals only
+                                                       : mesh_cases::mixed_with_border();
+}
+
 struct Case
 {
   Case(const std::string& scheme_name, Crease_kind creases, Attribute_kind attributes)
-    : scheme(PN::with_border(PN::any_scheme(scheme_name), creases == Crease_kind::border
-                                                            ? PN::Border::curve
-                                                            : PN::Border::surface))
+    : Case(scheme_name, creases, attributes, soup_for(scheme_name))
+  {}
+  Case(const std::string& scheme_name, Crease_kind creases, Attribute_kind attributes,
+       const mesh_cases::Soup& soup)
+    : scheme(PN::internal::with_border(PN::any_scheme(scheme_name), creases == Crease_kind::border
+                                                                      ? PN::Border::curve
+                                                                      : PN::Border::surface))
   {
-    const mesh_cases::Soup soup =
-      PN::any_scheme(scheme_name).needs_triangles() ? mesh_cases::triangles_with_border()
-      : scheme_name == "kobbelt"                    ? two_quads() // it takes quadrilaterals only
-                                                    : mesh_cases::mixed_with_border();
     mesh_cases::build(soup, mesh);
     normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("n", CGAL::NULL_VECTOR).first;
     corner_normals =
@@ -137,7 +145,7 @@ struct Case
     return result;
   }
 
-  PN::Scheme_with_border<PN::Any_scheme<>> scheme;
+  PN::internal::Scheme_with_border<PN::Any_scheme<>> scheme;
   Mesh mesh;
   Mesh::Property_map<Mesh::Vertex_index, Vector> normals;
   Mesh::Property_map<Mesh::Halfedge_index, Vector> corner_normals;
@@ -257,7 +265,9 @@ struct Plain
   template <class Scheme, class Np>
   void operator()(Case& c, const Scheme& scheme, const Np& np) const
   {
-    PN::subdivide(c.mesh, scheme, np.visitor(std::ref(c.log)), c.table);
+    PN::subdivide(
+      c.mesh, scheme,
+      PN::parameters::join(PN::parameters::attributes(c.table), np.visitor(std::ref(c.log))));
   }
 };
 

@@ -13,14 +13,15 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_RUNS_H
 
 #include "Limit_cases.h"
+#include "Options.h"
 
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 
 namespace interpolation_cases {
 
 namespace PN = CGAL::PN_subdivision_3;
 using limit_cases::Limits;
-using Options = PN::Limit_interpolation_options<>;
+using Options = test_options::Limit_interpolation_options<>;
 using Report = PN::Limit_interpolation_report;
 using Chosen = Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>;
 
@@ -40,7 +41,7 @@ template <class Scheme>
 struct Further_interpolation_runs
 {
   static Report some(Surface_mesh& mesh, const Scheme& scheme,
-                     const PN::Limit_interpolation_options<Chosen>& options);
+                     const test_options::Limit_interpolation_options<Chosen>& options);
   static Report in_parallel(Surface_mesh& mesh, const Scheme& scheme, const Options& options);
   static void natural_normals(Surface_mesh& mesh, const Scheme& scheme);
 };
@@ -54,13 +55,14 @@ struct Wrong_runs
 template <class Scheme>
 struct Limit_runs
 {
-  static Limits at(Surface_mesh& mesh, const Scheme& scheme, const PN::Limit_options& options);
+  static Limits at(Surface_mesh& mesh, const Scheme& scheme,
+                   const test_options::Limit_options& options);
   // subdivides the mesh; limits and curvatures there
   static Limits refined(Surface_mesh& mesh, const Scheme& scheme, unsigned rounds);
 };
 
 template <class Scheme>
-Limits limits(Surface_mesh& mesh, const Scheme& scheme, const PN::Limit_options& options)
+Limits limits(Surface_mesh& mesh, const Scheme& scheme, const test_options::Limit_options& options)
 {
   return Limit_runs<Scheme>::at(mesh, scheme, options);
 }

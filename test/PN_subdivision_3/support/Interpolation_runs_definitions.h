@@ -12,6 +12,7 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_INTERPOLATION_RUNS_DEFINITIONS_H
 
 #include "Interpolation_runs.h"
+#include "Options.h"
 
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 
@@ -23,7 +24,8 @@ template <class Scheme>
 Report Interpolation_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme& scheme,
                                                const Options& options)
 {
-  return PN::interpolate_limit_points(mesh, scheme, options, vertex_normal_map(normal_map(mesh)));
+  return PN::interpolate_limit_points(
+    mesh, scheme, PN::parameters::join(options.pack(), vertex_normal_map(normal_map(mesh))));
 }
 
 template <class Scheme>
@@ -53,11 +55,12 @@ void Wrong_runs<Scheme>::interpolate(Surface_mesh& mesh, const Scheme& scheme, W
 }
 
 template <class Scheme>
-Report
-Further_interpolation_runs<Scheme>::some(Surface_mesh& mesh, const Scheme& scheme,
-                                         const PN::Limit_interpolation_options<Chosen>& options)
+Report Further_interpolation_runs<Scheme>::some(
+  Surface_mesh& mesh, const Scheme& scheme,
+  const test_options::Limit_interpolation_options<Chosen>& options)
 {
-  return PN::interpolate_limit_points(mesh, scheme, options, vertex_normal_map(normal_map(mesh)));
+  return PN::interpolate_limit_points(
+    mesh, scheme, PN::parameters::join(options.pack(), vertex_normal_map(normal_map(mesh))));
 }
 
 template <class Scheme>
@@ -65,7 +68,7 @@ Report Further_interpolation_runs<Scheme>::in_parallel(Surface_mesh& mesh, const
                                                        const Options& options)
 {
   return PN::interpolate_limit_points<CGAL::Parallel_if_available_tag>(
-    mesh, scheme, options, vertex_normal_map(normal_map(mesh)));
+    mesh, scheme, PN::parameters::join(options.pack(), vertex_normal_map(normal_map(mesh))));
 }
 
 template <class Scheme>

@@ -11,6 +11,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_TEST_LIMIT_CASES_H
 #define CGAL_PN_SUBDIVISION_3_TEST_LIMIT_CASES_H
 
+#include "Options.h"
 #include "Scheme_runs.h"
 #include "reference/Limit.h"
 
@@ -27,9 +28,9 @@ struct Limits
   PN::Limit_report report;
 };
 
-inline PN::Limit_options close(double tolerance, double normal_tolerance = HUGE_VAL)
+inline test_options::Limit_options close(double tolerance, double normal_tolerance = HUGE_VAL)
 {
-  PN::Limit_options options;
+  test_options::Limit_options options;
   options.tolerance = tolerance;
   options.normal_tolerance = normal_tolerance;
   options.surface_normals = true;
@@ -39,12 +40,13 @@ inline PN::Limit_options close(double tolerance, double normal_tolerance = HUGE_
 
 // at the vertices, with the control normals of normal_map()
 template <class Tag = CGAL::Sequential_tag, class Scheme>
-Limits limits(Surface_mesh& mesh, const Scheme& scheme, const PN::Limit_options& options)
+Limits limits(Surface_mesh& mesh, const Scheme& scheme, const test_options::Limit_options& options)
 {
   Limits result;
   const auto map = mesh.add_property_map<Surface_mesh::Vertex_index, Limit>("v:limit").first;
-  result.report = PN::limit_points<Tag>(mesh, scheme, map, options,
-                                        CGAL::parameters::vertex_normal_map(normal_map(mesh)));
+  result.report = PN::limit_points<Tag>(
+    mesh, scheme, map,
+    PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normal_map(mesh))));
   for (auto v : mesh.vertices()) result.at.push_back(map[v]);
   return result;
 }

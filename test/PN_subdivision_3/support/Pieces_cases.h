@@ -82,9 +82,13 @@ struct Control
   {
     const auto np = params::number_of_iterations(rounds);
     if constexpr (is_linear_v<Scheme>)
-      f(PN::Surface_pieces<Scheme, Kernel>(mesh, scheme, pieces, np));
+      f(PN::Surface_pieces<Scheme, Kernel>(
+        mesh, scheme, PN::parameters::join(PN::parameters::number_of_pieces(pieces), np)));
     else
-      f(PN::Surface_pieces<Scheme, Kernel>(mesh, scheme, pieces, np.vertex_normal_map(normals)));
+      f(PN::Surface_pieces<Scheme, Kernel>(
+        mesh, scheme,
+        PN::parameters::join(PN::parameters::number_of_pieces(pieces),
+                             np.vertex_normal_map(normals))));
   }
 
   Mesh mesh;

@@ -12,8 +12,9 @@
 #define CGAL_PN_SUBDIVISION_3_TEST_PRESCRIPTION_CASES_H
 
 #include "Interpolation_cases.h"
+#include "Options.h"
 
-#include <CGAL/PN_subdivision_3/interpolation/Limit_prescription_options.h>
+#include <CGAL/PN_subdivision_3/interpolation/Prescribed_curvature.h>
 
 #include <optional>
 
@@ -38,7 +39,7 @@ struct Prescription
   Map<Kernel::Point_3> points;
   Map<Kernel::Vector_3> normals;
   Map<Curvature> curvatures;
-  PN::Limit_prescription_options options;
+  test_options::Limit_prescription_options options;
 
   explicit Prescription(const Control_mesh& control)
     : mesh(to_surface_mesh(control))

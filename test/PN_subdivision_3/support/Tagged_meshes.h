@@ -107,11 +107,12 @@ struct Tagged
   {
     PN::subdivide<Concurrency_tag>(
       mesh, scheme,
-      PN::parameters::vertex_roundness_map(roundness, np::number_of_iterations(rounds)
-                                                        .vertex_point_map(points)
-                                                        .edge_is_constrained_map(sharp)
-                                                        .vertex_is_constrained_map(corners)
-                                                        .vertex_normal_map(normals)));
+      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness),
+                           np::number_of_iterations(rounds)
+                             .vertex_point_map(points)
+                             .edge_is_constrained_map(sharp)
+                             .vertex_is_constrained_map(corners)
+                             .vertex_normal_map(normals)));
   }
 
   Mesh mesh;

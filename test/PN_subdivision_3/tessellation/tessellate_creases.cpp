@@ -29,11 +29,11 @@ void expect_part(const std::string& name, Part part, double eps)
   const auto data = part.control();
   tagged_meshes::Tagged<Mesh> control(data);
   Mesh out;
-  const auto result =
-    PN::tessellate(control.mesh, PN::with_border(PN::CatmullClark_scheme(), data.border), eps, out,
-                   params::vertex_normal_map(control.normals)
-                     .edge_is_constrained_map(control.sharp)
-                     .vertex_is_constrained_map(control.corners));
+  const auto result = PN::tessellate(
+    control.mesh, PN::internal::with_border(PN::CatmullClark_scheme(), data.border), eps, out,
+    params::vertex_normal_map(control.normals)
+      .edge_is_constrained_map(control.sharp)
+      .vertex_is_constrained_map(control.corners));
   EXPECT_TRUE(result.reached);
   EXPECT_LE(result.bound, eps);
   expect_conforming(out, control.mesh);
@@ -86,7 +86,8 @@ void expect_growth_of_rim(Part part)
   std::vector<std::size_t> numbers;
   for (const double eps : {0.01, 0.0025, 0.000625}) {
     Mesh out;
-    PN::tessellate(control.mesh, PN::with_border(PN::CatmullClark_scheme(), data.border), eps, out,
+    PN::tessellate(control.mesh, PN::internal::with_border(PN::CatmullClark_scheme(), data.border),
+                   eps, out,
                    params::vertex_normal_map(control.normals)
                      .edge_is_constrained_map(control.sharp)
                      .vertex_is_constrained_map(control.corners));

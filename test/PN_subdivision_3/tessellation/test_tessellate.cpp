@@ -124,7 +124,7 @@ TEST(Tessellate, ASphereHasNoMoreTrianglesThanUniformOnes)
   for (unsigned rounds = 2; rounds <= 4; ++rounds) {
     Surface_mesh mesh = control;
     PN::subdivide_to_limit(
-      mesh, PN::CatmullClark_scheme(), PN::Limit_options(),
+      mesh, PN::CatmullClark_scheme(),
       params::number_of_iterations(rounds).vertex_normal_map(normal_map(mesh)));
     double error = 0;
     for (auto f : mesh.faces()) {
@@ -185,8 +185,8 @@ TEST(Tessellate, ACornerOnAStraightSideGetsADiagonal)
   Control_mesh quad{"quadrilateral", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
   quad.normals.assign(4, {0, 0, 1});
   Surface_mesh out, control = to_surface_mesh(quad);
-  PN::tessellate(control, PN::with_border(PN::CatmullClark_scheme(), PN::Border::fixed), 0.1, out,
-                 params::vertex_normal_map(normal_map(control)));
+  PN::tessellate(control, PN::internal::with_border(PN::CatmullClark_scheme(), PN::Border::fixed),
+                 0.1, out, params::vertex_normal_map(normal_map(control)));
   EXPECT_EQ(out.number_of_faces(), 2U);
   expect_conforming(out, control);
 }
@@ -351,7 +351,8 @@ TEST(Tessellate, AttributesOfVerticesAreTheirLinearLimits)
     }
     Surface_mesh out;
     PN::tessellate(control, PN::CatmullClark_scheme(), 0.02, out,
-                   params::vertex_normal_map(normal_map(control)), params::default_values(), table);
+                   PN::parameters::join(PN::parameters::attributes(table),
+                                        params::vertex_normal_map(normal_map(control))));
     ASSERT_EQ(table.vertices[0].values.size(), 2 * out.number_of_vertices());
     for (auto v : control.vertices()) {
       double sum = 9 * value(v);
@@ -394,8 +395,10 @@ void expect_parameters(Cells cells)
     }
     Surface_mesh out;
     const auto refine = [&](const auto& scheme) {
-      PN::tessellate(control, PN::linear(PN::with_border(scheme, PN::Border::corners)), 0.01, out,
-                     params::edge_is_constrained_map(sharp), params::default_values(), table);
+      PN::tessellate(control, PN::linear(scheme), 0.01, out,
+                     PN::parameters::border(PN::Border::corners)
+                       .attributes(table)
+                       .edge_is_constrained_map(sharp));
     };
     if (cells == Cells::triangles)
       refine(PN::Loop_scheme());
@@ -439,8 +442,8 @@ TEST(Tessellate, RefusedAttributesStayAsTheyAre)
     Surface_mesh out;
     const std::size_t sizes[] = {table.vertices.size(), table.corners.size(), table.edges.size()};
     try {
-      PN::tessellate(control, PN::CatmullClark_scheme(), 0.1, out, params::default_values(),
-                     params::default_values(), table);
+      PN::tessellate(control, PN::CatmullClark_scheme(), 0.1, out,
+                     PN::parameters::attributes(table));
       FAIL() << part;
     } catch (const std::invalid_argument& e) {
       EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();

@@ -103,6 +103,33 @@ private:
   double m_shape;
 };
 
+// Yang, Matrix weighted rational curves and surfaces, CAGD 42, 2016, of degree 1, with the weights I + n n^T: to second order
+// the arcs of point-normal averages
+class Matrix_weighted_patch
+{
+public:
+  explicit Matrix_weighted_patch(const Triangle& t)
+    : m_t(t)
+  {}
+  Vector operator()(const Barycentric& b) const
+  {
+    Vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), right(0, 0, 0); // the rows of the sum of weights
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector& n = m_t[i].normal;
+      x = x + b[i] * n.x() * n;
+      y = y + b[i] * n.y() * n;
+      z = z + b[i] * n.z() * n;
+      right = right + b[i] * (m_t[i].point + (n * m_t[i].point) * n);
+    }
+    const Vector yz = CGAL::cross_product(y, z), zx = CGAL::cross_product(z, x),
+                 xy = CGAL::cross_product(x, y);
+    return (right.x() * yz + right.y() * zx + right.z() * xy) / (x * yz);
+  }
+
+private:
+  Triangle m_t;
+};
+
 // Nagata, Simple local interpolation of surfaces using normal vectors, CAGD 22(4), 2005
 class Nagata_patch
 {

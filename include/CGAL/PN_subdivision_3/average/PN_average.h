@@ -184,7 +184,8 @@ If N vanishes, see `Unit_normal_traits::vanishing_tolerance()`, the result is q 
  - w = &sum; a<sub>j</sub> w<sub>j</sub>, p = q + w (&sum; a<sub>j</sub> h<sub>j</sub>) n:
 
 the fraction w of the way from the linear point to that of the rule without. Since the weights sum to 1 exactly,
-this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0.
+this is the rule itself, bit for bit, where all w<sub>j</sub> are 1, and the linear one where all are 0. Values that
+have none of their own take the one `roundness` of the average.
 
 <em>Fade of opposite normals.</em> Where n<sub>j</sub> is opposite to n, no arc from p<sub>j</sub> is
 defined, and where it is nearly opposite, as one reversed normal among others is, the arc is many times
@@ -215,6 +216,9 @@ struct PN_average
   /// what is averaged: a point with a normal, and perhaps a roundness.
   using Value = Value_;
 
+  /// that of all values that have none of their own.
+  FT roundness = FT(1);
+
   /// one mask for points and normals.
   template <class Entry, class Values>
   Value operator()(const Entry* begin, const Entry* end, const Values& old) const
@@ -233,10 +237,15 @@ struct PN_average
     for (const Entry* e = begin; e != end; ++e)
       internal::add_multiple<FT, dimension>(result.point, e->weight, old[e->vertex].point);
     result.normal = unit_normal(normal_begin, normal_end, old);
-    if constexpr (internal::has_roundness_v<Value>) result.roundness = roundness(begin, end, old);
+    if constexpr (internal::has_roundness_v<Value>)
+      result.roundness = averaged_roundness(begin, end, old);
     if (!is_zero(result.normal)) {
       FT h = height(begin, end, old, result);
-      if constexpr (internal::has_roundness_v<Value>) h *= result.roundness;
+      if constexpr (internal::has_roundness_v<Value>)
+        h *= result.roundness;
+      else if (!CGAL::certainly(roundness ==
+                                FT(1))) // a product would make some number types longer
+        h *= roundness;
       internal::add_multiple<FT, dimension>(result.point, h, result.normal);
     }
     return result;
@@ -294,7 +303,7 @@ private:
   }
 
   template <class Entry, class Values>
-  static FT roundness(const Entry* begin, const Entry* end, const Values& old)
+  static FT averaged_roundness(const Entry* begin, const Entry* end, const Values& old)
   {
     FT sum(0);
     [[maybe_unused]] bool are_equal =

@@ -94,6 +94,57 @@ auto estimate_control_normals(const Range& polygon, Curve_end end,
 
 /*!
 \ingroup PkgPNSubdivision3Curves
+
+takes the control normals of a polygon in space from a curve on the unit sphere: from the image of the polygon under the
+projection from a center, (p - c)/|p - c| for a point p (Yang, Section 4.1 with Corollary 4.4: normals need not be those of
+the curve, and the curve is as smooth as the less smooth one of the scheme and the spherical curve).
+
+A curve from points on a sphere about the center stays on the sphere, for every mask whose normals have the same weights as
+its points. A point at the center gets the zero vector, "no control normal".
+
+\tparam Range a model of `ConstRange` whose items are points, `Point_3`, pairs with a point first, or anything that the
+  named parameter `point_map` makes a point of
+\tparam Point the points of the polygon
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param polygon the control polygon
+\param center the center c
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `point_map`
+
+\returns the points of the polygon with their normals, as `subdivide_curve()` takes them
+
+\throws std::invalid_argument if a point (the message gives its position) or the center is not finite
+
+<br><b>Cost:</b> linear in the size of the polygon
+*/
+template <class Range, class Point, class NamedParameters = parameters::Default_named_parameters>
+auto spherical_control_normals(const Range& polygon, const Point& center,
+                               const NamedParameters& np = parameters::default_values())
+{
+  using Points = internal::Curve_points<Range, NamedParameters>;
+  static_assert(Points::dimension == 3,
+                "PN_subdivision_3: spherical control normals are for curves in space");
+  static_assert(std::is_same_v<Point, typename Points::Point>,
+                "PN_subdivision_3: the center is no point as those of the polygon are");
+  if constexpr (internal::check_kernel<typename Points::Kernel>()) {
+    using FT = typename Points::FT;
+    const Coordinates<FT, 3> c = internal::coordinates_3<FT>(center);
+    internal::check_finite<FT, 3>(c, "position", [] { return std::string("the center"); });
+    std::vector<std::pair<typename Points::Point, typename Points::Vector>> result;
+    for (const Coordinates<FT, 3>& p : Points::template get_all<FT>(polygon, np)) {
+      Coordinates<FT, 3> n = internal::difference<FT, 3>(p, c);
+      const auto name = [&] { return "point " + std::to_string(result.size()); };
+      internal::check_finite<FT, 3>(n, "distance from the center", name);
+      internal::normalize_control_normal<FT, 3>(n, name);
+      result.emplace_back(Points::template make<typename Points::Point>(p),
+                          Points::template make<typename Points::Vector>(n));
+    }
+    return result;
+  }
+}
+
+/*!
+\ingroup PkgPNSubdivision3Curves
 returns the positions `first`, `first + k`, `first + 2k`, ... of a polygon's vertices.
 \throws std::invalid_argument if `k` is 0
 */

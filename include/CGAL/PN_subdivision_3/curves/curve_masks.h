@@ -9,6 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_CURVES_CURVE_MASKS_H
 #define CGAL_PN_SUBDIVISION_3_CURVES_CURVE_MASKS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -266,12 +267,50 @@ Level_dependent_mask<Function> level_dependent_mask(const Function& function)
   return {function};
 }
 
+namespace internal {
+
+template <class Mask>
+struct Listed_masks
+{
+  const Mask& operator()(unsigned k) const
+  {
+    return masks[(std::min)(std::size_t(k), masks.size()) - 1];
+  }
+  std::vector<Mask> masks;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgPNSubdivision3Curves
+returns the mask that is `masks[k - 1]` in the k-th round, and the last one of them in all further rounds. Since the rounds are
+the same from there on, `curve_limit_points()` knows its limits.
+\tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one
+\throws std::invalid_argument if there is no mask
+*/
+template <class Mask>
+Level_dependent_mask<internal::Listed_masks<Mask>>
+level_dependent_mask(const std::vector<Mask>& masks)
+{
+  if (masks.empty())
+    throw std::invalid_argument(
+      "PN_subdivision_3: a mask that differs from round to round is made of one mask at least");
+  return {{masks}};
+}
+
 /// \ingroup PkgPNSubdivision3Curves
 /// returns the linear twin of a mask that differs from round to round.
 template <class Function>
 auto linear(const Level_dependent_mask<Function>& mask)
 {
   return level_dependent_mask([mask](unsigned k) { return linear(mask.in_round(k)); });
+}
+template <class Mask>
+auto linear(const Level_dependent_mask<internal::Listed_masks<Mask>>& mask)
+{
+  std::vector<Linear_mask<Mask>> masks;
+  for (const Mask& m : mask.function.masks) masks.push_back(linear(m));
+  return level_dependent_mask(masks);
 }
 
 namespace internal {
@@ -296,6 +335,13 @@ struct Is_level_dependent : std::false_type
 {};
 template <class Function>
 struct Is_level_dependent<Level_dependent_mask<Function>> : std::true_type
+{};
+
+template <class Mask>
+struct Is_listed : std::false_type
+{};
+template <class Mask>
+struct Is_listed<Level_dependent_mask<Listed_masks<Mask>>> : std::true_type
 {};
 
 } // namespace internal

@@ -52,31 +52,6 @@ struct Limit_point
 };
 
 /// \ingroup PkgPNSubdivision3Limit
-/// What `limit_points()` shall compute, and how well.
-struct Limit_options
-{
-  /// the largest estimated error of a limit point, as a part of the largest side of the bounding box of
-  /// the points.
-  double tolerance = 1e-9;
-  /// whether the limit points of surfaces are asked for. If only their normals are, most of the time is spared: where
-  /// there is a surface normal, `point` and `control_normal` may be the first averages of the limit mask, `error` is
-  /// infinite, and neither counts in the report; the normal is on the side of the faces of the control mesh.
-  /// `move_to_limit()` and `subdivide_to_limit()` then leave the points where they are.
-  bool points = true;
-  /// the largest estimated error of a surface normal, in radians.
-  double normal_tolerance = 1e-3;
-  /// the most rounds of refinement about a vertex.
-  unsigned max_depth = 12;
-  /// whether surface normals are computed.
-  bool surface_normals = false;
-  /// whether curvatures are computed, where they exist.
-  bool curvatures = false;
-  /// how many rounds the call has done that made the mesh: the borders of \f$ \sqrt{3} \f$ depend on
-  /// whether that is even, and modified schemes on whether it is before their first round; others do not.
-  unsigned rounds_done = 0;
-};
-
-/// \ingroup PkgPNSubdivision3Limit
 /// What `limit_points()` and `curve_limit_points()` have reached.
 struct Limit_report
 {

@@ -61,6 +61,7 @@ public:
   explicit Any_scheme(const Scheme& scheme)
     : on_a_host_(On<typename Scheme::Host>(scheme))
   {
+    static_assert(internal::check_no_grid_rows<Scheme>());
     static_assert(
       !internal::Is_adaptor<Scheme>::value,
       "PN_subdivision_3: make an Any_scheme of the scheme that is adapted, and adapt it");
@@ -72,7 +73,7 @@ public:
   bool has_crease_rules() const { return facts().has_crease_rules; }
   /// whether a round transfers curvature to the normals. Such a scheme goes with no normal scheme.
   bool transfers_curvature() const { return facts().transfers_curvature; }
-  /// whether vertices stay, so that `limit_points()` takes it, and not `face_limit_points()`.
+  /// whether vertices stay, so that `limit_points()` are those of the vertices.
   bool keeps_vertices() const
   {
     return visit([](const auto& s) { return std::decay_t<decltype(s)>::Host::keeps_vertices; });

@@ -38,6 +38,8 @@ struct Scheme_adaptor
   static constexpr bool is_linear = internal::Is_linear<Scheme>::value;
   /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = internal::Has_normal_mask<Scheme>::value;
+  /// whether rows are averaged by `Grid_average`.
+  static constexpr bool has_grid_rows = internal::Has_grid_rows<Scheme>::value;
   /// whether a round transfers curvature to the normals.
   static constexpr bool transfers_curvature = internal::Has_curvature_transfer<Scheme>::value;
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
@@ -99,6 +101,8 @@ A scheme that refines the normals by the mask of another one, made by `with_norm
 template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals : Scheme_adaptor<Scheme>
 {
+  static_assert(internal::check_no_grid_rows<Scheme>() &&
+                internal::check_no_grid_rows<Normal_scheme>());
   static_assert(std::is_same_v<typename Scheme::Host, typename Normal_scheme::Host>,
                 "PN_subdivision_3: the schemes of points and normals need the same host");
   static_assert(internal::is_chosen_at_run_time<Scheme>() ||
@@ -117,6 +121,8 @@ struct Scheme_with_normals : Scheme_adaptor<Scheme>
   /// whether the rules for borders of both schemes serve along creases.
   static constexpr bool has_crease_rules =
     internal::Has_crease_rules<Scheme>::value && internal::Has_crease_rules<Normal_scheme>::value;
+  /// whether rows are averaged by `Grid_average`.
+  static constexpr bool has_grid_rows = false;
   /// whether the normals have a mask of their own.
   static constexpr bool has_normal_mask = true;
   /// whether a round transfers curvature to the normals.

@@ -17,6 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 
@@ -167,9 +168,6 @@ struct Attributes
 {
   std::tuple<Items...> items;
 };
-
-struct No_attributes
-{};
 
 template <class T>
 struct Is_attributes : std::false_type

@@ -42,6 +42,11 @@ public:
   // what old values are stored as
   using Stored_value = Value;
 
+  Average_block() = default;
+  explicit Average_block(const Average& average)
+    : average_(average)
+  {}
+
   void operator()(const Stencil_block<FT>& rows, const Value* old, Value* result) const
   {
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r)
@@ -58,7 +63,7 @@ public:
   }
 
 private:
-  Average average_;
+  Average average_{};
 };
 
 // A point and a normal as p_x n_x p_y n_y ...: both are summed, and their differences to q and -n
@@ -126,6 +131,11 @@ public:
   using Average = Average_;
   using Value = typename Average::Value;
   using Stored_value = Interleaved<FT, dimension, Value>;
+
+  Staged_PN_average_block() = default;
+  explicit Staged_PN_average_block(const Average& average)
+    : average_(average)
+  {}
 
   void operator()(const Stencil_block<FT>& rows, const Stored_value* old, Value* result) const
   {
@@ -197,7 +207,7 @@ private:
     for (std::size_t r = 0; r < rows.number_of_rows(); ++r) result[r] = old[rows.begin(r)->vertex];
   }
 
-  static void wide(const Stencil_block<FT>& rows, const Stored_value* old, Value* result)
+  void wide(const Stencil_block<FT>& rows, const Stored_value* old, Value* result) const
   {
     const Row<0> any(rows);
     for (std::size_t first = 0, end; first < rows.number_of_rows(); first = end) {
@@ -208,8 +218,8 @@ private:
         staged(any, any, first, end, old, result);
         continue;
       }
-      std::uint32_t fails =
-        Wide::average(rows.begin(first), length, end - first, old, result + first);
+      std::uint32_t fails = Wide::average(rows.begin(first), length, end - first, old,
+                                          average_.roundness, result + first);
       for (std::size_t r = first; r < end && fails != 0; ++r, fails >>= 1)
         if ((fails & 1) != 0) result[r] = careful_row(any, any, r, old);
     }
@@ -226,15 +236,15 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  static void staged(const Rows& rows, const Normal_rows& normal_rows, const Stored_value* old,
-                     Value* result)
+  void staged(const Rows& rows, const Normal_rows& normal_rows, const Stored_value* old,
+              Value* result) const
   {
     staged(rows, normal_rows, 0, rows.rows.number_of_rows(), old, result);
   }
 
   template <class Rows, class Normal_rows>
-  static void staged(const Rows& rows, const Normal_rows& normal_rows, std::size_t begin,
-                     std::size_t end, const Stored_value* old, Value* result)
+  void staged(const Rows& rows, const Normal_rows& normal_rows, std::size_t begin, std::size_t end,
+              const Stored_value* old, Value* result) const
   {
     FT scale[capacity];
     for (std::size_t r = begin; r < end; ++r) {
@@ -248,7 +258,10 @@ private:
       for (int c = 0; c < dimension; ++c) result[r].normal[c] *= scale[r];
       FT least_denominator(2);
       FT h = height(rows, r, old, result[r], least_denominator);
-      if constexpr (has_roundness_v<Value>) h *= result[r].roundness;
+      if constexpr (has_roundness_v<Value>)
+        h *= result[r].roundness;
+      else
+        h *= average_.roundness;
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
       if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
           rows.length(r) == 1 || normal_rows.length(r) == 1)
@@ -325,12 +338,12 @@ private:
   }
 
   template <class Rows, class Normal_rows>
-  BOOST_NOINLINE static Value careful_row(const Rows& rows, const Normal_rows& normal_rows,
-                                          std::size_t r, const Stored_value* old)
+  BOOST_NOINLINE Value careful_row(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
+                                   const Stored_value* old) const
   {
     const Old_values values{old};
-    if (&rows.rows == &normal_rows.rows) return Average()(rows.begin(r), rows.end(r), values);
-    return Average()(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), values);
+    if (&rows.rows == &normal_rows.rows) return average_(rows.begin(r), rows.end(r), values);
+    return average_(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), values);
   }
 
   // the stored values as PN_average wants them
@@ -339,6 +352,8 @@ private:
     Value operator[](std::size_t v) const { return stored[v]; }
     const Stored_value* stored;
   };
+
+  Average average_{};
 };
 
 template <class Average>

@@ -67,11 +67,11 @@ public:
 
   // Averages rows that lie one after another. Bit r of what is returned is set where result[r] does
   // not hold: entries of the row fade, or its normal may vanish. The pairs of a stored value are the
-  // coordinates of its point and normal.
+  // coordinates of its point and normal. `roundness` is that of values which have none of their own.
   template <class Stored_value>
   [[gnu::target("avx2")]] static std::uint32_t average(const Entry* rows, std::size_t length,
                                                        std::size_t number, const Stored_value* old,
-                                                       Value* result)
+                                                       FT roundness, Value* result)
   {
     constexpr std::size_t pair = 2 * sizeof(FT);
     static_assert(sizeof(Entry) == pair &&
@@ -83,6 +83,7 @@ public:
       const Entry* row[width];
       for (std::size_t i = 0; i < width; ++i) row[i] = rows + row_of_lane(g, i, number) * length;
       sum(row, length, old, entries + g * length, sums[g]);
+      if constexpr (!has_roundness) sums[g].roundness = Lanes::all(roundness);
     }
     for (std::size_t g = 0; g < groups; ++g)
       sums[g].scale = Lanes::all(1) / Lanes::sqrt(sums[g].squared_length);
@@ -103,7 +104,7 @@ private:
   {
     Packed weight, point[dimension], normal[dimension];
   };
-  // their q, N, |N|^2 and 1/|N|, and their roundness if that varies
+  // their q, N, |N|^2 and 1/|N|, and their roundness
   struct Sums
   {
     Packed q[dimension], normal[dimension], squared_length, scale, roundness;
@@ -121,7 +122,8 @@ private:
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void sum(const Entry* const (&row)[width], std::size_t length,
                                              const Stored_value* old, Old* entries, Sums& sums)
   {
-    Packed q[dimension], n[dimension], roundness = Lanes::all(0);
+    Packed q[dimension], n[dimension];
+    [[maybe_unused]] Packed roundness = Lanes::all(0);
     for (int c = 0; c < dimension; ++c) q[c] = n[c] = Lanes::all(0);
     for (std::size_t j = 0; j < length; ++j) {
       gather(row, j, old, entries[j]);
@@ -143,7 +145,7 @@ private:
       sums.q[c] = q[c];
       sums.normal[c] = n[c];
     }
-    sums.roundness = roundness;
+    if constexpr (has_roundness) sums.roundness = roundness;
   }
 
   template <class Stored_value>
@@ -181,10 +183,9 @@ private:
     }
     if (j < length) last = weighted_height(entries[j], q, n, least);
     Packed height = even + odd + last;
-    if constexpr (has_roundness) {
-      height *= sums.roundness;
+    height *= sums.roundness;
+    if constexpr (has_roundness)
       for (std::size_t i = 0; i < width; ++i) values[i]->roundness = sums.roundness[i];
-    }
     for (int c = 0; c < dimension; ++c) {
       q[c] += height * n[c];
       for (std::size_t i = 0; i < width; ++i) {

@@ -157,28 +157,24 @@ private:
     if constexpr (has_roundness) {
       const typename Average::Value value = data_.old[slot];
       return value.roundness;
-    } else
+    } else if constexpr (is_pn)
+      return data_.round.average().roundness;
+    else
       return FT(1);
   }
-  // Equal ones are not summed: here the weights come in another order than that in which they sum to 1.
   template <std::size_t n>
   FT averaged_roundness(const std::array<Entry, n>& entries,
                         const std::array<Index, n>& slots) const
   {
-    FT sum(0);
-    bool are_equal = true;
-    for (std::size_t j = 0; j < n; ++j) {
-      sum += entries[j].weight * roundness(slots[j]);
-      are_equal = are_equal && CGAL::certainly(roundness(slots[j]) == roundness(slots[0]));
-    }
-    return are_equal ? roundness(slots[0]) : sum;
+    return internal::averaged_roundness(entries,
+                                        [&](std::size_t j) { return roundness(slots[j]); });
   }
   // that of the point, which belongs to all wedges
-  static FT mean(const std::vector<FT>& roundness)
+  FT mean(const std::vector<FT>& of_wedges) const
   {
-    if (roundness.empty()) return FT(1);
+    if (of_wedges.empty()) return is_pn && !has_roundness ? roundness(0) : FT(1);
     // two at most
-    return (roundness.front() + roundness.back()) / FT(2);
+    return (of_wedges.front() + of_wedges.back()) / FT(2);
   }
   template <std::size_t n>
   static Vector normal(const Rule& average, const std::array<Vector, n>& normals)
@@ -279,7 +275,7 @@ private:
   Value smooth(const Row_of& row_of) const
   {
     const auto row = row_of(*data_.smooth_rows);
-    const Average average{};
+    const Average& average = data_.round.average();
     if constexpr (!is_pn)
       return {average(row.first, row.second, data_.old), {}, {}, {}};
     else {

@@ -59,9 +59,10 @@ public:
   {
     const Point_of point{values.data()};
     const Scaled_differences<FT, Point_of> difference(cut, point);
-    const Area_normals area(cut, sectors, difference);
+    std::vector<Area_sum> sums(area_.size());
+    add_areas(cut, sectors, difference, [&](Index slot) -> Area_sum& { return sums[slot]; });
     for (Index slot = 0; slot < area_.size(); ++slot) {
-      const auto n = area(slot);
+      const auto n = sums[slot].unit();
       area_[slot] = {FT(n[0]), FT(n[1]), FT(n[2])};
     }
   }

@@ -58,7 +58,8 @@ template <class FT, int dimension_, class Mask>
 class Curve_limits
 {
   static_assert(!Is_level_dependent<Mask>::value,
-                "PN_subdivision_3: a mask that differs from round to round has no limit mask");
+                "PN_subdivision_3: limits are known of masks that are the same from some round on: "
+                "make the mask of a vector of masks, level_dependent_mask(masks)");
 
 public:
   static constexpr int dimension = dimension_;
@@ -68,8 +69,11 @@ public:
   using Result = Curve_limit_result<Average, dimension>;
   using Index = std::int64_t;
 
-  Curve_limits(const Mask& mask, Curve_end end, const Curve_limit_demand& demand)
-    : windows_(mask)
+  Curve_limits(const Mask& mask, Curve_end end, const Curve_limit_demand& demand,
+               const FT& roundness = FT(1))
+    : average_(average_of_roundness<Average>(roundness))
+    , roundness_(close_double(roundness))
+    , windows_(mask)
     , end_(end)
     , demand_(demand)
   {
@@ -169,10 +173,10 @@ private:
   {
     const auto* const first = row.data();
     if constexpr (has_normal_mask)
-      return Average()(first, first + row.size(), normal_row.data(),
-                       normal_row.data() + normal_row.size(), window_.data());
+      return average_(first, first + row.size(), normal_row.data(),
+                      normal_row.data() + normal_row.size(), window_.data());
     else
-      return Average()(first, first + row.size(), window_.data());
+      return average_(first, first + row.size(), window_.data());
   }
 
   Window_size refine(const Window_size& size)
@@ -254,7 +258,7 @@ private:
     rounding_ = largest * close_double(machine_epsilon<FT>());
     Point_normal<double, dimension> limit = to_double_value(result.value);
     limit.point = {};
-    return Window_geometry<dimension>(double_window_, limit);
+    return Window_geometry<dimension>(double_window_, limit, roundness_);
   }
 
   // those of the rounds so far
@@ -304,6 +308,8 @@ private:
     result.has_curvature = true;
   }
 
+  Average average_;
+  double roundness_;
   Curve_windows<FT> windows_;
   std::optional<Curve_windows<FT>> own_normal_windows_; // if they differ
   Curve_end end_;

@@ -57,14 +57,12 @@ struct Normal_rows<FT, Mask_with_normals<Mask, Normal_mask>>
   Univariate_rows<FT> rows;
 };
 
-// has_roundness: whether the points have a roundness, one for all
-template <class FT, int dimension, class Mask, bool has_roundness = false>
+template <class FT, int dimension, class Mask>
 class Curve_subdivision
 {
   using Round_mask = Mask_in_round<Mask>;
   static constexpr bool is_pn = !Is_linear_mask<Round_mask>::value;
-  using Average = std::conditional_t<is_pn && has_roundness, Average_with_roundness<FT, dimension>,
-                                     Average_of<is_pn, FT, dimension>>;
+  using Average = Average_of<is_pn, FT, dimension>;
   using Value = typename Average::Value;
   using Block = typename Block_of<Average>::type;
   using Stored_value = typename Block::Stored_value;
@@ -73,8 +71,9 @@ class Curve_subdivision
   using Vector_coordinates = Coordinates<FT, dimension>;
 
 public:
+  // the roundness is that of all points
   Curve_subdivision(const Mask& mask, Curve_end end, const FT& roundness = FT(1))
-    : roundness_(roundness)
+    : block_(average_of_roundness<Average>(roundness))
     , mask_(mask)
     , rows_(mask_in_round(mask, 1))
     , normal_rows_(mask_in_round(mask, 1))
@@ -93,10 +92,7 @@ public:
     if (is_near_overflow<FT, dimension>(value.point)) is_near_overflow_ = true;
     if constexpr (is_pn) {
       normalize_control_normal<FT, dimension>(value.normal, name);
-      if constexpr (has_roundness)
-        values_.push_back(Value{value.point, value.normal, roundness_});
-      else
-        values_.push_back(value);
+      values_.push_back(value);
     } else
       values_.push_back(value.point);
   }
@@ -271,12 +267,11 @@ private:
   void average(const Stencil_block<FT>& rows, [[maybe_unused]] const Stencil_block<FT>& normal_rows,
                Value* result, Index start) const
   try {
-    const Block block{};
     if (rows.number_of_rows() == 0) return;
     if constexpr (Normal_rows<FT, Round_mask>::differ)
-      block(rows, normal_rows, values_.data(), result);
+      block_(rows, normal_rows, values_.data(), result);
     else
-      block(rows, values_.data(), result);
+      block_(rows, values_.data(), result);
   } catch (const Uncertain_conversion_exception&) {
     throw std::domain_error(
       "PN_subdivision_3: the precision of the number type does not decide whether "
@@ -284,7 +279,7 @@ private:
       std::to_string(start) + " vanishes or is opposite to a neighbor's: use a higher precision");
   }
 
-  FT roundness_;
+  Block block_;
   const Mask& mask_;
   Univariate_rows<FT> rows_;
   Normal_rows<FT, Round_mask> normal_rows_;

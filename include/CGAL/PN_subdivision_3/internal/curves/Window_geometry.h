@@ -21,8 +21,9 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // First and second order of a curve at the limit of a window, in double. In the frame of the limit control
-// normal N points have a part u perpendicular to N and a point-normal height w over it; slopes of normals are
-// g. All three are refined linearly but for terms of third order, and the height is w + g.u / 2.
+// normal N points have a part u perpendicular to N and a height z over it; slopes of normals are g. With the roundness r and
+// the point-normal height h, which is z - g.u / 2, the three u, w = z + r (h - z) and g are refined linearly but for terms of
+// third order.
 template <int dimension>
 class Window_geometry
 {
@@ -31,8 +32,9 @@ public:
   using Value = Point_normal<double, dimension>;
 
   // N is zero without control normals
-  Window_geometry(const std::vector<Value>& window, const Value& limit)
-    : normal_(limit.normal)
+  Window_geometry(const std::vector<Value>& window, const Value& limit, double roundness = 1)
+    : roundness_(roundness)
+    , normal_(limit.normal)
     , has_normal_(dot<double, dimension>(normal_, normal_) > 0.5)
   {
     for (const Value& v : window) {
@@ -42,7 +44,9 @@ public:
       if (has_normal_) {
         const PN_height<double> h = pn_height<double, dimension>(v, limit.point, normal_);
         w = h.numerator / (std::max)(h.denominator, 1. / 1024);
-        add_multiple<double, dimension>(u, -dot<double, dimension>(u, normal_), normal_);
+        const auto z = dot<double, dimension>(u, normal_);
+        if (roundness_ != 1) w = z + roundness_ * (w - z);
+        add_multiple<double, dimension>(u, -z, normal_);
       }
       u_.push_back(u);
       w_.push_back(w);
@@ -78,7 +82,7 @@ public:
     }
     if (has_normal_) {
       const Vector slope = masked(normal_first, g_), u = masked(first, u_);
-      height += dot<double, dimension>(slope, u);
+      height += roundness_ * dot<double, dimension>(slope, u);
     }
     add_multiple<double, dimension>(dd, height, normal_);
     const auto square = dot<double, dimension>(d, d);
@@ -102,6 +106,7 @@ private:
     return sum;
   }
 
+  double roundness_;
   Vector normal_;
   bool has_normal_;
   std::vector<Vector> u_, g_;

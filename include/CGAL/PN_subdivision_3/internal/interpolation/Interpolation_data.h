@@ -11,12 +11,12 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_options.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Limit_matrix.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation_options.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <Eigen/Core>
 #include <boost/property_map/property_map.hpp>
@@ -248,6 +248,24 @@ inline void estimate_missing_normals(const Level_connectivity& level,
                            Set_normal_of_value<Value>{values.data()});
   for (std::size_t v = 0; v < values.size(); ++v)
     if (is_missing(data.normals[v])) data.normals[v] = to_eigen<3>(values[v].normal);
+}
+
+// Those of points in the place of the data's own, all normals and the roundness if that is asked for.
+inline void estimate_all_normals(const Level_connectivity& level, Control_normal_estimate estimate,
+                                 const Vectors<3>& points, bool with_roundness,
+                                 Interpolation_data<3>& data)
+{
+  using Value = Point_normal_roundness<double, 3>;
+  std::vector<Value> values;
+  for (const Eigen_vector<3>& p : points) values.push_back({to_coordinates<3>(p), {}, 1.});
+  estimate_normals<double>(level, estimate, Point_of_value<Value>{values.data()},
+                           Set_normal_of_value<Value>{values.data()},
+                           Set_roundness_of_value<Value>{values.data()});
+  if (with_roundness) data.roundness.resize(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    data.normals[v] = to_eigen<3>(values[v].normal);
+    if (with_roundness) data.roundness[v] = values[v].roundness;
+  }
 }
 
 // where the border is, and how long the edges are

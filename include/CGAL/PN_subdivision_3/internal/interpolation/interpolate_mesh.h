@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
@@ -38,7 +39,7 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // Writes what has changed into a map of a mesh, and puts the old values back unless it is kept.
-template <class Access, class Map>
+template <class Access, class Map, class Element = Vertex_of_mesh>
 class Changed_values
 {
   using Index = Level_connectivity::Index;
@@ -56,7 +57,7 @@ public:
   {
     if (is_kept_) return;
     for (const auto& [v, value] : old_) try {
-        put(map_, access_.vertex(v), value);
+        put(map_, Element::at(access_, v), value);
       } catch (...) {
       }
   }
@@ -64,8 +65,8 @@ public:
   template <class FT>
   void change(Index v, const Eigen_vector<3>& x)
   {
-    old_.emplace_back(v, get(map_, access_.vertex(v)));
-    put(map_, access_.vertex(v), Value(FT(x[0]), FT(x[1]), FT(x[2])));
+    old_.emplace_back(v, get(map_, Element::at(access_, v)));
+    put(map_, Element::at(access_, v), Value(FT(x[0]), FT(x[1]), FT(x[2])));
   }
   void keep() { is_kept_ = true; }
 
@@ -101,11 +102,7 @@ void write_control_net(const Access& access, Point_map points, [[maybe_unused]] 
 template <class PolygonMesh, class Scheme, class NamedParameters>
 constexpr void check_interpolation_arguments()
 {
-  static_assert(
-    are_used_v<Interpolation_parameters, NamedParameters>,
-    "PN_subdivision_3: a named parameter is given that is not used here; those that are: "
-    "vertex_point_map, vertex_normal_map, vertex_roundness_map, roundness, geom_traits, "
-    "edge_is_constrained_map, vertex_is_constrained_map");
+  static_assert(check_no_grid_rows<Scheme>());
   static_assert(
     Scheme::Host::keeps_vertices && !std::is_same_v<typename Scheme::Host, Sqrt3_host>,
     "PN_subdivision_3: interpolation is not known for this scheme: take Catmull-Clark or "

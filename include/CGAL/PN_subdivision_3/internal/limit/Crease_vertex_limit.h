@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_towers.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -64,6 +65,7 @@ public:
   Three tangents;         // in the direction of travel
   Vector arrival_tangent; // that of the vertex, for the edge that the crease comes on
   boost::container::small_vector<Three, 2> normals; // of each wedge
+  std::array<FT, 3> roundness{FT(1), FT(1), FT(1)}; // the means of the wedges
 
   // becomes the limit at the vertex, which is the first one of each three
   void evaluate(const Crease_curve_weights<FT>& weights, Limit_steps<FT>& steps)
@@ -94,22 +96,26 @@ private:
     const std::array<Entry, 3> all{{{side, points[1], tangents[1]},
                                     {side, points[2], tangents[2]},
                                     {vertex_weight, points[0], tangents[0]}}};
-    put(Rule(all.data(), all.data() + 3), 0, {1, 2, 0}, next);
+    put(all, 0, {1, 2, 0}, next);
     next.arrival_tangent = next.tangents[0];
     if (!with_neighbors) return next;
     const std::array<Entry, 2> arrival{
       {{half, points[1], tangents[1]}, {half, points[0], arrival_tangent}}};
-    put(Rule(arrival.data(), arrival.data() + 2), 1, {1, 0, 0}, next);
+    put(arrival, 1, {1, 0, 0}, next);
     const std::array<Entry, 2> departure{
       {{half, points[0], tangents[0]}, {half, points[2], tangents[2]}}};
-    put(Rule(departure.data(), departure.data() + 2), 2, {0, 2, 0}, next);
+    put(departure, 2, {0, 2, 0}, next);
     return next;
   }
 
-  // entry j of the rule is that of place[j]
-  void put(const Rule& rule, std::size_t at, const std::array<std::size_t, 3>& place,
-           Crease_vertex_limit& next) const
+  // entry j is that of place[j]
+  template <std::size_t n>
+  void put(const std::array<Entry, n>& entries, std::size_t at,
+           const std::array<std::size_t, 3>& place, Crease_vertex_limit& next) const
   {
+    next.roundness[at] =
+      averaged_roundness(entries, [&](std::size_t j) { return roundness[place[j]]; });
+    const Rule rule(entries.data(), entries.data() + n, next.roundness[at]);
     next.points[at] = rule.point();
     next.tangents[at] = rule.tangent();
     if constexpr (is_pn)

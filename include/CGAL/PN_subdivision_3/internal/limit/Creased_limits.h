@@ -83,7 +83,7 @@ public:
     if (!rest.empty()) refine(level, creases, limits, std::move(rest), next_round, results);
     if (demand_.surface_normals) {
       const Cut cut(level.level, creases);
-      orient_normals(level, results, for_chunks_, some == nullptr);
+      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
     }
     creases = std::move(limits);
     return results;
@@ -280,6 +280,10 @@ private:
     if constexpr (is_pn) {
       add_wedge(level, creases, from, to, false, limit, slots);
       add_wedge(level, creases, to, from, true, limit, slots);
+      if constexpr (has_roundness_v<Value>)
+        for (FT& w : limit.roundness) w /= FT(static_cast<int>(slots.size()));
+      else
+        limit.roundness.fill(average_of<Average>(scheme_).roundness);
     }
     Limit_steps<FT> steps(demand_, !is_pn, 1. / 16);
     limit.evaluate(weights, steps);
@@ -321,12 +325,17 @@ private:
     const Crease_edge<FT>&first = creases.edge(behind), &last = creases.edge(before);
     if (!first.has_after(behind.side)) return;
     slots.push_back(first.after[behind.side]);
-    const auto normal_of = [&](Index slot) { return normal(level.values[slot]); };
-    typename Crease_limit::Three three{normal_of(slots.back()),
-                                       normal_of(first.before[1 - behind.side]),
-                                       normal_of(last.after[1 - before.side])};
+    std::array<Index, 3> three{slots.back(), first.before[1 - behind.side],
+                               last.after[1 - before.side]};
     if (is_reversed) std::swap(three[1], three[2]);
-    limit.normals.push_back(three);
+    typename Crease_limit::Three normals;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Value& value = level.values[three[i]];
+      normals[i] = normal(value);
+      if constexpr (has_roundness_v<Value>)
+        limit.roundness[i] = (slots.size() == 1 ? FT(0) : limit.roundness[i]) + value.roundness;
+    }
+    limit.normals.push_back(normals);
   }
 
   // \name Darts
@@ -338,7 +347,7 @@ private:
     Vertex_ring::append(level.level, star.vertex, 1, places);
     const bool is_first = star.is_border && places[1] == level.level.source(creases.halfedge(e));
     const Dart& dart = dart_class(level, star, is_first);
-    Dart_limit<Scheme, FT> limit;
+    Dart_limit<Scheme, FT> limit(average_of<Average>(scheme_));
     for (const Index slot : places) limit.ring.push_back(level.values[slot]);
     limit.tangent = tangent_from(creases, e);
     limit.far_tangent = tangent_towards(creases, e);

@@ -199,6 +199,10 @@ public:
   using Value = typename Average::Value;
   using Vector = Coordinates<FT, 3>;
 
+  explicit Dart_limit(const Average& average)
+    : average_(average)
+  {}
+
   std::vector<Value> ring;
   Vector tangent;     // from the vertex along the crease
   Vector far_tangent; // from its neighbor
@@ -229,13 +233,12 @@ private:
 
   Value average(const Row& row, [[maybe_unused]] const Row& normal_row) const
   {
-    const Average average{};
     const auto* const begin = row.data();
     if constexpr (Has_normal_mask<Scheme>::value)
-      return average(begin, begin + row.size(), normal_row.data(),
-                     normal_row.data() + normal_row.size(), ring.data());
+      return average_(begin, begin + row.size(), normal_row.data(),
+                      normal_row.data() + normal_row.size(), ring.data());
     else
-      return average(begin, begin + row.size(), ring.data());
+      return average_(begin, begin + row.size(), ring.data());
   }
 
   void refine(const Class& dart)
@@ -249,7 +252,12 @@ private:
     const std::array<Entry, 2> entries{
       {{half, point_of(ring.front()), tangent},
        {half, point_of(ring[dart.crease_places().front()]), onwards}}};
-    const Rule rule(entries.data(), entries.data() + 2);
+    FT roundness(0);
+    for (const auto p : dart.crease_places()) // whose rows refine it as well
+      roundness +=
+        averaged_roundness(entries, [&](std::size_t j) { return roundness_of(j == 0 ? 0 : p); });
+    roundness /= FT(static_cast<int>(dart.crease_places().size()));
+    const Rule rule(entries.data(), entries.data() + 2, roundness);
     for (const auto p : dart.crease_places()) {
       point_of(next[p]) = rule.point();
       if constexpr (is_pn)
@@ -261,6 +269,16 @@ private:
     ring.swap(next);
   }
 
+  FT roundness_of([[maybe_unused]] std::size_t place) const
+  {
+    if constexpr (has_roundness_v<Value>)
+      return ring[place].roundness;
+    else if constexpr (is_pn)
+      return average_.roundness;
+    else
+      return FT(1);
+  }
+
   // makes the tangent orthogonal to the normal
   void turn_tangent([[maybe_unused]] const Value& value)
   {
@@ -270,6 +288,8 @@ private:
       tangent = unit_or_zero<FT, 3>(tangent, length);
     }
   }
+
+  Average average_;
 };
 
 } // namespace internal

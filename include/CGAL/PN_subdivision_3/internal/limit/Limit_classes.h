@@ -129,12 +129,14 @@ private:
   // Refined twice, any vertex is alone among regular ones.
   Kind make(const Level_connectivity& level, Index v) const
   {
-    Sub_level around(level, {v}, 2);
+    constexpr auto nothing =
+      Sub_level::Keeps::nothing; // so that it is the same at all vertices of the kind
+    Sub_level around(level, {v}, 2, nothing);
     const Level_connectivity fine = refined(refined(around.level()));
     const bool at_border = level.is_border_vertex(v);
     Kind kind;
     for (kind.rings = 1; kind.rings <= most_rings; ++kind.rings) {
-      const Sub_level cut(fine, around.centers(), kind.rings + 3);
+      const Sub_level cut(fine, around.centers(), kind.rings + 3, nothing);
       const Index c = cut.centers().front();
       Ring_pair rings;
       Vertex_ring::append(cut.level(), c, kind.rings, rings.ring);

@@ -84,7 +84,7 @@ public:
     }
     // where points are not asked for, rings have oriented them
     if (demand_.surface_normals && demand_.points)
-      orient_normals(level, results, for_chunks_, some == nullptr);
+      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
     return results;
   }
 
@@ -258,7 +258,8 @@ private:
   Level refined_about(const Level& level, std::vector<Index>& vertices, unsigned round) const
   {
     constexpr bool is_sqrt3 = std::is_same_v<typename Scheme::Host, Sqrt3_host>;
-    const Sub_level cut(level.level, vertices, cut_rings(scheme_), is_sqrt3);
+    // the same rows whichever vertices are asked for
+    const Sub_level cut(level.level, vertices, cut_rings(scheme_), Sub_level::Keeps::walks);
     std::vector<Stored_value> values;
     values.reserve(cut.origin().size());
     for (const Index v : cut.origin()) values.emplace_back(level.values[v]);

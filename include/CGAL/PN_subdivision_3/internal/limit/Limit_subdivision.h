@@ -65,6 +65,7 @@ public:
   Limit_report operator()(Access& access, Point_map points, Normal_map normals, Edge_map edge_map,
                           Vertex_map vertex_map, const Carry& carry) const
   {
+    static_assert(check_no_grid_rows<Scheme>());
     Limit_report report;
     if constexpr (check_corner_normals<Scheme, Access, Normal_map>()) {
       require_crease_rules(scheme_, access, normals, edge_map, vertex_map);

@@ -40,6 +40,8 @@ struct Limit_demand
   unsigned max_depth = 0;
   bool points = true; // if they are not asked for, one average of the limit mask may do
   bool surface_normals = false, curvatures = false;
+  // where some vertices are asked for: whether so are the neighbors of all whose normals count
+  bool has_neighbors = false;
 };
 
 // The limit at one vertex or face.

@@ -47,7 +47,8 @@ struct Ring_round
   Ring_pair rings;
 };
 
-// The rows of the next ring over the places of the ring; none if a row leaves the ring.
+// The rows of the next ring over the places of the ring, in the order of these: a mask begins where edges of the
+// level do, and sums shall have the same bits wherever a ring of the kind was met first. None if a row leaves the ring.
 template <class FT, class Host, class Mask>
 std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
                                            const Ring_pair& rings)
@@ -66,6 +67,8 @@ std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
       if (found == place.end()) return std::nullopt;
       matrix.back().emplace_back(found->second, e->weight);
     }
+    std::stable_sort(matrix.back().begin(), matrix.back().end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
   return matrix;
 }
@@ -127,11 +130,14 @@ public:
   // Of the scheme in some rounds, each on the level that the one before makes; not valid if the rows leave
   // the ring, or if the limit mask does not exist.
   Ring_class(const Scheme& scheme, const std::vector<Ring_round>& rounds, const Ring_layout& layout)
-    : size_(rounds.front().rings.ring.size())
+    : block_(average_of<Average>(scheme))
+    , roundness_(1)
+    , size_(rounds.front().rings.ring.size())
   {
     for (const Ring_round& r : rounds)
       largest_size_ = (std::max)(largest_size_, r.rings.ring.size());
     copies_ = (std::max)(std::size_t(1), block_size_v<FT> / largest_size_);
+    if constexpr (is_pn_v<Scheme>) roundness_ = close_double(average_of<Average>(scheme).roundness);
     const auto matrix_of = [&](auto number, const Ring_round& r) {
       using Number = decltype(number);
       const typename Scheme::Host host(r.level, r.number);
@@ -192,6 +198,15 @@ public:
   bool is_at_border() const { return is_at_border_; }
   // of a vertex, which is at place 0; 0 about faces
   std::size_t number_of_neighbors() const { return number_of_neighbors_; }
+
+  // at a limit
+  double roundness_at([[maybe_unused]] const Value& limit) const
+  {
+    if constexpr (has_roundness_v<Value>)
+      return close_double(limit.roundness);
+    else
+      return roundness_;
+  }
 
   // the valence of the vertex, if the rounds transfer curvature in its ring; otherwise 0
   Level_connectivity::Index transfer_valence() const { return transfer_valence_; }
@@ -265,20 +280,21 @@ private:
     return result;
   }
 
-  static void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>* normal_rows,
-                      const Stored_value* old, Value* result)
+  void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>* normal_rows,
+               const Stored_value* old, Value* result) const
   {
-    const Block block{};
     for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
       const Stencil_block<FT>& part = rows.blocks()[b];
       if constexpr (has_normal_rows)
-        block(part, normal_rows->blocks()[b], old, result);
+        block_(part, normal_rows->blocks()[b], old, result);
       else
-        block(part, old, result);
+        block_(part, old, result);
       result += part.number_of_rows();
     }
   }
 
+  Block block_;
+  double roundness_; // of values that have none of their own
   std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
   Rules points_, normals_;

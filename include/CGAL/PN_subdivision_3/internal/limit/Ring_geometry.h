@@ -39,17 +39,22 @@ public:
 
   // The ring, its limit point and limit control normal N (zero without control normals), and the
   // tangent masks T. In the frame of N the surface has the slope a that T finds in the PN heights w
-  // of the ring, T u a = T w; they are zero on spheres and cylinders with exact normals.
-  Ring_geometry(const std::vector<Value>& ring, const Value& limit, const Masks& tangents)
+  // of the ring, T u a = T w; they are zero on spheres and cylinders with exact normals. With
+  // another roundness r than 1 w is z + r (h - z), of the height z in the frame and the PN height h: this is what is refined
+  // linearly.
+  Ring_geometry(const std::vector<Value>& ring, const Value& limit, const Masks& tangents,
+                double roundness = 1)
     : ring_(ring)
     , tangents_(tangents)
+    , roundness_(roundness)
     , frame_(limit.point, has_normal(limit) ? limit.normal : cross_product(ring, tangents))
     , has_control_normal_(has_normal(limit))
   {
     if (!(dot<double, 3>(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
     const auto height = [&](const Value& v) {
       const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
-      return h.numerator / (std::max)(h.denominator, 1. / 1024);
+      const double of_arc = h.numerator / (std::max)(h.denominator, 1. / 1024);
+      return roundness_ == 1 ? of_arc : of_arc - (1 - roundness_) * (of_arc - frame_.z(v.point));
     };
     for (std::size_t c = 0; c < 2; ++c) {
       const Pair<double> u = masked([&](const Value& v) { return frame_.u(v.point)[c]; });
@@ -169,6 +174,7 @@ private:
 
   const std::vector<Value>& ring_;
   const Masks& tangents_;
+  const double roundness_;
   Local_frame<double> frame_;
   std::array<Pair<double>, 2> size_{}; // T u
   Pair<double> slope_{};

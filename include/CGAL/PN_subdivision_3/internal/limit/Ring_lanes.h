@@ -48,6 +48,7 @@ public:
   // --- input ---
   std::vector<Place> ring;
   Place limit;
+  Lanes roundness = {1, 1, 1, 1};
 
   // --- output ---
   bool is_found[lanes];
@@ -111,7 +112,7 @@ private:
   BOOST_FORCEINLINE void set_sums(const Masks& tangents)
   {
     // local, so that compilers see that nothing overlaps
-    Lanes sums[8] = {}, extent = {}, coordinate = {}, turn = {}, frame[3][3], origin[3];
+    Lanes sums[8] = {}, extent = {}, coordinate = {}, turn = {}, frame[3][3], origin[3], round;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t l = 0; l < lanes; ++l) {
         frame[0][c][l] = first_[c][l];
@@ -119,6 +120,7 @@ private:
         frame[2][c][l] = limit.normal[c][l];
         origin[c][l] = limit.point[c][l];
       }
+    for (std::size_t l = 0; l < lanes; ++l) round[l] = roundness[l];
     const std::size_t size_of_ring = ring.size();
     for (std::size_t i = 0; i < size_of_ring; ++i) {
       const double t = tangents[0][i], s = tangents[1][i];
@@ -134,8 +136,9 @@ private:
         const double a = at.normal[0][l] + n0, b = at.normal[1][l] + n1, c = at.normal[2][l] + n2;
         const double denominator = a * n0 + b * n1 + c * n2;
         const double divisor = denominator < 1. / 1024 ? 1. / 1024 : denominator;
-        const double height = (a * x + b * y + c * z) / divisor;
-        const double of_arc = height - (x * n0 + y * n1 + z * n2);
+        const double pn_height = (a * x + b * y + c * z) / divisor;
+        const double of_arc = pn_height - (x * n0 + y * n1 + z * n2);
+        const double height = pn_height - (1 - round[l]) * of_arc;
         const double chord2 = 4 - 2 * denominator; // between the unit normals
         turn[l] = chord2 > turn[l] ? chord2 : turn[l];
         sums[0][l] += t * u;

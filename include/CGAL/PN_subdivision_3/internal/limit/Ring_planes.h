@@ -78,7 +78,7 @@ public:
     rounding_ = rounding_of(std::ldexp(largest, -exponent_));
     Point_normal<double, 3> limit = to_double_value(limits[c]);
     limit.point = {};
-    return Ring_geometry(ring_, limit, class_.tangents());
+    return Ring_geometry(ring_, limit, class_.tangents(), class_.roundness_at(limits[c]));
   }
   const std::vector<Point_normal<double, 3>>& ring() const { return ring_; }
   // of the power of two by which `ring()` is divided
@@ -118,6 +118,7 @@ private:
       for (std::size_t p = 0; p < class_.size(); ++p)
         set_place(lanes_.ring[p], l, rings[p * class_.copies() + c]);
       set_place(lanes_.limit, l, Stored_value(limits[c]));
+      lanes_.roundness[l] = class_.roundness_at(limits[c]);
     }
     lanes_.find(class_.tangents(), fan());
     for (std::size_t l = 0; first + l < end; ++l)

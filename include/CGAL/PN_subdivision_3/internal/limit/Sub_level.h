@@ -59,11 +59,16 @@ class Sub_level
 public:
   using Index = Level_connectivity::Index;
 
-  // `centers` has no vertex twice, and none without edges. keeps_walks: whether inner vertices keep their half-edge,
-  // from which rows and stars go on
+  // What is kept of the whole level: edges their orientation and faces their first half-edge, or, with walks, inner
+  // vertices their half-edge, too, from which rows and stars go on; or nothing, so that about a single center all goes by
+  // its half-edge.
+  enum class Keeps { order, walks, nothing };
+
+  // `centers` has no vertex twice, and none without edges
   Sub_level(const Level_connectivity& level, const std::vector<Index>& centers, unsigned rings,
-            bool keeps_walks = false)
+            Keeps keeps = Keeps::order)
     : whole_(level)
+    , is_anew_(keeps == Keeps::nothing)
     , are_many_(16 * centers.size() >= level.number_of_vertices())
     , edge_(level.number_of_edges(), are_many_)
   {
@@ -72,7 +77,7 @@ public:
     link_faces();
     link_border();
     number_vertices();
-    if (keeps_walks) keep_walks();
+    if (keeps == Keeps::walks) keep_walks();
     build();
     for (const Index v : centers)
       centers_.push_back(vertex_[halfedge(whole_.halfedge_of_vertex(v))]);
@@ -85,7 +90,7 @@ public:
   const std::vector<Index>& origin() const { return origin_; }
   // the same of edges, and of a half-edge
   const std::vector<Index>& edge_origin() const { return edges_; }
-  Index halfedge_origin(Index h) const { return 2 * edges_[h / 2] + h % 2; }
+  Index halfedge_origin(Index h) const { return 2 * edges_[h / 2] + (h % 2 ^ turned_[h / 2]); }
 
 private:
   static constexpr Index null = Level_connectivity::null;
@@ -106,6 +111,7 @@ private:
         do {
           if (!whole_.is_border(h) && faces.insert(whole_.face(h), 0)) {
             faces_.push_back(whole_.face(h));
+            first_.push_back(is_anew_ ? h : whole_.halfedge_of_face(whole_.face(h)));
             for (Index g = whole_.next(h); g != h; g = whole_.next(g))
               if (vertices.insert(whole_.target(g), 0)) next_ring.push_back(whole_.target(g));
           }
@@ -118,12 +124,13 @@ private:
 
   void number_edges()
   {
-    for (const Index f : faces_) {
-      const Index first = whole_.halfedge_of_face(f);
+    for (const Index first : first_) {
       Index h = first;
       do {
-        if (edge_.insert(Level_connectivity::edge(h), static_cast<Index>(edges_.size())))
+        if (edge_.insert(Level_connectivity::edge(h), static_cast<Index>(edges_.size()))) {
           edges_.push_back(Level_connectivity::edge(h));
+          turned_.push_back(is_anew_ ? h & 1u : 0);
+        }
         h = whole_.next(h);
       } while (h != first);
     }
@@ -134,12 +141,16 @@ private:
   }
 
   // the number here of a half-edge of the whole level
-  Index halfedge(Index h) const { return 2 * edge_[Level_connectivity::edge(h)] + (h & 1u); }
+  Index halfedge(Index h) const
+  {
+    const Index e = edge_[Level_connectivity::edge(h)];
+    return 2 * e + ((h & 1u) ^ turned_[e]);
+  }
 
   void link_faces()
   {
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const Index first = whole_.halfedge_of_face(faces_[f]);
+      const Index first = first_[f];
       Index h = first;
       do {
         const Index g = halfedge(h);
@@ -205,16 +216,17 @@ private:
     }
     for (Index v = 0; v < origin_.size(); ++v)
       level_.set_halfedge_of_vertex(v, halfedge_of_vertex_[v]);
-    for (Index f = 0; f < faces_.size(); ++f)
-      level_.set_halfedge_of_face(f, halfedge(whole_.halfedge_of_face(faces_[f])));
+    for (Index f = 0; f < faces_.size(); ++f) level_.set_halfedge_of_face(f, halfedge(first_[f]));
   }
 
   const Level_connectivity& whole_;
+  const bool is_anew_;
   bool are_many_;
   Element_numbers edge_;
   Level_connectivity level_;
   std::vector<Index> centers_, origin_;
-  std::vector<Index> faces_, edges_;               // of the whole level
+  std::vector<Index> faces_, edges_;  // of the whole level
+  std::vector<Index> first_, turned_; // half-edges of the faces; edges that are turned: 1
   std::vector<Index> face_, next_, prev_, vertex_; // of half-edges
   std::vector<Index> halfedge_of_vertex_;
   std::size_t corners_ = 0;
@@ -232,7 +244,7 @@ public:
   Creased_sub_level(const Level_connectivity& level, const Creases<FT>& creases,
                     const std::vector<Value>& values, const std::vector<Index>& centers,
                     unsigned rings)
-    : sub_(level, centers, rings, true)
+    : sub_(level, centers, rings, Sub_level::Keeps::walks)
     , creases_(creases_of_part(
         creases, sub_.level(), [&](Index e) { return sub_.edge_origin()[e]; },
         [&](Index v) { return sub_.origin()[v]; }))

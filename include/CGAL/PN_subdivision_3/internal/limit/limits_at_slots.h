@@ -56,15 +56,16 @@ void require_sharp_for_ever(const Access&, No_creases, unsigned)
 {}
 
 // The limits at the slots of a level, which are its vertices if there are no creases. These get the tangents of the
-// limit.
+// limit. If only some vertices are asked for, which are sorted, the others have no results.
 template <class FT, class Scheme, class Level, class Level_creases>
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
-                     Level& level, [[maybe_unused]] Level_creases& creases, unsigned next_round)
+                     Level& level, [[maybe_unused]] Level_creases& creases, unsigned next_round,
+                     const std::vector<Level_connectivity::Index>* some = nullptr)
 {
   if constexpr (are_creases_v<Level_creases>)
-    return Creased_limits<Scheme, FT>(scheme, demand, for_chunks)(level, creases, next_round);
+    return Creased_limits<Scheme, FT>(scheme, demand, for_chunks)(level, creases, next_round, some);
   else
-    return Limit_evaluation<Scheme, FT>(scheme, demand, for_chunks)(level, next_round);
+    return Limit_evaluation<Scheme, FT>(scheme, demand, for_chunks)(level, next_round, some);
 }
 
 // At vertices with several wedges: the mean of the normals of these.

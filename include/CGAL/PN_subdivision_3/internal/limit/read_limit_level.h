@@ -9,14 +9,12 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_READ_LIMIT_LEVEL_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -28,6 +26,7 @@ template <class Scheme, class FT, class Access, class Point_map, class Normal_ma
 auto read_limit_level(const Access& access, const Scheme& scheme, Point_map points,
                       Normal_map normals)
 {
+  static_assert(check_no_grid_rows<Scheme>());
   using Average = Average_of_scheme<Scheme, FT>;
   Valued_level<typename Average::Value> result;
   result.level = checked_level(access);
@@ -39,23 +38,23 @@ auto read_limit_level(const Access& access, const Scheme& scheme, Point_map poin
   return result;
 }
 
-// the largest side of the box of the points
+// the largest side of a box
+inline double size_of(const Bbox_3& box)
+{
+  return (std::max)(
+    {0., box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+// that of the box of the points
 template <class Value>
 double box_size(const Valued_level<Value>& level)
 {
-  std::array<double, 3> least{}, greatest{};
-  bool is_first = true;
+  Bbox_3 box;
   for (const Value& value : level.values) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto x = static_cast<double>(CGAL::to_double(point_of(value)[c]));
-      least[c] = is_first ? x : (std::min)(least[c], x);
-      greatest[c] = is_first ? x : (std::max)(greatest[c], x);
-    }
-    is_first = false;
+    const auto p = to_double_3(point_of(value));
+    box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
   }
-  double size = 0;
-  for (std::size_t c = 0; c < 3; ++c) size = (std::max)(size, greatest[c] - least[c]);
-  return size;
+  return size_of(box);
 }
 
 } // namespace internal

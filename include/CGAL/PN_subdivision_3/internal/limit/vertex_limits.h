@@ -45,6 +45,7 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
                            const Limit_options& options, const For_chunks& for_chunks,
                            const Sink& sink)
 {
+  static_assert(check_no_grid_rows<Scheme>());
   if constexpr (!check_corner_normals<Scheme, Access, Normal_map>())
     return {};
   else {
@@ -96,14 +97,14 @@ void put_limits(const Access& access, const Limits& limits, Of_mesh& of_mesh, Po
 }
 
 template <class Concurrency_tag, class Parameters, class Mesh, class Scheme, class NamedParameters>
-Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const Limit_options& options,
-                           const NamedParameters& np)
+Limit_report move_to_limit(Mesh& mesh, const Scheme& scheme, const NamedParameters& np)
 {
   static_assert(Scheme::Host::keeps_vertices,
-                "the limit points of a dual scheme belong to the faces: see face_limit_points()");
+                "the limit points of a dual scheme belong to the faces: see limit_points()");
   Limit_report report;
   if constexpr (check_creased_limit_arguments<Mesh, Scheme, NamedParameters>()) {
     using FT = typename Parameters::FT;
+    const Limit_options options = limit_options(np);
     const auto points = Parameters::point_map(mesh, np);
     const auto normals = Parameters::normal_map(np);
     with_mesh_access(mesh, [&](const auto& access) {

@@ -17,7 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>
 #include <cstddef>

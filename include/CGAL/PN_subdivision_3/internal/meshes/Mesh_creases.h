@@ -22,10 +22,8 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -77,8 +75,8 @@ void refuse_crease_borders(const Scheme& scheme, const Access& access,
 {
   refuse_sharp_elements(scheme, access, level, No_constraint_map(), No_constraint_map(),
                         [&](const std::string& element) {
-                          throw std::invalid_argument("PN_subdivision_3: with_border() makes " +
-                                                      element + " a crease, for which " + what +
+                          throw std::invalid_argument("PN_subdivision_3: border makes " + element +
+                                                      " a crease, for which " + what +
                                                       ": take the scheme without it");
                         });
 }

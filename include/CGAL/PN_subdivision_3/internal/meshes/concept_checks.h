@@ -16,8 +16,8 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -34,49 +34,6 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // \name Named parameters
-
-template <class... Tags>
-struct Used_parameters
-{
-  template <class Tag>
-  static constexpr bool contain = (std::is_same_v<Tag, Tags> || ...);
-};
-
-// add here what a function learns to use
-using Mesh_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t>;
-using Limit_parameters = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                                         internal_np::vertex_normal_map_t, vertex_roundness_map_t,
-                                         roundness_t, control_normal_estimate_t>;
-using Creased_limit_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
-                  control_normal_estimate_t>;
-using Interpolation_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::vertex_normal_map_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t>;
-using Rounded_mesh_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t, vertex_roundness_map_t,
-                  roundness_t>;
-using Subdivision_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
-                  internal_np::visitor_t, internal_np::edge_is_constrained_t,
-                  internal_np::vertex_is_constrained_t, vertex_roundness_map_t, roundness_t,
-                  control_normal_estimate_t>;
-
-template <class Used, class NamedParameters>
-constexpr bool are_used_v = true;
-template <class Used, class T, class Tag, class Base>
-inline constexpr bool are_used_v<Used, Named_function_parameters<T, Tag, Base>> =
-  (Used::template contain<Tag> ||
-   std::is_same_v<Tag, internal_np::all_default_t>)&&are_used_v<Used, Base>;
-
-template <class T>
-constexpr bool are_named_parameters_v = false;
-template <class T, class Tag, class Base>
-inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
 
 template <class NamedParameters>
 constexpr bool check_named_parameters()
@@ -343,7 +300,7 @@ struct Is_scheme<
   : std::true_type
 {};
 
-// the map of with_crease_tangents()
+// the map of the tangents of creases
 template <class Mesh, class Scheme, class Point_map, class Geom_traits>
 constexpr bool check_crease_tangents()
 {
@@ -352,25 +309,22 @@ constexpr bool check_crease_tangents()
   constexpr bool has_rules = Has_crease_rules<Scheme>::value;
   static_assert(
     !is_given || has_rules,
-    "PN_subdivision_3: with_crease_tangents() is given a scheme without rules for creases");
+    "PN_subdivision_3: crease_tangent_map is given for a scheme without rules for creases");
   if constexpr (!is_given || !has_rules)
     return !is_given;
   else if constexpr (!Is_property_map_of<
                        Map, typename boost::graph_traits<Mesh>::halfedge_descriptor>::value) {
-    static_assert(!is_given,
-                  "PN_subdivision_3: the map of with_crease_tangents() is no property map "
-                  "of the mesh's half-edges");
+    static_assert(!is_given, "PN_subdivision_3: crease_tangent_map is no property map "
+                             "of the mesh's half-edges");
     return false;
   } else {
     constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
-    static_assert(is_readable,
-                  "PN_subdivision_3: the map of with_crease_tangents() cannot be read");
+    static_assert(is_readable, "PN_subdivision_3: crease_tangent_map cannot be read");
     constexpr bool has_vectors =
       may_be_normal_of<typename boost::property_traits<Map>::value_type,
                        typename boost::property_traits<Point_map>::value_type, Geom_traits>();
-    static_assert(has_vectors,
-                  "PN_subdivision_3: the values of the map of with_crease_tangents() are "
-                  "not Vector_3 with the number type of the points");
+    static_assert(has_vectors, "PN_subdivision_3: the values of crease_tangent_map are "
+                               "not Vector_3 with the number type of the points");
     return is_readable && has_vectors;
   }
 }
@@ -380,18 +334,12 @@ constexpr bool check_crease_tangents()
 template <class NamedParameters>
 constexpr bool check_subdivision_parameters()
 {
-  constexpr bool are_used = are_used_v<Subdivision_parameters, NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: number_of_iterations, vertex_point_map, "
-                          "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "vertex_roundness_map, roundness, control_normal_estimate, geom_traits, "
-                          "visitor");
   using Iterations =
     typename internal_np::Lookup_named_param_def<internal_np::number_of_iterations_t,
                                                  NamedParameters, unsigned>::type;
   constexpr bool is_integer = std::is_integral_v<std::decay_t<Iterations>>;
   static_assert(is_integer, "PN_subdivision_3: number_of_iterations is not an integer");
-  return are_used && is_integer;
+  return is_integer;
 }
 
 template <class Mesh, class Scheme, class NamedParameters>
@@ -484,7 +432,7 @@ struct Check_attributes
 {
   static constexpr bool value = Is_attributes<Attributes>::value;
   static_assert(value,
-                "PN_subdivision_3: the attributes are neither made by attributes(...) nor an "
+                "PN_subdivision_3: parameters::attributes() is given neither attributes nor an "
                 "Attribute_table");
 };
 template <class Mesh, class... Items>
@@ -495,27 +443,38 @@ struct Check_attributes<Mesh, Attributes<Items...>>
                        "mesh's vertices, half-edges, edges or faces, as its name says");
 };
 
-// Attributes are forwarded: a table is an lvalue that is not const
-template <class Mesh, class Attributes>
+template <class T>
+struct Unwrapped
+{
+  using type = T;
+};
+template <class T>
+struct Unwrapped<std::reference_wrapper<T>>
+{
+  using type = T;
+};
+
+// the attributes of a call; a table that is to be refined is not const
+template <class Mesh, class NamedParameters, bool are_changed = true>
 constexpr bool check_attributes()
 {
-  constexpr bool is_const_table =
-    std::is_same_v<std::remove_reference_t<Attributes>, const Attribute_table>;
-  static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
-                                 "to be refined");
-  return !is_const_table && Check_attributes<Mesh, std::decay_t<Attributes>>::value;
+  if constexpr (!are_named_parameters_v<NamedParameters>)
+    return false;
+  else {
+    using Attributes =
+      typename Unwrapped<Parameter_type<attributes_t, NamedParameters, No_attributes>>::type;
+    constexpr bool is_const_table =
+      are_changed && std::is_same_v<Attributes, const Attribute_table>;
+    static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
+                                   "to be refined");
+    return !is_const_table && Check_attributes<Mesh, std::remove_const_t<Attributes>>::value;
+  }
 }
 
 template <class Mesh, class Normal_map, class NamedParameters>
 constexpr bool check_estimation_arguments()
 {
-  using Used = Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                               vertex_roundness_map_t, control_normal_estimate_t>;
-  constexpr bool are_used = are_used_v<Used, NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, vertex_roundness_map, "
-                          "control_normal_estimate, geom_traits");
-  if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
+  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
     return false;
   else {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
@@ -533,11 +492,8 @@ constexpr bool check_estimation_arguments()
 template <class Mesh, class Map, class NamedParameters>
 constexpr bool check_detection_arguments()
 {
-  constexpr bool are_used = are_used_v<Mesh_parameters, NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, geom_traits");
   using Edge = typename boost::graph_traits<Mesh>::edge_descriptor;
-  if constexpr (!are_used || !check_is_point_map<Mesh, NamedParameters>())
+  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
     return false;
   else if constexpr (!Is_property_map_of<Map, Edge>::value) {
     static_assert(Is_property_map_of<Map, Edge>::value,

@@ -46,8 +46,8 @@ struct No_normal_map
 struct No_roundness
 {};
 
-// stands for an estimate of normals that the user has not chosen
-struct No_estimate
+// stands for attributes that the user has not given
+struct No_attributes
 {};
 
 template <class Map>
@@ -87,10 +87,6 @@ struct Surface_parameters
                                                               NamedParameters, No_roundness>::type>;
   using Roundness = std::decay_t<
     typename internal_np::Lookup_named_param_def<roundness_t, NamedParameters, No_roundness>::type>;
-
-  using Estimate =
-    std::decay_t<typename internal_np::Lookup_named_param_def<control_normal_estimate_t,
-                                                              NamedParameters, No_estimate>::type>;
 
   using Edge_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>::type>;
@@ -132,10 +128,9 @@ struct Surface_parameters
     return parameters::choose_parameter(parameters::get_parameter(np, roundness_t()),
                                         No_roundness());
   }
-  static Estimate estimate(const NamedParameters& np)
+  static auto attributes(const NamedParameters& np)
   {
-    return parameters::choose_parameter(parameters::get_parameter(np, control_normal_estimate_t()),
-                                        No_estimate());
+    return parameter_or<attributes_t>(np, No_attributes());
   }
   static Edge_constraint_map edge_constraint_map(const NamedParameters& np)
   {

@@ -10,26 +10,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_REFINER_CHECKS_H
 
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <boost/property_map/property_map.hpp>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-using Refiner_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
-                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
-                  vertex_roundness_map_t, roundness_t>;
-using Pieces_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::geom_traits_t,
-                  internal_np::number_of_iterations_t, internal_np::vertex_normal_map_t,
-                  internal_np::edge_is_constrained_t, internal_np::vertex_is_constrained_t,
-                  vertex_roundness_map_t, roundness_t, control_normal_estimate_t>;
-using Build_parameters =
-  Used_parameters<internal_np::vertex_point_t, internal_np::vertex_normal_map_t>;
 
 // the scheme and what is read of the mesh
 template <class Mesh, class Scheme, class NamedParameters>
@@ -58,15 +45,10 @@ constexpr bool check_control_arguments()
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_refiner_arguments()
 {
-  constexpr bool are_used = are_used_v<Refiner_parameters, NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: number_of_iterations, vertex_point_map, "
-                          "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "vertex_roundness_map, roundness, geom_traits");
   constexpr bool has_tangents = has_crease_tangents_v<Scheme>;
   static_assert(!has_tangents, "PN_subdivision_3: Surface_refiner makes the tangents of creases "
-                               "from the control points: it takes no with_crease_tangents()");
-  if constexpr (!are_used || has_tangents)
+                               "from the control points: it takes no crease_tangent_map");
+  if constexpr (has_tangents)
     return false;
   else
     return check_control_arguments<Mesh, Scheme, NamedParameters>();
@@ -75,12 +57,7 @@ constexpr bool check_refiner_arguments()
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_pieces_arguments()
 {
-  constexpr bool are_used = are_used_v<Pieces_parameters, NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: number_of_iterations, vertex_point_map, "
-                          "vertex_normal_map, edge_is_constrained_map, vertex_is_constrained_map, "
-                          "vertex_roundness_map, roundness, geom_traits");
-  if constexpr (are_used && check_control_arguments<Mesh, Scheme, NamedParameters>()) {
+  if constexpr (check_control_arguments<Mesh, Scheme, NamedParameters>()) {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
     return check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                  typename Parameters::Geom_traits>();
@@ -91,10 +68,7 @@ constexpr bool check_pieces_arguments()
 template <class Mesh, class NamedParameters, bool takes_corners = false>
 constexpr bool check_build_arguments()
 {
-  constexpr bool are_used = are_used_v<Build_parameters, NamedParameters>;
-  static_assert(are_used, "PN_subdivision_3: a named parameter is given that is not used here; "
-                          "those that are: vertex_point_map, vertex_normal_map");
-  if constexpr (are_used && check_mutable_mesh<Mesh>()) {
+  if constexpr (check_mutable_mesh<Mesh>()) {
     if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
       using Parameters = Surface_parameters<Mesh, NamedParameters>;
       return check_point_map<typename Parameters::Point_map, boost::writable_property_map_tag,

@@ -39,16 +39,22 @@ constexpr bool may_be_semi_sharp()
     return false;
 }
 
-// Whether the roundness of a call may vary: where normals are estimated it does, sharp edges that end take it away, and
-// it may be given. A call of which its type says that it does not has no memory and no time for it.
+// Whether the roundness of a call may vary: where normals are estimated it does unless it is given as a number, sharp
+// edges that end take it away, and it may be given as a map. A call of which its type says that it does not has no memory
+// and no time for it.
 template <class Scheme, class Parameters>
 constexpr bool
-  has_roundness_of_call_v = is_pn_v<Scheme> &&
-                            (std::is_same_v<typename Parameters::Normal_map, No_normal_map> ||
-                             is_given_roundness_v<typename Parameters::Roundness_map> ||
-                             is_given_roundness_v<typename Parameters::Roundness> ||
-                             (Has_crease_rules<Scheme>::value &&
-                              may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
+  varies_in_roundness_v = is_pn_v<Scheme> &&
+                          ((std::is_same_v<typename Parameters::Normal_map, No_normal_map> &&
+                            !is_given_roundness_v<typename Parameters::Roundness>) ||
+                           is_given_roundness_v<typename Parameters::Roundness_map> ||
+                           (Has_crease_rules<Scheme>::value &&
+                            may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
+
+template <class Scheme, class Parameters>
+constexpr bool has_roundness_of_call_v = varies_in_roundness_v<Scheme, Parameters> ||
+                                         (is_pn_v<Scheme> &&
+                                          is_given_roundness_v<typename Parameters::Roundness>);
 
 // Masks with negative weights take what is from 0 to 1 a little beyond, from which a further call goes on.
 template <class FT, class Name>
@@ -64,8 +70,6 @@ template <class FT, class Parameters, class Access, class NamedParameters>
 Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& np)
 {
   Given_roundness<FT> given;
-  if constexpr (!std::is_same_v<typename Parameters::Estimate, No_estimate>)
-    given.estimate = Parameters::estimate(np);
   if constexpr (is_given_roundness_v<typename Parameters::Roundness>)
     given.of_all = checked_roundness<FT>(FT(Parameters::roundness(np)), false,
                                          [] { return std::string("all vertices"); });
@@ -80,7 +84,7 @@ Given_roundness<FT> read_roundness(const Access& access, const NamedParameters& 
   return given;
 }
 
-// f(scheme), where values of the scheme have a roundness if the call needs one
+// f(scheme), where the scheme has a roundness if the call needs one
 template <class Parameters, class Access, class Scheme, class NamedParameters, class Function>
 decltype(auto) with_roundness_of_call([[maybe_unused]] const Access& access, const Scheme& scheme,
                                       [[maybe_unused]] const NamedParameters& np, const Function& f)
@@ -88,7 +92,8 @@ decltype(auto) with_roundness_of_call([[maybe_unused]] const Access& access, con
   using FT = typename Parameters::FT;
   if constexpr (has_roundness_of_call_v<Scheme, Parameters>) {
     const auto given = read_roundness<FT, Parameters>(access, np);
-    return f(With_roundness<Scheme, FT>{{scheme}, &given});
+    constexpr bool varies = varies_in_roundness_v<Scheme, Parameters>;
+    return f(With_roundness<Scheme, FT, varies>{{scheme}, &given});
   } else
     return f(scheme);
 }

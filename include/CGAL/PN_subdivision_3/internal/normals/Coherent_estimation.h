@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,11 +44,11 @@ public:
     , point_(point)
     , difference_(level, point)
     , reciprocal_(level, sectors, point)
-    , estimates_(sectors.number_of_sectors())
+    , estimates_(reciprocal_.estimates())
   {}
 
   // given(s) points to the given normal of a sector or is null; set_normal(s, n) and
-  // set_roundness(s, w) get all others
+  // set_roundness(s, w) get all others; what the latter gets last counts
   template <class Given, class Set_normal, class Set_roundness>
   void operator()(const Given& given, const Set_normal& set_normal,
                   const Set_roundness& set_roundness)
@@ -55,60 +56,75 @@ public:
     estimate_separately(given, set_normal);
     add_area_normals();
     compare_neighbors();
-    for (Index s = 0; s < estimates_.size(); ++s)
-      if (estimates_[s].kind == Kind::closed)
+    bool are_round = true;
+    for (Index s = 0; s < estimates_.size(); ++s) {
+      const Estimate& e = estimates_[s];
+      if (e.kind == Kind::closed)
         estimate_closed(s, set_normal);
-      else if (estimates_[s].kind == Kind::open)
+      else if (e.kind == Kind::open)
         estimate_open(s);
+      are_round = are_round && e.roundness == 1;
+      if (e.kind != Kind::given) set_roundness(s, e.roundness);
+    }
+    if (are_round) return;
     const std::vector<double> shares = shares_beside_neighbors();
     for (Index s = 0; s < estimates_.size(); ++s)
-      if (estimates_[s].kind != Kind::given)
-        set_roundness(s, estimates_[s].roundness * (shares.empty() ? 1 : shares[s]));
+      if (shares[s] < 1 && estimates_[s].kind != Kind::given)
+        set_roundness(s, estimates_[s].roundness * shares[s]);
   }
 
 private:
   enum class Kind : char { given, empty, open, closed };
 
-  struct Estimate
+  // beside the normal, which is first the reciprocal one
+  struct More
   {
-    Vector normal{0, 0, 0}, area{0, 0, 0}; // unit vectors or zero; first the reciprocal normal
+    Area_sum area_sum; // then of length 1 or zero; before, what an open sector got for a normal
     Curvature_mismatch mismatch;
     double squared_arc_error = 0; // the largest
     double roundness = 1;         // but for what the neighbors do to it
     Kind kind = Kind::given;
     bool is_reciprocal = false; // not the area normal in its place
+    bool has_normal = false;
+
+    Vector& area() { return area_sum.area; }
+    const Vector& area() const { return area_sum.area; }
   };
+  using Reciprocal_estimation = Normal_estimation<FT, Sectors, Point_of, More>;
+  using Estimate = typename Reciprocal_estimation::Estimate;
 
   template <class Given, class Set_normal>
   void estimate_separately(const Given& given, const Set_normal& set_normal)
   {
-    for (Index s = 0; s < estimates_.size(); ++s)
-      if (const Coordinates<FT, 3>* n = given(s)) estimates_[s].normal = to_double_3<FT>(*n);
+    std::vector<Index> open;
     const auto set_open = [&](Index s, const Coordinates<FT, 3>& n) {
-      estimates_[s].normal = to_double_3<FT>(n);
+      estimates_[s].area() = to_double_3<FT>(n);
       estimates_[s].kind = sectors_.is_empty(s) ? Kind::empty : Kind::open;
+      open.push_back(s);
       set_normal(s, n);
     };
     reciprocal_.estimate(given, set_open,
                          [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
                            Estimate& e = estimates_[s];
-                           e.normal = reciprocal_.unblended(s);
-                           e.is_reciprocal = !is_zero(e.normal);
+                           e.is_reciprocal = e.is_known;
                            e.roundness = roundness_of_turn(e.normal, inverted);
                            e.kind = Kind::closed;
                            return true;
                          });
+    for (Index s : open)
+      estimates_[s].normal = std::exchange(estimates_[s].area(), Vector{0, 0, 0});
   }
 
   // one normal in place of the other where that vanishes
   void add_area_normals()
   {
-    const Area_normals area(level_, sectors_, difference_);
-    for (Index s = 0; s < estimates_.size(); ++s) {
-      Estimate& e = estimates_[s];
-      e.area = area(s);
-      if (is_zero(e.area)) e.area = e.normal;
-      if (e.kind == Kind::closed && !e.is_reciprocal) e.normal = e.area;
+    add_areas(level_, sectors_, difference_,
+              [&](Index s) -> Area_sum& { return estimates_[s].area_sum; });
+    for (Estimate& e : estimates_) {
+      e.area() = e.area_sum.unit();
+      if (is_zero(e.area())) e.area() = e.normal;
+      if (e.kind == Kind::closed && !e.is_reciprocal) e.normal = e.area();
+      e.has_normal = !is_zero(e.normal);
     }
   }
 
@@ -131,10 +147,10 @@ private:
       Estimate &s = estimates_[i], &t = estimates_[j];
       const Vector e = edge(h);
       const double inverse = 1 / dot<double, 3>(e, e);
-      if (!std::isfinite(inverse) || is_zero(s.normal) || is_zero(t.normal)) return;
+      if (!std::isfinite(inverse) || !s.has_normal || !t.has_normal) return;
       const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
-      add_mismatch(s, of_s + of_t, dot<double, 3>(s.area, e) + of_t, inverse);
-      add_mismatch(t, of_s + of_t, dot<double, 3>(t.area, e) + of_s, inverse);
+      add_mismatch(s, of_s + of_t, dot<double, 3>(s.area(), e) + of_t, inverse);
+      add_mismatch(t, of_s + of_t, dot<double, 3>(t.area(), e) + of_s, inverse);
     });
   }
 
@@ -159,7 +175,7 @@ private:
     if (share >= 1 && e.is_reciprocal)
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
     else {
-      e.normal = mixed(share, e.normal, e.area);
+      e.normal = mixed(share, e.normal, e.area());
       set_normal(s, reciprocal_.converted(e.normal));
       set_roundness_of_turn(s);
     }
@@ -183,7 +199,7 @@ private:
 
   static double regularity_of(const Estimate& e)
   {
-    return regularity(quick_length(difference<double, 3>(e.normal, e.area)),
+    return regularity(quick_length(difference<double, 3>(e.normal, e.area())),
                       std::sqrt(e.squared_arc_error));
   }
 
@@ -195,13 +211,10 @@ private:
     return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
   }
 
-  // none if all are round
   std::vector<double> shares_beside_neighbors() const
   {
-    std::vector<double> shares;
+    std::vector<double> shares(estimates_.size(), 1);
     const auto is_round = [](const Estimate& e) { return e.roundness == 1; };
-    if (std::all_of(estimates_.begin(), estimates_.end(), is_round)) return shares;
-    shares.resize(estimates_.size(), 1);
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
       if (is_round(s) && is_round(t)) return;
@@ -222,9 +235,9 @@ private:
   const Sectors& sectors_;
   const Point_of& point_;
   const Scaled_differences<FT, Point_of> difference_;
-  Normal_estimation<FT, Sectors, Point_of> reciprocal_;
-  std::vector<Estimate> estimates_;
-  Inverted_fan<FT> inverted_; // of the sector at hand
+  Reciprocal_estimation reciprocal_;
+  std::vector<Estimate>& estimates_; // its own
+  Inverted_fan<FT> inverted_;        // of the sector at hand
 };
 
 } // namespace internal

@@ -133,27 +133,29 @@ private:
     if (exponent != 0) point_error_ = std::ldexp(point_error_, -exponent);
     for (Ray& ray : rays_) {
       Vector& e = ray.inverted;
-      if (exponent != 0)
+      bool counts = true;
+      if (exponent != 0) {
         for (double& x : e) x = std::ldexp(x, -exponent);
-      const double factor = largest_coordinate(e) <= largest ? 1 / dot<double, 3>(e, e) : 0;
-      ray.inverted = factor > 0 ? multiple(factor, e) : Vector{0, 0, 0};
-      ray.squared = factor;
+        counts = largest_coordinate(e) <= largest;
+      }
+      ray.squared = counts ? 1 / dot<double, 3>(e, e) : 0;
+      for (double& x : e) x = counts ? x * ray.squared : 0;
     }
   }
 
   void make_corners(bool closed)
   {
-    corners_.clear();
     const std::size_t n = rays_.size();
     const std::size_t count = closed ? n : n - (std::min)(n, std::size_t(1));
+    const double squared_error = point_error_ * point_error_;
+    corners_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       const Ray &a = rays_[i], &b = rays_[i + 1 < n ? i + 1 : 0];
       const Vector c = cross(b.inverted, a.inverted);
       const auto squared = dot<double, 3>(c, c);
       const double nearer = (std::max)(a.squared, b.squared);
-      const double rounding =
-        256 * (point_error_ * point_error_ * nearer + conversion_error * conversion_error);
-      corners_.push_back({c, squared, squared > rounding * a.squared * b.squared});
+      const double rounding = 256 * (squared_error * nearer + conversion_error * conversion_error);
+      corners_[i] = {c, squared, squared > rounding * a.squared * b.squared};
     }
   }
 

@@ -28,13 +28,26 @@ namespace internal {
 
 // Estimates the normals of sectors: closed fans by reciprocal weights, open ones by the arcs to the
 // closed ones, then those open ones whose neighbors are all open by the arcs to the former, and
-// last mixes in the angle-weighted normals of wide fans.
-template <class FT, class Sectors, class Point_of>
+// last mixes in the angle-weighted normals of wide fans. Whoever goes on from there keeps More at each
+// sector.
+struct No_more
+{};
+
+template <class FT, class Sectors, class Point_of, class More = No_more>
 class Normal_estimation
 {
 public:
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
+
+  struct Estimate : More
+  {
+    bool is_known = false;  // arcs may use it
+    bool is_done = false;   // it is given or set
+    bool is_corner = false; // of one face
+    double weight = 0;      // beside the angle-weighted normal
+    Vector normal{0, 0, 0}; // a unit vector, without the angle-weighted share; zero if unknown
+  };
 
   Normal_estimation(const Level_connectivity& level, const Sectors& sectors, const Point_of& point)
     : level_(level)
@@ -57,8 +70,8 @@ public:
     });
   }
 
-  // The same, but that set_closed(s, fan, inverted_fan) may take over a closed sector: its normal,
-  // unblended(s), is not set if it returns true.
+  // The same, but that set_closed(s, fan, inverted_fan) may take over a closed sector: its normal is
+  // not set if it returns true.
   template <class Given, class Set_normal, class Set_closed>
   void estimate(const Given& given, const Set_normal& set_normal, const Set_closed& set_closed)
   {
@@ -80,8 +93,7 @@ public:
     blend(set_normal);
   }
 
-  // the unit normal without the angle-weighted share; zero if it vanishes
-  const Vector& unblended(Index s) const { return estimates_[s].normal; }
+  std::vector<Estimate>& estimates() { return estimates_; }
 
   // the reciprocal normal of a closed fan: in the number type, if that has more to tell than double
   Coordinates<FT, 3> exact_normal(const Fan& fan, const Vector& normal) const
@@ -105,15 +117,6 @@ public:
   }
 
 private:
-  struct Estimate
-  {
-    Vector normal{0, 0, 0}; // a unit vector, without the angle-weighted share; zero if unknown
-    double weight = 0;      // beside the angle-weighted normal
-    bool is_known = false;  // arcs may use it
-    bool is_done = false;   // it is given or set
-    bool is_corner = false; // of one face
-  };
-
   void take_given(Index s, const Coordinates<FT, 3>& normal)
   {
     Estimate& e = estimates_[s];

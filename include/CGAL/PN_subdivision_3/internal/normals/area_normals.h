@@ -80,64 +80,53 @@ private:
   int exponent_ = 0;
 };
 
-// The sums of the area vectors of the faces of sectors.
-class Area_normals
+// The sum of the area vectors of the faces of a sector.
+struct Area_sum
 {
-public:
-  using Index = Level_connectivity::Index;
   using Vector = Coordinates<double, 3>;
 
-  template <class FT, class Point_of, class Sectors>
-  Area_normals(const Level_connectivity& level, const Sectors& sectors,
-               const Scaled_differences<FT, Point_of>& difference)
-    : sums_(sectors.number_of_sectors())
+  void add(const Vector& of_face, double rounding_of_face)
   {
-    for (Index f = 0; f < level.number_of_faces(); ++f)
-      add(level, sectors, difference, level.halfedge_of_face(f));
+    for (int c = 0; c < 3; ++c) area[c] += of_face[c];
+    rounding += rounding_of_face;
+  }
+  // zero if rounding could have made it
+  Vector unit() const
+  {
+    const double size = quick_length(area);
+    if (!(size > rounding) || !std::isfinite(size)) return {0, 0, 0};
+    return quotient(area, size);
   }
 
-  // the unit vector of the sum of a sector; zero if rounding could have made it
-  Vector operator()(Index s) const
-  {
-    const Sum& sum = sums_[s];
-    const double size = quick_length(sum.area);
-    if (!(size > sum.rounding) || !std::isfinite(size)) return {0, 0, 0};
-    return quotient(sum.area, size);
-  }
+  Vector area{0, 0, 0};
+  double rounding = 0;
+};
 
-private:
-  struct Sum
-  {
-    Vector area{0, 0, 0};
-    double rounding = 0;
-  };
-
-  template <class FT, class Point_of, class Sectors>
-  void add(const Level_connectivity& level, const Sectors& sectors,
-           const Scaled_differences<FT, Point_of>& difference, Index first)
-  {
-    const Index origin = level.target(first);
-    Vector area{0, 0, 0}, before{0, 0, 0};
-    double size = 0;
-    for (Index h = level.next(first); h != first; h = level.next(h)) {
-      const Vector d = difference(level.target(h), origin);
-      if (size > 0) add_multiple<double, 3>(area, 1, cross(before, d));
+// into sum_of(s) of all sectors s
+template <class FT, class Point_of, class Sectors, class Sum_of>
+void add_areas(const Level_connectivity& level, const Sectors& sectors,
+               const Scaled_differences<FT, Point_of>& difference, const Sum_of& sum_of)
+{
+  using Index = Level_connectivity::Index;
+  for (Index f = 0; f < level.number_of_faces(); ++f) {
+    const Index first = level.halfedge_of_face(f), origin = level.target(first);
+    Index h = level.next(first);
+    Area_sum::Vector area{0, 0, 0}, before = difference(level.target(h), origin);
+    double size = difference.size_of(before);
+    for (h = level.next(h); h != first; h = level.next(h)) {
+      const auto d = difference(level.target(h), origin);
+      add_multiple<double, 3>(area, 1, cross(before, d));
       size = (std::max)(size, difference.size_of(d));
       before = d;
     }
     const double rounding = 16 * size * difference.rounding(origin, size) +
                             3 * vanishing_tolerance<FT>() * difference.size_of(area);
-    Index h = first;
     do {
-      Sum& sum = sums_[sectors.at_target(h)];
-      add_multiple<double, 3>(sum.area, 1, area);
-      sum.rounding += rounding;
+      sum_of(sectors.at_target(h)).add(area, rounding);
       h = level.next(h);
     } while (h != first);
   }
-
-  std::vector<Sum> sums_;
-};
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

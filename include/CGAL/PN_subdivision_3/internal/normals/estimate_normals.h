@@ -16,7 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

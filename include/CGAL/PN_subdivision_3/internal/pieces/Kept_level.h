@@ -12,10 +12,12 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,11 +29,13 @@ namespace PN_subdivision_3 {
 namespace internal {
 
 // What pieces are asked for, whatever the scheme.
-template <class Value>
+template <class Average>
 class Kept_pieces
 {
 public:
   using Index = Level_connectivity::Index;
+  using Value = typename Average::Value;
+  using Limit = Limit_result<Average>;
 
   // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
   // vertices from different threads; at last (half-edge, wedge, value) for the corners of vertices with several
@@ -41,6 +45,13 @@ public:
     Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
     Function_ref<void(Index, const Value&)> put;
     Function_ref<void(Index, Index, const Value&)> put_corner;
+  };
+  // the same of limits, with what the rounds have given
+  struct Limit_output
+  {
+    Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
+    Function_ref<void(Index, const Limit&, const Value&)> put;
+    Function_ref<void(Index, Index, const Limit&)> put_corner;
   };
 
   Kept_pieces() = default;
@@ -58,6 +69,12 @@ public:
   virtual bool is_empty(std::size_t piece) const = 0;
   // the faces that the piece owns, and some rings around them
   virtual void refine(std::size_t piece, unsigned rings, const Output& out) const = 0;
+  // the same with the vertices on the limit surface, if limits are known; of the vertices that are owned
+  virtual Limit_report refine_to_limit(std::size_t /*piece*/, unsigned /*rings*/,
+                                       const Limit_demand&, const Limit_output&) const
+  {
+    return {};
+  }
 };
 
 inline Face_marks owned_with_rings(const Level_connectivity& level, const Piece_elements& elements,
@@ -76,13 +93,14 @@ public:
   using FT = typename Average::FT;
   using Value = typename Average::Value;
   using Index = Level_connectivity::Index;
-  using Output = typename Kept_pieces<Value>::Output;
+  using Output = typename Kept_pieces<Average>::Output;
   using Slot_value = std::pair<Index, Value>;
 
   // Puts the connectivity of the faces that are owned and of the rings around them.
+  template <class Any_output>
   Kept_level(const Level_connectivity& level, const Piece_elements& elements,
              [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
-             const Output& out)
+             const Any_output& out)
   {
     const Face_marks kept = owned_with_rings(level, elements, rings);
     const All_candidates candidates(level, kept);
@@ -92,6 +110,13 @@ public:
     out.begin(extraction.piece(), vertices, faces);
     vertices_ = extraction.old_vertices();
     if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);
+  }
+
+  // calls f(half-edge, wedge, slot) with the corners of vertices with several wedges, in the order of the half-edges
+  template <class Function>
+  void for_each_corner(const Function& f) const
+  {
+    for (const Corner& c : corners_) f(c.halfedge, c.wedge, c.slot);
   }
 
   // those of the level, in increasing order
@@ -114,10 +139,11 @@ public:
       return a.first < b.first;
     };
     std::sort(values.begin(), values.end(), is_before);
-    for (const Corner& c : corners_)
+    for_each_corner([&](Index h, Index wedge, Index slot) {
       out.put_corner(
-        c.halfedge, c.wedge,
-        std::lower_bound(values.begin(), values.end(), Slot_value(c.slot, {}), is_before)->second);
+        h, wedge,
+        std::lower_bound(values.begin(), values.end(), Slot_value(slot, {}), is_before)->second);
+    });
   }
 
 private:

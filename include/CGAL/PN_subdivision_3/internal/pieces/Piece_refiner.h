@@ -58,7 +58,7 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 // missing there, and are cut off. The rules of creases, too, know only what is near: a part of a level has its part of
 // the creases.
 template <class Scheme, class Average, class Level_creases = No_creases>
-class Piece_refiner final : public Kept_pieces<typename Average::Value>
+class Piece_refiner : public Kept_pieces<Average>
 {
 public:
   using Host = typename Scheme::Host;
@@ -69,11 +69,12 @@ public:
   using Value = typename Refiner::Value;
   using Values = typename Refiner::Values;
 
-  using Output = typename Kept_pieces<Value>::Output;
+  using Output = typename Kept_pieces<Average>::Output;
 
+  // `last_rings`: how many rings of faces the last level shall have right, at least
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
                 Values&& values, unsigned rounds, std::size_t number_of_pieces, unsigned rings,
-                const For_chunks& for_chunks)
+                const For_chunks& for_chunks, unsigned last_rings = 0)
     : scheme_(scheme)
     , rings_(rings)
     , rounds_(rounds)
@@ -94,6 +95,7 @@ public:
       if (!base_.creases().empty()) rings_ += more_rings;
       base_slots_.emplace(base_.level(), base_.creases());
     }
+    more_last_rings_ = last_rings > rings_ ? last_rings - rings_ : 0;
   }
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
                 unsigned rounds, std::size_t number_of_pieces, unsigned rings,
@@ -124,8 +126,30 @@ public:
       put_last_round(part, has_isolated, rings, out);
   }
 
-private:
+protected:
   static constexpr bool is_creased = are_creases_v<Level_creases>;
+  using Kept = Kept_level<Average, Level_creases>;
+
+  struct Part
+  {
+    Level_connectivity level;
+    Piece_elements elements;
+    Level_creases creases;
+    Values values; // of the slots
+  };
+
+  // after all rounds
+  Part last_part(std::size_t piece, bool has_isolated) const
+  {
+    Part part = first_part(piece, has_isolated);
+    for (unsigned k = base_round_ + 1; k <= rounds_; ++k) part = refined(part, k, has_isolated);
+    return part;
+  }
+  const Scheme& scheme() const { return scheme_; }
+  const For_chunks& for_chunks() const { return for_chunks_; }
+  unsigned rounds() const { return rounds_; }
+
+private:
   // The rules of creases read what the mask does, but of each vertex all wedges where creases run out: with one ring
   // more no vertex that is read misses faces. With two, nor does a vertex beside it, where a crease may end that takes
   // away its roundness.
@@ -142,16 +166,7 @@ private:
 
   struct Nothing
   {};
-  using Kept = Kept_level<Average, Level_creases>;
   using Slots = std::conditional_t<is_creased, std::optional<Corner_slots<FT>>, Nothing>;
-
-  struct Part
-  {
-    Level_connectivity level;
-    Piece_elements elements;
-    Level_creases creases;
-    Values values; // of the slots
-  };
 
   // Elements of the level that is divided, which keep their numbers.
   template <class Is_owned>
@@ -169,7 +184,7 @@ private:
   Part first_part(std::size_t piece, bool has_isolated) const
   {
     Candidate_tables::Table table = tables_.take(base_.level());
-    table->list(division_->begin(piece), division_->end(piece), rings_,
+    table->list(division_->begin(piece), division_->end(piece), rings_after(base_round_),
                 has_isolated ? division_->isolated_vertices() : std::vector<Index>());
     Part part = first_part(piece, has_isolated, *table);
     tables_.give_back(std::move(table));
@@ -209,10 +224,20 @@ private:
     return part;
   }
 
+  // Where a round splits edges in two, a ring more before it is two more after it.
+  unsigned rings_after(unsigned round) const
+  {
+    unsigned more = more_last_rings_;
+    if constexpr (Splits_edges<Host>::value)
+      for (unsigned k = round; k < rounds_; ++k) more = (more + 1) / 2;
+    return rings_ + more;
+  }
+
   // what is owned, and the rings around it
   Part with_rings(const Refiner& level, const Piece_elements& elements, bool has_isolated) const
   {
-    const Face_marks kept = owned_with_rings(level.level(), elements, rings_);
+    const Face_marks kept =
+      owned_with_rings(level.level(), elements, rings_after(level.rounds_done()));
     const All_candidates candidates(level.level(), kept);
     Piece_extraction<All_candidates> extraction(level.level(), candidates, has_isolated);
     Slots slots;
@@ -331,7 +356,7 @@ private:
   }
 
   const Scheme scheme_; // the levels refer to it
-  unsigned rings_, rounds_, base_round_;
+  unsigned rings_, more_last_rings_ = 0, rounds_, base_round_;
   For_chunks for_chunks_;
   Refiner base_;
   std::optional<Whole_levels<Host>> wholes_;

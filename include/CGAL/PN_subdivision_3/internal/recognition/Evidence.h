@@ -10,7 +10,6 @@
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Grower.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Turn.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +57,7 @@ private:
     case Kind::cone:
       return is_cone(r);
     case Kind::sphere:
-      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r) && !is_frustum(r);
+      return r.vertices.size() >= 7 && r.inner_vertices >= 1 && !is_fan(r);
     case Kind::torus:
       return is_torus(r);
     default:
@@ -127,24 +126,6 @@ private:
       if (is_hub && are_others_in_a_plane(r, v)) return true;
     }
     return false;
-  }
-  // two circles about one axis are on a sphere anyway: a cap and a row of facets
-  bool is_frustum(const Region& r) const
-  {
-    if (r.patches.size() > 30) return false;
-    for (const Index p : r.patches)
-      if (levels_along(c_.patches[p].normal, r) <= 2) return true;
-    return false;
-  }
-  std::size_t levels_along(const Vec3& direction, const Region& r) const
-  {
-    std::vector<double> levels;
-    for (const Index v : r.vertices) levels.push_back(dot(direction, c_.point(v)));
-    std::sort(levels.begin(), levels.end());
-    std::size_t result = 1;
-    for (std::size_t i = 1; i < levels.size(); ++i)
-      result += levels[i] - levels[i - 1] > 8 * c_.tolerance();
-    return result;
   }
   bool are_others_in_a_plane(const Region& r, Index hub) const
   {

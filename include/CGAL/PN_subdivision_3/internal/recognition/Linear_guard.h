@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Refined_heights.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -86,6 +86,7 @@ private:
   void set_tags()
   {
     tags_ = std::make_unique<Surface_tags>(level_, part_, surfaces_, patch_, sharp_angle_);
+    heights_.measure_from(*tags_);
     is_crease_.resize(level_.number_of_edges());
     for (Index e = 0; e < is_crease_.size(); ++e) is_crease_[e] = tags_->is_crease(e);
     is_corner_.resize(level_.number_of_vertices(), false);
@@ -219,8 +220,8 @@ private:
     if (changes.is_folded[f] && !linear_.is_folded[f]) return true;
     const double margin = 10 * part_.tolerance;
     if (!is_known(f)) return changes.height[f] > 1.25 * linear_around + margin;
-    return surfaces_[patch_[f]].kind == Kind::plane &&
-           changes.height[f] > linear_.height[f] + margin;
+    if (tags_->is_round(f)) return changes.deviation[f] > 1.25 * linear_.deviation[f] + margin;
+    return changes.height[f] > linear_.height[f] + margin;
   }
   // the wedges of an unknown face, the unknown ones round another one
   bool set_back(Index f)

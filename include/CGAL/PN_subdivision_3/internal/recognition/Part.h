@@ -87,6 +87,21 @@ struct Part
 
   Index number_of_faces() const { return corners.size(); }
   bool is_sliver(Index f) const { return altitude[f] < 4 * tolerance; }
+  // how far a face leaves the plane of another one
+  double height(Index f, Index g) const
+  {
+    double result = 0;
+    for (const Index v : corners[f])
+      result = (std::max)(result, std::abs(dot(normal[g], points[v] - points[corners[g][0]])));
+    return result;
+  }
+  // of the two faces of an inner edge the lower one, if they are no slivers and turn by little
+  bool is_nearly_flat(const Edge& e, double cosine, double greatest_height) const
+  {
+    return e.g != null && !is_sliver(e.f) && !is_sliver(e.g) &&
+           dot(normal[e.f], normal[e.g]) > cosine &&
+           (height(e.f, e.g) <= greatest_height || height(e.g, e.f) <= greatest_height);
+  }
   // the face on the other side of an inner edge
   Index across(Index f, Index e) const { return edges[e].f == f ? edges[e].g : edges[e].f; }
   double length(const Edge& e) const { return norm(points[e.v] - points[e.w]); }
@@ -105,6 +120,7 @@ public:
     sort_faces(level);
     make_edges(level);
     measure_faces();
+    if (has_all_digits_ && widen_tolerance()) measure_faces();
     part_.rank_of_vertex = std::move(rank_);
     part_.rank_of_face = std::move(face_rank_);
     return std::move(part_);
@@ -155,8 +171,10 @@ private:
     for (std::size_t i = 0; i < order_.size(); i += stride)
       for (const double x : points[order_[i]]) some.push_back(x);
     some.push_back(largest_);
-    part_.tolerance = tolerance > 0 ? tolerance / part_.scale
-                                    : 4 * file_rounding(some) / part_.scale + 1e-7 * part_.size;
+    const double rounding = file_rounding(some);
+    has_all_digits_ = !(tolerance > 0) && rounding < std::ldexp(largest_, -40);
+    part_.tolerance =
+      tolerance > 0 ? tolerance / part_.scale : 4 * rounding / part_.scale + 1e-7 * part_.size;
   }
 
   // each face from its least vertex on
@@ -212,8 +230,36 @@ private:
     });
   }
 
+  // Other programs move and scale files of few digits, and write all digits then; their planes keep the rounding. It is that of
+  // the heights of faces over their neighbors if these are many, little, as different as by accident, and clearly less than
+  // all bends.
+  bool widen_tolerance()
+  {
+    const double least = (std::max)(1e-12 * part_.size, std::ldexp(largest_ / part_.scale, -46));
+    std::vector<double> heights;
+    for (const Part::Edge& e : part_.edges) {
+      if (!part_.is_nearly_flat(e, std::cos(radians(25)), 1e-3 * part_.size)) continue;
+      const double h = (std::min)(part_.height(e.f, e.g), part_.height(e.g, e.f));
+      if (h > least) heights.push_back(h);
+    }
+    std::sort(heights.begin(), heights.end());
+    std::size_t n = 8;
+    while (n < heights.size() && heights[n] < 20 * heights[n - 1]) ++n;
+    if (n > heights.size() || heights[n - 1] > 3e-5 * part_.size) return false;
+    const double most = heights[3 * n / 4];
+    const double rounding_only = 4 * most + 1e-7 * part_.size;
+    if (heights[n / 10] > most / 3 || heights[n / 4] < most / 50 ||
+        rounding_only < 2 * part_.tolerance)
+      return false;
+    part_.tolerance = rounding_only;
+    return true;
+  }
+
   void measure_faces()
   {
+    part_.area.clear();
+    part_.altitude.clear();
+    part_.normal.clear();
     for (Index f = 0; f < part_.number_of_faces(); ++f) {
       const Lists::Range c = part_.corners[f];
       const Vec3 origin = part_.points[c[0]];
@@ -236,6 +282,7 @@ private:
   Part part_;
   std::vector<Index> order_, rank_, face_rank_;
   double largest_ = 0;
+  bool has_all_digits_ = false; // of double
 };
 
 } // namespace recognition

@@ -75,26 +75,11 @@ public:
   }
 
 private:
-  // how far a face leaves the plane of another one
-  double height(Index f, Index g) const
-  {
-    const Vec3 origin = part_.points[part_.corners[g][0]];
-    double result = 0;
-    for (const Index v : part_.corners[f])
-      result = (std::max)(result, std::abs(dot(part_.normal[g], part_.points[v] - origin)));
-    return result;
-  }
-  bool is_flat(const Part::Edge& e) const
-  {
-    return e.g != null && !part_.is_sliver(e.f) && !part_.is_sliver(e.g) &&
-           dot(part_.normal[e.f], part_.normal[e.g]) > cosine_of_flat_ &&
-           (std::min)(height(e.f, e.g), height(e.g, e.f)) <= part_.tolerance;
-  }
   void find_flat_edges()
   {
     std::vector<std::pair<Index, Index>> pairs;
     for (const Part::Edge& e : part_.edges) {
-      if (!is_flat(e)) continue;
+      if (!part_.is_nearly_flat(e, cosine_of_flat_, part_.tolerance)) continue;
       pairs.emplace_back(e.f, e.g);
       pairs.emplace_back(e.g, e.f);
     }

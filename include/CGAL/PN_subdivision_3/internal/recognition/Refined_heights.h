@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
@@ -33,10 +34,11 @@ namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
 
-// Of each control face how far two rounds move it out of its plane, and whether they fold it.
+// Of each control face how far two rounds move it out of its plane, where it is on a round surface how far out of that, and
+// whether they fold it.
 struct Face_changes
 {
-  std::vector<double> height;
+  std::vector<double> height, deviation;
   std::vector<bool> is_folded;
 };
 
@@ -53,6 +55,8 @@ public:
       points_.push_back(as_array(rank == null ? Vec3() : part.points[rank]));
     }
   }
+
+  void measure_from(const Surface_tags& tags) { tags_ = &tags; }
 
   using Value = Point_normal_roundness<double, 3>;
 
@@ -113,12 +117,17 @@ private:
                         const std::vector<Index>& origin) const
   {
     Face_changes result{std::vector<double>(level_.number_of_faces(), 0),
+                        std::vector<double>(level_.number_of_faces(), 0),
                         std::vector<bool>(level_.number_of_faces(), false)};
     std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
     for (Index h = 0; h < level.number_of_halfedges(); ++h) {
       if (level.is_border(h)) continue;
       const Index v = level.target(h);
-      const double d = distance_from_plane(origin[level.face(h)], as_vec3(points[v]));
+      const Index f = origin[level.face(h)];
+      const double d = distance_from_plane(f, as_vec3(points[v]));
+      if (tags_ != nullptr && tags_->is_round(f))
+        result.deviation[f] =
+          (std::max)(result.deviation[f], std::abs(tags_->shape(f).distance(as_vec3(points[v]))));
       distance[v] = (std::min)(distance[v], d);
     }
     for (Index h = 0; h < level.number_of_halfedges(); ++h) {
@@ -158,6 +167,7 @@ private:
 
   const Level_connectivity& level_;
   const Part& part_;
+  const Surface_tags* tags_ = nullptr;
   std::vector<Coordinates<double, 3>> points_;
 };
 

@@ -27,15 +27,15 @@ class Region_borders
 {
 public:
   Region_borders(const Context& context, std::vector<Region>& regions,
-                 const std::vector<Index>& prisms)
+                 const std::vector<std::pair<Index, double>>& prisms)
     : c_(context)
     , regions_(regions)
     , owner_(context.patches.size(), null)
-    , is_prism_(context.patches.size(), false)
+    , prism_step_(context.patches.size(), 0)
   {
     for (Index i = 0; i < regions_.size(); ++i)
       for (const Index p : regions_[i].patches) owner_[p] = i;
-    for (const Index p : prisms) is_prism_[p] = owner_[p] == null;
+    for (const auto& p : prisms) prism_step_[p.first] = owner_[p.first] == null ? p.second : 0;
   }
 
   void operator()()
@@ -43,11 +43,13 @@ public:
     merge();
     for (Index i = 0; i < regions_.size(); ++i) own_midpoints_.push_back(midpoint_distance_of(i));
     absorb();
-    relabel();
+    set_patches();
   }
 
   const std::vector<Index>& owners() const { return owner_; }
-  bool is_prism(Index p) const { return is_prism_[p]; }
+  // of the prism whose side a patch is; 0: of none
+  double prism_step(Index p) const { return prism_step_[p]; }
+  bool is_prism(Index p) const { return prism_step_[p] > 0; }
 
   // of some faces: edges' midpoints from a region's shape
   template <class Faces>
@@ -144,7 +146,7 @@ private:
     for (int round = 0; round < 20; ++round) {
       std::vector<std::pair<Index, Index>> taken;
       for (Index p = 0; p < c_.patches.size(); ++p) {
-        if (owner_[p] != null || is_prism_[p]) continue;
+        if (owner_[p] != null || is_prism(p)) continue;
         const Index region = absorbing_neighbor(p);
         if (region != null) taken.emplace_back(p, region);
       }
@@ -174,21 +176,10 @@ private:
   bool is_absorbed(Index p, Index region) const
   {
     const Patches::Patch& patch = c_.patches[p];
-    if (is_cut_facet(patch, regions_[region]) || are_facets(patch, region)) return true;
+    if (is_cut_facet(patch, regions_[region])) return true;
     return may_be_facet(region, patch.vertices, patch.normal, patch.width, 3 * c_.tolerance()) &&
            midpoint_distance(regions_[region].shape, patch.faces) <=
              greatest_midpoint_distance(region);
-  }
-  // at the poles of spheres several faces are in one plane
-  bool are_facets(const Patches::Patch& patch, Index region) const
-  {
-    const Region& r = regions_[region];
-    if (patch.faces.size() > 8 || r.inner_vertices < 12) return false;
-    for (const Index f : patch.faces)
-      if (!may_be_facet(region, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
-                        2 * c_.tolerance()))
-        return false;
-    return midpoint_distance(r.shape, patch.faces) <= greatest_midpoint_distance(region);
   }
   // polyhedral Booleans leave vertices on chords
   bool is_cut_facet(const Patches::Patch& patch, const Region& r) const
@@ -204,53 +195,11 @@ private:
     return true;
   }
 
-  void relabel()
+  void set_patches()
   {
-    for (int round = 0; round < 4; ++round) {
-      std::vector<std::pair<Index, Index>> moved;
-      for (Index p = 0; p < c_.patches.size(); ++p) {
-        if (owner_[p] == null) continue;
-        const Index better = better_owner(p);
-        if (better != owner_[p]) moved.emplace_back(p, better);
-      }
-      for (const auto& m : moved) owner_[m.first] = m.second;
-      if (moved.empty()) break;
-    }
     for (Region& r : regions_) r.patches.clear();
     for (Index p = 0; p < c_.patches.size(); ++p)
       if (owner_[p] != null) regions_[owner_[p]].patches.push_back(p);
-  }
-  Index better_owner(Index p) const
-  {
-    Index best = owner_[p];
-    for (const Index number : c_.patches[p].joints) {
-      const Index other = owner_[c_.patches.joints[number].other(p)];
-      if (other != null && other != best && is_better(p, best, other)) best = other;
-    }
-    return best;
-  }
-  bool is_better(Index p, Index own, Index other) const
-  {
-    const Patches::Patch& patch = c_.patches[p];
-    const Shape& s = regions_[other].shape;
-    if ((s.kind == Kind::sphere || s.kind == Kind::torus) && patch.vertices.size() > 4)
-      return false;
-    const double t = c_.tolerance(), its = distance(patch, s);
-    if (!(its <= 3 * t)) return false;
-    const double own_distance = distance(patch, regions_[own].shape);
-    const double own_angle = misfit(patch, regions_[own]),
-                 its_angle = misfit(patch, regions_[other]);
-    if (2 * its_angle < own_angle) return true;
-    if (its_angle > 2 * own_angle) return false;
-    if (own_distance > t && its < own_distance / 2) return true;
-    return border_with(p, other) > 1.05 * border_with(p, own);
-  }
-  double distance(const Patches::Patch& patch, const Shape& s) const
-  {
-    double result = 0;
-    for (const Index v : patch.vertices)
-      result = (std::max)(result, std::abs(s.distance(c_.point(v))));
-    return result;
   }
   // with what rounding does to the normal of a small patch
   double misfit(const Patches::Patch& patch, const Region& r) const
@@ -258,20 +207,10 @@ private:
     return angle_between(r.side * r.shape.normal(patch.mean), patch.normal) + radians(0.1) +
            std::atan(c_.tolerance() / patch.width);
   }
-  double border_with(Index p, Index region) const
-  {
-    double length = 0;
-    for (const Index number : c_.patches[p].joints) {
-      const Joint& j = c_.patches.joints[number];
-      if (owner_[j.other(p)] == region) length += j.length;
-    }
-    return length;
-  }
-
   const Context& c_;
   std::vector<Region>& regions_;
   std::vector<Index> owner_;
-  std::vector<bool> is_prism_;
+  std::vector<double> prism_step_;
   std::vector<double> own_midpoints_;
 };
 

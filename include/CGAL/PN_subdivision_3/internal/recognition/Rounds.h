@@ -31,8 +31,8 @@ public:
     , regions_(regions)
   {}
 
-  // Leaves the rounds; returns the patches of the prisms.
-  std::vector<Index> operator()()
+  // Leaves the rounds; returns the patches of the prisms, with their steps.
+  std::vector<std::pair<Index, double>> operator()()
   {
     drop_cuts();
     const std::size_t n = regions_.size();
@@ -43,14 +43,14 @@ public:
     for (std::size_t i = 0; i < n; ++i)
       if (!is_contradicted_[i] && is_tangent_enough(regions_[i])) is_sure_[i] = true;
     spread();
-    std::vector<Index> prisms;
+    std::vector<std::pair<Index, double>> prisms;
     std::vector<Region> rounds;
     for (std::size_t i = 0; i < n; ++i) {
       Region& r = regions_[i];
       if (is_sure_[i] || is_round_by_default(i))
         rounds.push_back(std::move(r));
       else
-        prisms.insert(prisms.end(), r.patches.begin(), r.patches.end());
+        for (const Index p : r.patches) prisms.emplace_back(p, r.step());
     }
     regions_ = std::move(rounds);
     return prisms;

@@ -62,7 +62,6 @@ public:
     for (Index p = 0; p < c_.patches.size(); ++p)
       if (borders_.owners()[p] != null) set_label(p, borders_.owners()[p]);
     split();
-    relabel_faces();
     find_planes();
     join_unknown();
     Give_slivers_away(c_, edges_of_face_, label_, labels_)();
@@ -117,42 +116,6 @@ private:
       least = d;
     }
     return best;
-  }
-
-  // A face that is in one plane with facets of one round, but on another one with which it has more border.
-  void relabel_faces()
-  {
-    for (int round = 0; round < 4; ++round) {
-      std::vector<std::pair<Index, Index>> moved;
-      for (Index p = 0; p < c_.patches.size(); ++p)
-        if (c_.patches[p].faces.size() > 2 && !is_free(p))
-          for (const Index f : c_.patches[p].faces) {
-            const Index label = better_label(f);
-            if (label != label_[f]) moved.emplace_back(f, label);
-          }
-      for (const auto& m : moved) label_[m.first] = m.second;
-      if (moved.empty()) return;
-    }
-  }
-  Index better_label(Index f) const
-  {
-    Index best = label_[f];
-    for (const Index e : edges_of_face_[f]) {
-      const Index label = label_[c_.part.across(f, e)];
-      if (label == null || label == best || !(border_with(f, label) > 1.05 * border_with(f, best)))
-        continue;
-      if (borders_.may_be_facet(label, c_.part.corners[f], c_.part.normal[f], c_.part.altitude[f],
-                                2 * c_.tolerance()))
-        best = label;
-    }
-    return best;
-  }
-  double border_with(Index f, Index label) const
-  {
-    double length = 0;
-    for (const Index e : edges_of_face_[f])
-      if (label_[c_.part.across(f, e)] == label) length += c_.part.length(c_.part.edges[e]);
-    return length;
   }
 
   void find_planes()
@@ -229,6 +192,7 @@ private:
   {
     const Index label = new_label(plane_of(patches));
     for (const Index p : patches) set_label(p, label);
+    labels_[label].widest_step = borders_.prism_step(patches[0]);
   }
 
   // over joints of at most 30 degrees; one or two facets are planes

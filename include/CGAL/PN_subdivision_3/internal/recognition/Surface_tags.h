@@ -40,7 +40,9 @@ public:
     set_sides();
   }
 
-  bool is_known(Index f) const { return shapes_[patch_[f]].kind != Kind::unknown; }
+  const Shape& shape(Index f) const { return shapes_[patch_[f]]; }
+  bool is_known(Index f) const { return shape(f).kind != Kind::unknown; }
+  bool is_round(Index f) const { return is_known(f) && shape(f).kind != Kind::plane; }
 
   bool is_crease(Index e) const
   {

@@ -44,9 +44,11 @@ public:
       if (seeds.size() > 60) return;
       if (seeds.size() < 3) continue;
       points_ = c_.points_of(c_.vertices_of(seeds));
+      is_near_ = points_.size() < 10;
       fit_sphere(seeds);
       fit_cylinder(seeds);
       fit_cone(seeds);
+      if (!is_near_) return; // nor are more
     }
   }
 
@@ -78,13 +80,14 @@ private:
   void fit_sphere(const Seeds& seeds)
   {
     Shape s;
-    if (points_.size() >= 5 && !found_.is_known(Kind::sphere, seeds) && sphere_through(points_, s))
+    if (points_.size() >= 5 && !is_known(Kind::sphere, seeds) && sphere_through(points_, s) &&
+        is_on(s))
       found_.try_shape(s, seeds);
   }
 
   void fit_cylinder(const Seeds& seeds)
   {
-    if (points_.size() < 6 || found_.is_known(Kind::cylinder, seeds)) return;
+    if (points_.size() < 6 || is_known(Kind::cylinder, seeds)) return;
     Covariance covariance;
     for (const Index p : seeds) covariance.add(c_.patches[p].normal);
     Shape s;
@@ -95,7 +98,7 @@ private:
 
   void fit_cone(const Seeds& seeds)
   {
-    if (points_.size() < 7 || found_.is_known(Kind::cone, seeds)) return;
+    if (points_.size() < 7 || is_known(Kind::cone, seeds)) return;
     Vec3 mean;
     for (const Index p : seeds) mean += (1 / double(seeds.size())) * c_.patches[p].normal;
     Covariance covariance;
@@ -126,9 +129,21 @@ private:
 
   void polish(Shape& s, const Seeds& seeds)
   {
-    const double limit = 100 * c_.tolerance();
-    Shape_fit(points_, 12)(s, limit);
-    if (Shape_fit::residual(s, points_) < limit) found_.try_shape(s, seeds);
+    Shape_fit(points_, 12)(s, limit());
+    if (is_on(s)) found_.try_shape(s, seeds);
+  }
+  double limit() const { return 100 * c_.tolerance(); }
+  bool is_on(const Shape& s)
+  {
+    const bool result = Shape_fit::residual(s, points_) < limit();
+    is_near_ = is_near_ || result;
+    return result;
+  }
+  bool is_known(Kind kind, const Seeds& seeds)
+  {
+    const bool result = found_.is_known(kind, seeds);
+    is_near_ = is_near_ || result;
+    return result;
   }
 
   const Context& c_;
@@ -136,6 +151,7 @@ private:
   std::vector<unsigned> ring_;
   unsigned now_ = 0;
   std::vector<Vec3> points_;
+  bool is_near_ = false; // one of the shapes to all points
 };
 
 } // namespace recognition

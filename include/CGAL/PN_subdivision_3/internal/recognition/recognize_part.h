@@ -8,20 +8,95 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_RECOGNIZE_PART_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_RECOGNIZE_PART_H
 
+#include <CGAL/PN_subdivision_3/internal/recognition/Found_regions.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Patches.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Rounds.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Segments.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/choose_regions.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/fit_neighborhoods.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/guess_shapes.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
+
+// the largest part of some facets that is connected by smooth joints
+inline std::vector<Index> largest_connected(const Context& c, const std::vector<Index>& sorted)
+{
+  std::vector<Index> best;
+  std::vector<bool> is_seen(sorted.size(), false);
+  for (std::size_t first = 0; first < sorted.size(); ++first) {
+    if (is_seen[first]) continue;
+    is_seen[first] = true;
+    std::vector<Index> component{sorted[first]};
+    for (std::size_t i = 0; i < component.size(); ++i)
+      for (const Index number : c.patches[component[i]].joints) {
+        const Joint& j = c.patches.joints[number];
+        if (!j.is_smooth) continue;
+        const auto it = std::lower_bound(sorted.begin(), sorted.end(), j.other(component[i]));
+        if (it == sorted.end() || *it != j.other(component[i]) ||
+            is_seen[std::size_t(it - sorted.begin())])
+          continue;
+        is_seen[std::size_t(it - sorted.begin())] = true;
+        component.push_back(*it);
+      }
+    if (component.size() > best.size()) best = component;
+  }
+  std::sort(best.begin(), best.end());
+  return best;
+}
+
+inline int rank_of(Kind kind)
+{
+  return kind == Kind::cylinder ? 0 : kind == Kind::sphere ? 1 : kind == Kind::cone ? 2 : 3;
+}
+
+// Else its facets are planes later, and must not be kept from what they may be.
+inline bool may_be_round(const Context& c, const Region& r)
+{
+  if (r.shape.kind == Kind::sphere && r.patches.size() >= 24) return true;
+  const double step = r.step();
+  return (1 - 1e-4) * step * c.min_facets <= 2 * std::acos(-1.) ||
+         (r.number_of_tangent_ends() == 2 && step <= radians(61));
+}
+
+// Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
+inline std::vector<Region> choose_regions(const Context& c, Found_regions& found)
+{
+  std::vector<Region> all = found.regions();
+  std::stable_sort(all.begin(), all.end(), [&](const Region& a, const Region& b) {
+    if (may_be_round(c, a) != may_be_round(c, b)) return may_be_round(c, a);
+    if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
+    if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
+      return a.number_of_tangent_ends() > b.number_of_tangent_ends();
+    if (a.shape.kind != b.shape.kind) return rank_of(a.shape.kind) < rank_of(b.shape.kind);
+    return a.patches < b.patches; // patches are numbered in the order of their vertices
+  });
+  std::vector<bool> is_taken(c.patches.size(), false);
+  std::vector<Region> result;
+  for (Region& r : all) {
+    std::vector<Index> rest;
+    for (const Index p : r.patches)
+      if (!is_taken[p]) rest.push_back(p);
+    if (rest.size() < r.patches.size()) {
+      if (5 * rest.size() < 3 * r.patches.size()) continue;
+      rest = largest_connected(c, rest);
+      if (5 * rest.size() < 3 * r.patches.size()) continue;
+      r.patches = rest;
+      if (!found.evidence().still_holds(r)) continue;
+    }
+    for (const Index p : r.patches) is_taken[p] = true;
+    result.push_back(std::move(r));
+  }
+  return result;
+}
 
 // Some facets first, since in the large regions that they are in there is nothing left to guess.
 inline void find_regions(const Context& context, Found_regions& found)
@@ -48,7 +123,7 @@ inline Segments recognize_part(const Part& part, unsigned min_facets)
   Found_regions found(context);
   find_regions(context, found);
   std::vector<Region> regions = choose_regions(context, found);
-  const std::vector<Index> prisms = Rounds(context, regions)();
+  const auto prisms = Rounds(context, regions)();
   Region_borders borders(context, regions, prisms);
   borders();
   return Make_segments(context, regions, borders)();

@@ -8,8 +8,10 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_REFINEMENT_AVERAGE_OF_SCHEME_H
 
+#include <CGAL/PN_subdivision_3/average/Grid_average.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <type_traits>
@@ -31,10 +33,37 @@ using Average_of =
 template <class FT, int dimension>
 using Average_with_roundness = PN_average<FT, dimension, Point_normal_roundness<FT, dimension>>;
 
+// what is averaged
 template <class Scheme, class FT>
-using Average_of_scheme =
-  std::conditional_t<is_pn_v<Scheme> && may_vary_in_roundness_v<Scheme>,
-                     Average_with_roundness<FT, 3>, Average_of<is_pn_v<Scheme>, FT, 3>>;
+using Value_of_scheme = std::conditional_t<may_vary_in_roundness_v<Scheme>,
+                                           Point_normal_roundness<FT, 3>, Point_normal<FT, 3>>;
+
+template <class Scheme, class FT>
+using Average_of_scheme = std::conditional_t<
+  !is_pn_v<Scheme>, Linear_average<FT, 3>,
+  std::conditional_t<Has_grid_rows<Scheme>::value, Grid_average<FT, Value_of_scheme<Scheme, FT>>,
+                     PN_average<FT, 3, Value_of_scheme<Scheme, FT>>>>;
+
+// the average of values that have one roundness; of points alone it plays no part
+template <class Average>
+Average average_of_roundness([[maybe_unused]] const typename Average::FT& roundness)
+{
+  Average average{};
+  if constexpr (has_normal_v<typename Average::Value>) average.roundness = roundness;
+  return average;
+}
+
+// with the roundness of the scheme, where that is one number
+template <class Average, class Scheme>
+Average average_of([[maybe_unused]] const Scheme& scheme)
+{
+  Average average{};
+  if constexpr (!std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>> &&
+                has_normal_v<typename Average::Value> && !has_roundness_v<typename Average::Value>)
+    if (const auto* given = outermost<Is_with_roundness>(scheme)->given)
+      average.roundness = given->of_all.value_or(average.roundness);
+  return average;
+}
 
 } // namespace internal
 } // namespace PN_subdivision_3

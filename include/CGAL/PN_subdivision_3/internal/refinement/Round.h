@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
@@ -64,6 +65,7 @@ public:
     , size_(Host::refined_size(level.size(), number))
     , mask_((cut(), scheme.template mask<FT>(level, number)))
     , normal_mask_(make_normal_mask(scheme, level, number))
+    , average_(average_of<Average>(scheme))
     , number_of_old_vertices_(level.number_of_vertices())
     , number_(number)
   {}
@@ -72,6 +74,7 @@ public:
   const Host& host() const { return host_; }
   const auto& mask() const { return mask_; }
   const auto& normal_mask() const { return normal_mask_; }
+  const Average& average() const { return average_; }
   unsigned number() const { return number_; }
 
   // The rows of these vertices, in increasing order, are not needed: their values are set by others.
@@ -212,7 +215,7 @@ private:
                Value* result) const
   {
     const auto averages = [&](Index begin, Index number, Value* values) {
-      const Block block{};
+      const Block block(average_);
       emit(mask_, begin, number, vertex, rows);
       if constexpr (has_normal_mask) {
         emit(normal_mask_, begin, number, vertex, normal_rows);
@@ -255,6 +258,7 @@ private:
   Level_size size_;
   Mask mask_;
   Normal_mask normal_mask_;
+  Average average_;
   Index number_of_old_vertices_;
   unsigned number_;
   std::vector<Index> of_others_;

@@ -17,8 +17,8 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Erased_mask.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 
 #include <functional>
 #include <memory>

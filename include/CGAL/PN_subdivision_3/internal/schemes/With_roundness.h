@@ -9,10 +9,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_WITH_ROUNDNESS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
+#include <CGAL/Uncertain.h>
+
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -29,7 +32,6 @@ struct Given_roundness
 {
   std::vector<FT> of_vertices;
   std::optional<FT> of_all;
-  std::optional<Control_normal_estimate> estimate; // of normals, by a named parameter
 
   bool is_any() const { return of_all || !of_vertices.empty(); }
   // into the first values, those of the vertices
@@ -44,32 +46,33 @@ struct Given_roundness
   }
 };
 
-// A scheme whose values have a roundness that varies, in the calls that need one: those that estimate normals, that are given
-// roundness, or in which sharp edges end. It is put around the user's scheme, as the outermost adaptor.
-template <class Scheme, class FT>
+// A scheme with a roundness, which is put around the user's scheme as the outermost adaptor. It varies, and values have one of
+// their own, in the calls that estimate normals, that are given a map, or in which sharp edges end; where it is one number,
+// Given_roundness::of_all, the average has it.
+template <class Scheme, class FT, bool varies = true>
 struct With_roundness : Scheme_adaptor<Scheme>
 {
-  // what the call says goes before what the scheme says
-  std::optional<Control_normal_estimate> normal_estimate() const
-  {
-    if (given != nullptr && given->estimate) return given->estimate;
-    return stated_normal_estimate(this->scheme);
-  }
-
   const Given_roundness<FT>* given = nullptr; // none is given
 };
 
 template <class Scheme>
 struct Is_with_roundness : std::false_type
 {};
+template <class Scheme, class FT, bool varies>
+struct Is_with_roundness<With_roundness<Scheme, FT, varies>> : std::true_type
+{};
+
+template <class Scheme>
+struct Is_with_varying_roundness : std::false_type
+{};
 template <class Scheme, class FT>
-struct Is_with_roundness<With_roundness<Scheme, FT>> : std::true_type
+struct Is_with_varying_roundness<With_roundness<Scheme, FT, true>> : std::true_type
 {};
 
 // whether values of the scheme have a roundness of their own
 template <class Scheme>
 constexpr bool may_vary_in_roundness_v =
-  !std::is_null_pointer_v<Outermost<Is_with_roundness, Scheme>>;
+  !std::is_null_pointer_v<Outermost<Is_with_varying_roundness, Scheme>>;
 
 // puts what is given into the first values, those of the vertices
 template <class Scheme, class Value>
@@ -88,6 +91,22 @@ void share_roundness([[maybe_unused]] const Value& of_vertex,
                      [[maybe_unused]] Other_value& of_wedge)
 {
   if constexpr (has_roundness_v<Value>) of_wedge.roundness = of_vertex.roundness;
+}
+
+// Of the entries of a crease average, of which of(j) is the roundness. Equal ones are not summed: here the weights come in
+// another order than that in which they sum to 1.
+template <class Entry, std::size_t n, class Roundness_of>
+auto averaged_roundness(const std::array<Entry, n>& entries, const Roundness_of& of)
+{
+  const auto first = of(0);
+  std::decay_t<decltype(first)> sum =
+    entries[0].weight * first; // a number, not the expression of one
+  bool are_equal = true;
+  for (std::size_t j = 1; j < n; ++j) {
+    sum += entries[j].weight * of(j);
+    are_equal = are_equal && CGAL::certainly(of(j) == first);
+  }
+  return are_equal ? first : sum;
 }
 
 } // namespace internal

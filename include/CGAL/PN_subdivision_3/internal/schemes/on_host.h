@@ -12,10 +12,8 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
-#include <CGAL/PN_subdivision_3/schemes/normal_estimate.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-#include <CGAL/PN_subdivision_3/schemes/with_border.h>
-#include <CGAL/PN_subdivision_3/schemes/with_crease_tangents.h>
 
 #include <stdexcept>
 #include <string>
@@ -132,8 +130,9 @@ Result on_dual_host(const Scheme& scheme, const Function& f)
 {
   return on_host<Result, Call>(scheme, [&](const auto& s) -> Result {
     if constexpr (std::decay_t<decltype(s)>::Host::keeps_vertices)
-      throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
-                                  " belong to the vertices, not to the faces: see limit_points()");
+      throw std::invalid_argument(
+        "PN_subdivision_3: the limit points of " + name_in_message(s) +
+        " belong to the vertices, not to the faces: give a map of vertices");
     else
       return f(s);
   });
@@ -149,7 +148,7 @@ Result on_primal_host(const Scheme& scheme, const Function& f)
     else
       throw std::invalid_argument("PN_subdivision_3: the limit points of " + name_in_message(s) +
                                   " belong to the faces, not to the vertices: see "
-                                  "face_limit_points()");
+                                  "limit_points() with a map of faces");
   });
 }
 

@@ -18,8 +18,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
-template <class Scheme>
-struct Scheme_with_border;
 template <class Scheme, class Normal_scheme>
 struct Scheme_with_normals;
 
@@ -27,6 +25,8 @@ namespace internal {
 
 template <class Host, class FT>
 class Scheme_on_host;
+template <class Scheme>
+struct Scheme_with_border;
 
 // What the type of a scheme says of it. Of a scheme that is chosen at run time the type says what may be, and
 // scheme_facts.h what is.
@@ -119,6 +119,26 @@ struct Is_adaptor : std::false_type
 template <class Scheme>
 struct Is_adaptor<Scheme, std::void_t<typename Scheme::Adapted_scheme>> : std::true_type
 {};
+
+// whether the scheme says that its rows hold grids, which Grid_average reads
+template <class Scheme, class = void>
+struct Has_grid_rows : std::false_type
+{};
+template <class Scheme>
+struct Has_grid_rows<Scheme, std::void_t<decltype(Scheme::has_grid_rows)>>
+  : std::bool_constant<Scheme::has_grid_rows>
+{};
+
+// asked by what averages rows in its own way, or takes the weights for the whole rule
+template <class Scheme>
+constexpr bool check_no_grid_rows()
+{
+  static_assert(
+    !Has_grid_rows<Scheme>::value,
+    "PN_subdivision_3: grid_CatmullClark_scheme is a scheme of subdivide() only: it has no limits, "
+    "interpolation, tessellation, pieces and other normal schemes, and no Any_scheme");
+  return true;
+}
 
 template <class Scheme>
 struct Is_with_normals : std::false_type

@@ -102,6 +102,7 @@ private:
   template <class Access, class Scheme, class Point_map, class Sink>
   void refine(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
   {
+    static_assert(check_no_grid_rows<Scheme>());
     const auto normals = normal_map<Scheme>();
     using Normal_map = std::decay_t<decltype(normals)>;
     const auto edge_map = Parameters::edge_constraint_map(np_);

@@ -6,33 +6,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_PRESCRIPTION_OPTIONS_H
-#define CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_PRESCRIPTION_OPTIONS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATION_PRESCRIBED_CURVATURE_H
+#define CGAL_PN_SUBDIVISION_3_INTERPOLATION_PRESCRIBED_CURVATURE_H
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// Stands for a map when nothing of its kind is prescribed.
-struct Nothing_prescribed
-{};
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// How `prescribe_limit_data()` proceeds.
-struct Limit_prescription_options
-{
-  /// how far limit points may be from the prescribed ones, as a part of the largest side of the bounding
-  /// box of the control points.
-  double tolerance = 1e-12;
-  /// the most rounds of refinement about a vertex.
-  unsigned max_depth = 12;
-  /// control points move within so many rings of faces about the vertices with prescribed data.
-  unsigned rings = 2;
-  /// by how much curvatures may miss the prescribed ones, times the largest side of that box.
-  double curvature_tolerance = 1e-6;
-  /// the most steps towards prescribed curvatures.
-  unsigned max_curvature_steps = 12;
-};
 
 /*!
 \ingroup PkgPNSubdivision3Interpolation
@@ -56,4 +34,4 @@ struct Prescribed_curvature
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_PRESCRIPTION_OPTIONS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERPOLATION_PRESCRIBED_CURVATURE_H

@@ -6,20 +6,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_OPTIONS_H
-#define CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_OPTIONS_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_H
+#define CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_H
 
 #include <cstddef>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
-
-namespace internal {
-
-struct All_vertices
-{};
-
-} // namespace internal
 
 /// \ingroup PkgPNSubdivision3Interpolation
 /// What interpolation makes of a vertex.
@@ -43,33 +36,6 @@ enum class Limit_interpolation_normals {
 enum class Limit_interpolation_free {
   fixed, ///< they stay
   smooth ///< they move along, as smoothly as they can; for `Limit_interpolation_mode::limit_points`
-};
-
-/*!
-\ingroup PkgPNSubdivision3Interpolation
-
-How `interpolate_limit_points()` and `interpolate_curve()` proceed.
-
-\tparam VertexMap a model of `ReadablePropertyMap` from vertices to `bool`; by default all vertices are
-  interpolated
-*/
-template <class VertexMap = internal::All_vertices>
-struct Limit_interpolation_options
-{
-  /// what is to pass through the points.
-  Limit_interpolation_mode mode = Limit_interpolation_mode::slide;
-  /// where the control normals come from.
-  Limit_interpolation_normals normals = Limit_interpolation_normals::given;
-  /// what vertices do that are not interpolated.
-  Limit_interpolation_free free = Limit_interpolation_free::fixed;
-  /// how far the limit may be from the points, as a part of the largest side of their bounding box.
-  double tolerance = 1e-12;
-  /// the most rounds of refinement about a vertex.
-  unsigned max_depth = 12;
-  /// the most steps, of which each solves one linear system.
-  unsigned max_steps = 60;
-  /// which vertices are interpolated; not used for curves.
-  VertexMap vertices = VertexMap();
 };
 
 /// \ingroup PkgPNSubdivision3Interpolation
@@ -117,4 +83,4 @@ struct Limit_interpolation_report
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_OPTIONS_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERPOLATION_LIMIT_INTERPOLATION_H

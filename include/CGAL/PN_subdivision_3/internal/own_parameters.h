@@ -1,0 +1,181 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_OWN_PARAMETERS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_OWN_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <type_traits>
+
+// The names of this package's named parameters. parameters.h documents them.
+#define CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(ADD)                                                  \
+  ADD(roundness)                                                                                   \
+  ADD(vertex_roundness_map)                                                                        \
+  ADD(min_facets)                                                                                  \
+  ADD(surface_tolerance)                                                                           \
+  ADD(sharp_angle)                                                                                 \
+  ADD(control_normal_estimate)                                                                     \
+  ADD(border)                                                                                      \
+  ADD(crease_tangent_map)                                                                          \
+  ADD(attributes)                                                                                  \
+  ADD(number_of_pieces)                                                                            \
+  ADD(tolerance)                                                                                   \
+  ADD(normal_tolerance)                                                                            \
+  ADD(max_depth)                                                                                   \
+  ADD(limit_point_map)                                                                             \
+  ADD(limit_normal_map)                                                                            \
+  ADD(limit_error_map)                                                                             \
+  ADD(points)                                                                                      \
+  ADD(surface_normals)                                                                             \
+  ADD(curve_normals)                                                                               \
+  ADD(curvatures)                                                                                  \
+  ADD(rounds_done)                                                                                 \
+  ADD(to_limit)                                                                                    \
+  ADD(interpolation_mode)                                                                          \
+  ADD(interpolation_normals)                                                                       \
+  ADD(free_vertices)                                                                               \
+  ADD(vertex_is_interpolated_map)                                                                  \
+  ADD(max_steps)                                                                                   \
+  ADD(prescribed_point_map)                                                                        \
+  ADD(prescribed_normal_map)                                                                       \
+  ADD(prescribed_curvature_map)                                                                    \
+  ADD(rings)                                                                                       \
+  ADD(curvature_tolerance)                                                                         \
+  ADD(max_curvature_steps)                                                                         \
+  ADD(tuned)                                                                                       \
+  ADD(curvature_transfer)
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// the tag of a parameter of this package
+template <class Name>
+struct Own_parameter
+{};
+
+#define CGAL_PN_SUBDIVISION_3_TAG(X) using X##_t = Own_parameter<struct Name_of_##X>;
+CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_TAG)
+#undef CGAL_PN_SUBDIVISION_3_TAG
+
+} // namespace internal
+} // namespace PN_subdivision_3
+
+/// \cond SKIP_IN_MANUAL
+
+// A pack whose outermost parameter is one of this package. Its members add those of CGAL, as those of any pack do, and this
+// package's own ones.
+template <class T, class Name, class Base>
+struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Name>, Base>
+  : internal_np::Named_params_impl<T, PN_subdivision_3::internal::Own_parameter<Name>, Base>
+{
+  using Own = PN_subdivision_3::internal::Own_parameter<Name>;
+  using base = internal_np::Named_params_impl<T, Own, Base>;
+  using self = Named_function_parameters<T, Own, Base>;
+  using CGAL_Named_function_parameters_class = int;
+
+  Named_function_parameters()
+    : base(T())
+  {}
+  Named_function_parameters(const T& value)
+    : base(value)
+  {}
+  Named_function_parameters(const T& value, const Base& others)
+    : base(value, others)
+  {}
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                          \
+  template <class K>                                                                               \
+  auto Z(const K& k) const                                                                         \
+  {                                                                                                \
+    return Named_function_parameters<K, internal_np::X, self>(k, *this);                           \
+  }
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)                             \
+  template <class K>                                                                               \
+  auto Z(const K& k) const                                                                         \
+  {                                                                                                \
+    return Named_function_parameters<std::reference_wrapper<const K>, internal_np::X, self>(       \
+      std::cref(k), *this);                                                                        \
+  }
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)                              \
+  template <class K>                                                                               \
+  auto Z(K& k) const                                                                               \
+  {                                                                                                \
+    return Named_function_parameters<std::reference_wrapper<K>, internal_np::X, self>(std::ref(k), \
+                                                                                      *this);      \
+  }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_extra_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+
+#define CGAL_PN_SUBDIVISION_3_MEMBER(X)                                                            \
+  template <class K>                                                                               \
+  auto X(const K& k) const                                                                         \
+  {                                                                                                \
+    return Named_function_parameters<K, PN_subdivision_3::internal::X##_t, self>(k, *this);        \
+  }
+  CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_MEMBER)
+#undef CGAL_PN_SUBDIVISION_3_MEMBER
+};
+
+/// \endcond
+
+namespace PN_subdivision_3 {
+namespace internal {
+
+// the pack `np` with one parameter more
+template <class Tag, class T, class Base>
+Named_function_parameters<T, Tag, Base> with_parameter(const T& value, const Base& np)
+{
+  return Named_function_parameters<T, Tag, Base>(value, np);
+}
+template <class Tag, class T>
+Named_function_parameters<T, Tag> with_parameter(const T& value)
+{
+  return Named_function_parameters<T, Tag>(value);
+}
+
+// the outermost value of a pack, which is a reference wrapper of the pack's own where it cannot be copied
+template <class T, class Tag, class Base>
+const T& value_of(const Named_function_parameters<T, Tag, Base>& np)
+{
+  if constexpr (std::is_copy_constructible_v<T>)
+    return np.v;
+  else
+    return np.v.get();
+}
+
+// the value of a parameter, or what stands for it
+template <class Tag, class NamedParameters, class Default>
+auto parameter_or(const NamedParameters& np, const Default& value)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, Tag()), value);
+}
+
+// the type of a parameter, or of what stands for it
+template <class Tag, class NamedParameters, class Default>
+using Parameter_type =
+  std::decay_t<typename internal_np::Lookup_named_param_def<Tag, NamedParameters, Default>::type>;
+
+struct Not_given
+{};
+template <class Tag, class NamedParameters>
+constexpr bool is_given_v =
+  !std::is_same_v<Parameter_type<Tag, NamedParameters, Not_given>, Not_given>;
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_OWN_PARAMETERS_H

@@ -1,0 +1,199 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_OF_CALL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_OF_CALL_H
+
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// What a call says by named parameters of the border, of the tangents of creases and of the estimate of normals is put
+// around its scheme. Of two of a kind the outer one counts.
+
+template <class Scheme>
+struct Scheme_with_border : Scheme_adaptor<Scheme>
+{
+  Border border;
+};
+template <class Scheme, class = typename Scheme::Host>
+Scheme_with_border<Scheme> with_border(const Scheme& scheme, Border border)
+{
+  return {{scheme}, border};
+}
+
+template <class Scheme, class HalfedgeVectorMap>
+struct Scheme_with_crease_tangents : Scheme_adaptor<Scheme>
+{
+  HalfedgeVectorMap tangents;
+};
+template <class Scheme, class HalfedgeVectorMap, class = typename Scheme::Host>
+Scheme_with_crease_tangents<Scheme, HalfedgeVectorMap>
+with_crease_tangents(const Scheme& scheme, HalfedgeVectorMap tangents)
+{
+  return {{scheme}, tangents};
+}
+
+template <class Scheme>
+struct Scheme_with_normal_estimate : Scheme_adaptor<Scheme>
+{
+  std::optional<Control_normal_estimate> normal_estimate() const { return estimate; }
+
+  Control_normal_estimate estimate;
+};
+template <class Scheme, class = typename Scheme::Host>
+Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
+                                                         Control_normal_estimate estimate)
+{
+  return {{scheme}, estimate};
+}
+
+// The border of a scheme and of the adaptors around it.
+template <class Scheme>
+struct Border_of
+{
+  static constexpr bool is_given = !std::is_null_pointer_v<Outermost<Is_with_border, Scheme>>;
+
+  static Border get([[maybe_unused]] const Scheme& scheme)
+  {
+    if constexpr (is_given)
+      return outermost<Is_with_border>(scheme)->border;
+    else
+      return Border::surface;
+  }
+};
+
+// in the place of a map of tangents
+struct No_tangent_map
+{};
+
+template <class Scheme>
+struct Is_with_crease_tangents : std::false_type
+{};
+template <class Scheme, class Map>
+struct Is_with_crease_tangents<Scheme_with_crease_tangents<Scheme, Map>> : std::true_type
+{};
+
+// the map of a scheme and of the adaptors around it
+template <class Scheme>
+auto crease_tangents([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (std::is_null_pointer_v<Outermost<Is_with_crease_tangents, Scheme>>)
+    return No_tangent_map();
+  else
+    return outermost<Is_with_crease_tangents>(scheme)->tangents;
+}
+template <class Scheme>
+using Crease_tangent_map = decltype(crease_tangents(std::declval<const Scheme&>()));
+
+template <class Scheme>
+constexpr bool has_crease_tangents_v = !std::is_same_v<Crease_tangent_map<Scheme>, No_tangent_map>;
+
+template <class Scheme, class = void>
+struct States_normal_estimate : std::false_type
+{};
+template <class Scheme>
+struct States_normal_estimate<
+  Scheme, std::void_t<decltype(std::declval<const Scheme&>().normal_estimate())>> : std::true_type
+{};
+
+template <class Scheme, class Normal_scheme>
+std::optional<Control_normal_estimate>
+stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme);
+
+// what a scheme or an adaptor says about the estimate, if anything
+template <class Scheme>
+std::optional<Control_normal_estimate> stated_normal_estimate(const Scheme& scheme)
+{
+  if constexpr (States_normal_estimate<Scheme>::value)
+    return scheme.normal_estimate();
+  else if constexpr (Is_adaptor<Scheme>::value)
+    return stated_normal_estimate(scheme.scheme);
+  else
+    return std::nullopt;
+}
+
+// of the two schemes for points and normals the one for normals is asked first
+template <class Scheme, class Normal_scheme>
+std::optional<Control_normal_estimate>
+stated_normal_estimate(const Scheme_with_normals<Scheme, Normal_scheme>& scheme)
+{
+  const auto stated = stated_normal_estimate(scheme.normal_scheme);
+  return stated ? stated : stated_normal_estimate(scheme.scheme);
+}
+
+template <class Scheme>
+Control_normal_estimate normal_estimate(const Scheme& scheme)
+{
+  return stated_normal_estimate(scheme).value_or(Control_normal_estimate::coherent);
+}
+
+using scheme_is_adapted_t = Own_parameter<struct Name_of_scheme_is_adapted>;
+
+template <class T>
+constexpr bool are_named_parameters_v = false;
+template <class T, class Tag, class Base>
+inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
+
+// whether a call says something of its scheme that is not yet put around it
+template <class Scheme, class NamedParameters, class = void>
+constexpr bool adapts_scheme_v = false;
+template <class Scheme, class T, class Tag, class Base>
+inline constexpr bool adapts_scheme_v<Scheme, Named_function_parameters<T, Tag, Base>,
+                                      std::void_t<typename Scheme::Host>> =
+  !is_given_v<scheme_is_adapted_t, Named_function_parameters<T, Tag, Base>> &&
+  (is_given_v<border_t, Named_function_parameters<T, Tag, Base>> ||
+   is_given_v<crease_tangent_map_t, Named_function_parameters<T, Tag, Base>> ||
+   is_given_v<control_normal_estimate_t, Named_function_parameters<T, Tag, Base>>);
+
+template <class Scheme, class NamedParameters>
+auto scheme_with_estimate(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (is_given_v<control_normal_estimate_t, NamedParameters>)
+    return with_normal_estimate(scheme, parameters::get_parameter(np, control_normal_estimate_t()));
+  else
+    return scheme;
+}
+template <class Scheme, class NamedParameters>
+auto scheme_with_border(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (is_given_v<border_t, NamedParameters>)
+    return with_border(scheme, parameters::get_parameter(np, border_t()));
+  else
+    return scheme;
+}
+template <class Scheme, class NamedParameters>
+auto scheme_with_tangents(const Scheme& scheme, [[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr (is_given_v<crease_tangent_map_t, NamedParameters>)
+    return with_crease_tangents(scheme, parameters::get_parameter(np, crease_tangent_map_t()));
+  else
+    return scheme;
+}
+
+// f(scheme, np), with the scheme as the call says, and parameters that do not say it again
+template <class Scheme, class NamedParameters, class Function>
+decltype(auto) with_scheme_of_call(const Scheme& scheme, const NamedParameters& np,
+                                   const Function& f)
+{
+  return f(scheme_with_tangents(scheme_with_border(scheme_with_estimate(scheme, np), np), np),
+           with_parameter<scheme_is_adapted_t>(true, np));
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_SCHEMES_SCHEME_OF_CALL_H

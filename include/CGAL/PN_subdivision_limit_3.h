@@ -1,0 +1,28 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_LIMIT_3_H
+#define CGAL_PN_SUBDIVISION_LIMIT_3_H
+
+/*!
+\file PN_subdivision_limit_3.h
+Limit surfaces: their points and normals, tessellation, surfaces that follow their control data and, where there is
+\ref thirdpartyEigen "Eigen", interpolation and prescribed data.
+*/
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/tessellate.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#  include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#  include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
+#endif
+
+#endif // CGAL_PN_SUBDIVISION_LIMIT_3_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// `pn_subdivide curve --scheme levels:FILE`: masks that differ from round to round, against calls with the
+// schemes that they are.
+
+// --normals smooth of surfaces and --normals spherical:X,Y,Z of curves.
+
+#include "Command_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+const double pi = std::acos(-1.);
+
+class Normal_options : public Command_test
+{
+protected:
+  // a torus of 24 x 12 quads; noise in radians
+  static std::string torus(double noise, bool has_normals = true)
+  {
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> random(-noise, noise);
+    std::ostringstream off;
+    off.precision(17);
+    off << (has_normals ? "NOFF" : "OFF") << "\n288 288 0\n";
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < 12; ++j) {
+        const double u = pi * i / 12, v = pi * j / 6, r = 2 + .8 * std::cos(v);
+        off << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << .8 * std::sin(v);
+        if (has_normals) {
+          const double x = std::cos(v) * std::cos(u) + random(generator);
+          const double y = std::cos(v) * std::sin(u) + random(generator);
+          const double z = std::sin(v) + random(generator);
+          off << ' ' << x << ' ' << y << ' ' << z;
+        }
+        off << '\n';
+      }
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < 12; ++j) {
+        const int k = (i + 1) % 24, l = (j + 1) % 12;
+        off << "4 " << 12 * i + j << ' ' << 12 * k + j << ' ' << 12 * k + l << ' ' << 12 * i + l
+            << '\n';
+      }
+    return off.str();
+  }
+
+  // the root mean square angle of the normals of a NOFF file of that torus, in radians
+  static double error(const std::string& off)
+  {
+    std::istringstream in(off);
+    std::string word;
+    in >> word >> word >> word >> word;
+    double sum = 0;
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < 12; ++j) {
+        const double u = pi * i / 12, v = pi * j / 6;
+        double x = 0, y = 0, z = 0, a = 0, b = 0, c = 0;
+        EXPECT_TRUE(in >> x >> y >> z >> a >> b >> c);
+        sum += std::pow(a - std::cos(v) * std::cos(u), 2) +
+               std::pow(b - std::cos(v) * std::sin(u), 2) + std::pow(c - std::sin(v), 2);
+      }
+    return std::sqrt(sum / 288);
+  }
+
+  std::string control_net(const std::string& input, const std::string& options) const
+  {
+    const std::string output = folder.file("out.off");
+    const Outcome outcome = run("surface '" + folder.write("in.off", input) + "' '" + output +
+                                "' --levels 0 --output-normals control --quiet " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Temporary_folder::content(output);
+  }
+};
+
+TEST_F(Normal_options, SmoothTakesNoiseOff)
+{
+  const std::string given = torus(.05);
+  const double before = error(control_net(given, "--normals file"));
+  EXPECT_GT(before, .03);
+  EXPECT_LT(error(control_net(given, "--normals smooth")), .5 * before);
+  const Outcome outcome = run("surface '" + folder.write("in.off", given) + "' '" +
+                              folder.file("out.ply") + "' --normals smooth");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("have a noise of about 2."), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("288 smoothed, by up to"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("smoothed normals of the file"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Normal_options, SmoothLeavesExactNormals)
+{
+  EXPECT_EQ(control_net(torus(0), "--normals smooth"), control_net(torus(0), "--normals file"));
+  const Outcome outcome = run("surface '" + folder.write("in.off", torus(0)) + "' '" +
+                              folder.file("out.ply") + "' --normals smooth");
+  EXPECT_NE(outcome.err.find("left as they are"), std::string::npos) << outcome.err;
+}
+
+// wedge by wedge: those of the flat side stay
+TEST_F(Normal_options, SmoothKnowsCreases)
+{
+  const std::string output = folder.file("out.ply");
+  const Outcome outcome =
+    run("surface '" PN_DATA_DIR "/parts/half_ball.obj' '" + output + "' --normals smooth");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("normals in the file differ"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("miss arcs by"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Normal_options, SmoothIsRefusedWithoutNormals)
+{
+  const std::string command = "surface '" + folder.write("in.off", torus(0, false)) + "' '" +
+                              folder.file("out.off") + "' --normals smooth";
+  expect_one_line(run(command), 1, "--normals smooth, but the file has no vertex normals");
+  expect_one_line(run(command + " --linear"), 2, "--normals and --linear");
+}
+
+TEST_F(Normal_options, SphericalKeepsTheSphere)
+{
+  std::ostringstream points, plane;
+  points.precision(17);
+  for (int i = 0; i < 8; ++i) {
+    const double a = pi * i / 4 + .2 * (i % 2), z = .4 * std::sin(2 * a + .3);
+    const double r = std::sqrt(1 - z * z);
+    // other normals in the file do not count
+    points << 1 + 2 * r * std::cos(a) << ' ' << 2 * r * std::sin(a) << ' ' << 2 * z << " 0 0 1\n";
+    plane << r * std::cos(a) << ' ' << r * std::sin(a) << '\n';
+  }
+  const std::string files = "' '" + folder.file("out.txt") + "' --closed --levels 5 --normals ";
+  const std::string curve = "curve '" + folder.write("in.txt", points.str()) + files;
+  const Outcome outcome = run(curve + "spherical:1,0,0 --verify sphere:1,0,0,2 --tolerance 1e-14");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("normals of the sphere"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run(curve + "spherical:1,0,0.1 --verify sphere:1,0,0,2 --tolerance 1e-14").code, 3);
+  expect_one_line(run(curve + "estimate"), 2, "spherical:X,Y,Z");
+  expect_one_line(run(curve + "spherical:1,0"), 2, "spherical:X,Y,Z");
+  expect_one_line(run(curve + "spherical:1,0,0 --linear"), 2, "--normals and --linear");
+  expect_one_line(
+    run("curve '" + folder.write("plane.txt", plane.str()) + files + "spherical:0,0,0"), 1,
+    "the curve is in the plane");
+}
+
+} // namespace

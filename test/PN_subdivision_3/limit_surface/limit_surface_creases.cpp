@@ -1,0 +1,53 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Limit surfaces of parts with creases and borders, whose surfaces are known.
+
+#include "Crease_shapes.h"
+#include "Tagged_meshes.h"
+
+#include <CGAL/PN_subdivision_3/Limit_surface.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+TEST(LimitSurface, Parts)
+{
+  for (crease_shapes::Part part : {crease_shapes::capped_cylinder(crease_shapes::uneven(7)),
+                                   crease_shapes::half_ball(), crease_shapes::octant()}) {
+    part.place();
+    const auto data = part.control();
+    tagged_meshes::Tagged<Mesh> control(data);
+    PN::Limit_surface surface(control.mesh,
+                              PN::internal::with_border(PN::CatmullClark_scheme(), data.border),
+                              params::vertex_normal_map(control.normals)
+                                .edge_is_constrained_map(control.sharp)
+                                .vertex_is_constrained_map(control.corners));
+    surface.set_tolerance(1e-2);
+    std::vector<PN::Limit_surface_location<Mesh::Face_index>> places;
+    for (auto f : control.mesh.faces())
+      for (std::size_t piece = 0; piece < surface.number_of_pieces(f); ++piece)
+        for (int i = 0; i <= 3; ++i)
+          for (int j = 0; j <= 3; ++j) places.push_back({f, 2 * double(piece) + i / 3., j / 3.});
+    for (const auto& s : surface.evaluate(places)) {
+      crease_shapes::Real least = crease_shapes::infinity;
+      for (const auto& of : part.surfaces)
+        least = (std::min)(least, of.distance({s.point.x(), s.point.y(), s.point.z()}));
+      EXPECT_LE(double(least), 1e-9);
+    }
+  }
+}
+
+} // namespace

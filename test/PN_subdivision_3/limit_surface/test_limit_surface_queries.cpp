@@ -1,0 +1,127 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// Closest points and rays on limit surfaces: spheres, and what many samples of a surface tell.
+
+#include "Named_shapes.h"
+#include "Scheme_runs.h"
+
+#include <CGAL/PN_subdivision_3/Limit_surface_queries.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+using test_meshes::Control_mesh;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Queries = PN::Limit_surface_queries<Surface_mesh, Kernel>;
+
+double length(const Vector& v)
+{
+  return std::sqrt(v.squared_length());
+}
+
+std::vector<Vector> directions()
+{
+  std::vector<Vector> all;
+  for (int i = 0; i < 4; ++i) {
+    const Vector d(std::sin(1 + 2.3 * i), std::cos(0.5 + 1.7 * i), std::sin(0.3 + 4.1 * i));
+    all.push_back(d / length(d));
+  }
+  return all;
+}
+
+template <class Scheme>
+void expect_sphere(Control_mesh shape, const Scheme& scheme)
+{
+  shape.normals.clear();
+  for (auto& p : shape.points) shape.normals.push_back(p = test_meshes::unit(p));
+  Surface_mesh mesh = to_surface_mesh(shape);
+  PN::Limit_surface surface(mesh, scheme, params::vertex_normal_map(normal_map(mesh)));
+  surface.set_tolerance(1e-5);
+  const Queries queries(surface);
+  EXPECT_LT(queries.distance_from_triangles(), 0.1);
+  for (const Vector& d : directions())
+    for (const double r : {0.4, 3.}) {
+      const auto c = queries.closest_point(CGAL::ORIGIN + r * d);
+      EXPECT_NEAR(c.distance, std::abs(1 - r), 1e-6);
+      EXPECT_LE(length(c.point - (CGAL::ORIGIN + d)), 1e-3);
+      EXPECT_LE(length(surface.point(c.location.face, c.location.u, c.location.v) - c.point),
+                1e-12);
+      EXPECT_LE(c.error, 1e-4);
+      // from outside, and from inside
+      const Vector side(0.3, -0.2, 0.1);
+      const Point source = r > 1 ? CGAL::ORIGIN + r * d : CGAL::ORIGIN + 0.1 * side;
+      const auto hit = queries.first_intersection(source, r > 1 ? side - r * d : d * 5);
+      ASSERT_TRUE(hit);
+      EXPECT_NEAR(length(hit->point - CGAL::ORIGIN), 1, 1e-6);
+      EXPECT_LE(hit->error, 1e-4);
+      const Vector u = (r > 1 ? side - r * d : d) / length(r > 1 ? side - r * d : d),
+                   o = source - CGAL::ORIGIN;
+      const double root = std::sqrt((o * u) * (o * u) - o * o + 1);
+      EXPECT_NEAR(hit->distance, -(o * u) + (r > 1 ? -root : root), 1e-4);
+      EXPECT_FALSE(queries.first_intersection(CGAL::ORIGIN + 3 * d, d));
+    }
+}
+
+TEST(LimitSurfaceQueries, SpheresOfQuads)
+{
+  expect_sphere(named_shapes::cube(), PN::CatmullClark_scheme());
+  expect_sphere(named_shapes::prism(5), PN::CatmullClark_scheme());
+}
+TEST(LimitSurfaceQueries, SpheresOfTriangles)
+{
+  expect_sphere(test_meshes::bipyramid(5), PN::Loop_scheme());
+}
+
+// No sample of the surface is closer.
+TEST(LimitSurfaceQueries, NoPointIsCloser)
+{
+  Control_mesh shape = test_meshes::grid(3, 3, false, false, test_meshes::Cells::quads);
+  test_meshes::set_uneven_normals(shape, 8);
+  Surface_mesh mesh = to_surface_mesh(shape);
+  PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()));
+  const PN::Limit_surface_queries queries(surface);
+  constexpr int n = 30;
+  std::vector<PN::Limit_surface_location<Surface_mesh::Face_index>> places;
+  for (auto f : mesh.faces())
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) places.push_back({f, double(i) / n, double(j) / n});
+  const auto samples = surface.evaluate(places);
+  const Point center = samples[samples.size() / 2].point;
+  for (const Vector& d : directions())
+    for (const double r : {0.3, 1.5}) {
+      const Point p = center + r * d;
+      double least = 1e9;
+      for (const auto& s : samples) least = (std::min)(least, length(s.point - p));
+      const auto c = queries.closest_point(p);
+      EXPECT_LE(c.distance, least + 1e-9);
+      EXPECT_GE(c.distance, least - 0.05);
+      EXPECT_NEAR(length(c.point - p), c.distance, 1e-12);
+    }
+}
+
+TEST(LimitSurfaceQueries, WrongArgumentsAreRefused)
+{
+  Control_mesh shape = named_shapes::cube();
+  shape.normals = shape.points;
+  Surface_mesh mesh = to_surface_mesh(shape);
+  const PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()));
+  EXPECT_THROW(Queries(surface, 3), std::invalid_argument);
+  EXPECT_THROW(Queries(surface, 0), std::invalid_argument);
+  const Queries queries(surface, 2);
+  EXPECT_THROW(queries.first_intersection(Point(0, 0, 0), CGAL::NULL_VECTOR),
+               std::invalid_argument);
+  const Surface_mesh empty;
+  const PN::Limit_surface none(empty, PN::CatmullClark_scheme());
+  EXPECT_THROW(Queries{none}, std::invalid_argument);
+}
+
+} // namespace

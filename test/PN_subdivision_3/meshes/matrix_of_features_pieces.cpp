@@ -1,0 +1,207 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// The same for pieces: put together they are what subdivide() and subdivide_to_limit() make.
+
+#include "Feature_matrix.h"
+#include "Pieces_cases.h"
+
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace feature_matrix;
+
+constexpr double tolerance = 1e-5; // whose depth depends on the size of the box
+
+// A refined surface, by its elements.
+struct Whole
+{
+  std::vector<double> points, normals, corner_normals; // of corners: face by face
+  std::vector<std::size_t> faces;
+  PN::Limit_report report;
+
+  void add(std::vector<double>& values, std::size_t i, const Vector& v)
+  {
+    if (values.size() < 3 * (i + 1)) values.resize(3 * (i + 1), -99.);
+    for (int k = 0; k < 3; ++k) values[3 * i + std::size_t(k)] = v[k];
+  }
+};
+
+Whole whole(const Case& c, bool of_corners, bool has_normals)
+{
+  Whole w;
+  for (auto v : c.mesh.vertices()) {
+    w.add(w.points, v.idx(), c.mesh.point(v) - CGAL::ORIGIN);
+    if (has_normals && !of_corners) w.add(w.normals, v.idx(), c.normals[v]);
+  }
+  for (auto f : c.mesh.faces())
+    for (auto h : halfedges_around_face(c.mesh.halfedge(f), c.mesh)) {
+      if (has_normals && of_corners) w.add(w.corner_normals, w.faces.size(), c.corner_normals[h]);
+      w.faces.push_back(c.mesh.target(h).idx());
+    }
+  return w;
+}
+
+template <class Pieces>
+Whole collected(const Pieces& pieces, bool of_corners)
+{
+  Whole w;
+  w.faces.resize(pieces.first_corner(pieces.size().faces));
+  for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
+    const auto piece = pieces.piece(i);
+    for (unsigned v = 0; v < piece.number_of_vertices(); ++v) {
+      if (!piece.owns_vertex(v)) continue;
+      w.add(w.points, piece.vertex_number(v), piece.points()[v] - CGAL::ORIGIN);
+      if (!piece.normals().empty() && !of_corners)
+        w.add(w.normals, piece.vertex_number(v), piece.normals()[v]);
+    }
+    const auto& level = piece.connectivity();
+    for (unsigned f = 0; f < piece.number_of_faces(); ++f) {
+      std::size_t corner = pieces.first_corner(piece.face_number(f));
+      const auto first = level.halfedge_of_face(f);
+      auto h = first;
+      do {
+        if (!piece.normals().empty() && of_corners)
+          w.add(w.corner_normals, corner, piece.corner_normal(h));
+        w.faces[corner++] = piece.vertex_number(level.target(h));
+        h = level.next(h);
+      } while (h != first);
+    }
+    w.report.error = (std::max)(w.report.error, piece.limit_report().error);
+    w.report.normal_error = (std::max)(w.report.normal_error, piece.limit_report().normal_error);
+    w.report.number_of_misses += piece.limit_report().number_of_misses;
+    w.report.number_of_stand_ins += piece.limit_report().number_of_stand_ins;
+    w.report.tolerance = (std::max)(w.report.tolerance, piece.limit_report().tolerance);
+    w.report.depth = (std::max)(w.report.depth, piece.limit_report().depth);
+  }
+  return w;
+}
+
+// but for last bits
+void expect_near(const std::vector<double>& a, const std::vector<double>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  EXPECT_LE(largest, 1e-12);
+}
+
+void expect_same(const Whole& a, const Whole& b, bool are_bits_same)
+{
+  EXPECT_EQ(a.faces, b.faces);
+  if (!are_bits_same) {
+    expect_near(a.points, b.points);
+    expect_near(a.normals, b.normals);
+    expect_near(a.corner_normals, b.corner_normals);
+    EXPECT_EQ(a.report.depth, b.report.depth);
+    return;
+  }
+  EXPECT_TRUE(same_bytes(a.points, b.points));
+  EXPECT_TRUE(same_bytes(a.normals, b.normals));
+  EXPECT_TRUE(same_bytes(a.corner_normals, b.corner_normals));
+  EXPECT_EQ(a.report.error, b.report.error);
+  EXPECT_EQ(a.report.normal_error, b.report.normal_error);
+  EXPECT_EQ(a.report.tolerance, b.report.tolerance);
+  EXPECT_EQ(a.report.number_of_misses, b.report.number_of_misses);
+  EXPECT_EQ(a.report.number_of_stand_ins, b.report.number_of_stand_ins);
+  EXPECT_EQ(a.report.depth, b.report.depth);
+}
+
+// What is asked for, points and normals.
+using Limits = std::pair<bool, bool>;
+
+template <class Np>
+auto with_limits(const Limits& limits, const Np& np)
+{
+  return PN::parameters::join(
+    PN::parameters::points(limits.first).surface_normals(limits.second).tolerance(tolerance), np);
+}
+
+template <class Normals>
+void compare_pieces(const std::string& name, Crease_kind creases, const Normals& normals,
+                    const Limits& limits, const mesh_cases::Soup& soup,
+                    std::size_t number_of_pieces)
+{
+  SCOPED_TRACE(std::string(limits.first ? "limit points " : "") +
+               (limits.second ? "surface normals" : ""));
+  constexpr bool of_corners = std::is_same_v<Normals, Of_corners>;
+  // estimated normals are in no map
+  constexpr bool has_map = of_corners || std::is_same_v<Normals, Of_vertices>;
+  const bool is_limit = limits.first || limits.second;
+  Case mesh(name, creases, Attribute_kind::none, soup);
+  Case parts(name, creases, Attribute_kind::none, soup);
+  Whole a, b;
+  run(mesh, normals, [&](Case& c, const auto& scheme, const auto& np) {
+    PN::Limit_report report;
+    if (is_limit)
+      report = PN::subdivide_to_limit(c.mesh, scheme, with_limits(limits, np));
+    else
+      PN::subdivide(c.mesh, scheme, np);
+    a = whole(c, of_corners, has_map);
+    a.report = report;
+  });
+  run(parts, normals, [&](Case& c, const auto& scheme, const auto& np) {
+    const PN::Surface_pieces<std::decay_t<decltype(scheme)>, Kernel> pieces(
+      c.mesh, scheme,
+      with_limits(limits,
+                  PN::parameters::join(
+                    PN::parameters::number_of_pieces(number_of_pieces).to_limit(is_limit), np)));
+    b = collected(pieces, of_corners);
+    if (!has_map) b.normals.clear();
+  });
+  EXPECT_EQ(mesh.error.empty(), parts.error.empty()) << mesh.error << "\n" << parts.error;
+  // limits of sqrt(3) where they need a round about the vertex have other last bits
+  expect_same(b, a, name != "sqrt3" || !is_limit);
+}
+
+TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
+{
+  for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
+    for (const std::size_t pieces : {2, 5})
+      compare_pieces(scheme, creases, normals, {false, false}, soup_for(scheme), pieces);
+  });
+}
+
+TEST(Matrix_of_features, PiecesAtTheLimitAreWhatSubdivideToLimitMakes)
+{
+  for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
+    if (!PN::any_scheme(scheme).keeps_vertices()) return;
+    for (const Limits& limits : {Limits{true, false}, Limits{true, true}, Limits{false, true}})
+      compare_pieces(scheme, creases, normals, limits, soup_for(scheme), 2);
+  });
+}
+
+// Pieces that do not have the whole surface in their rings.
+TEST(Matrix_of_features, PiecesOfALargerSurfaceAtTheLimit)
+{
+  for (const std::string scheme : {"catmull-clark", "modified-loop", "sqrt3"}) {
+    SCOPED_TRACE(scheme);
+    const auto torus = pieces_cases::torus_with_turned_edges(
+      scheme == "catmull-clark" ? random_meshes::Kind::polygons : random_meshes::Kind::triangles,
+      5);
+    mesh_cases::Soup soup{torus.points, {}};
+    for (const auto& f : torus.faces) soup.faces.emplace_back(f.begin(), f.end());
+    for (const Limits& limits : {Limits{true, true}, Limits{false, true}})
+      compare_pieces(scheme, scheme == "sqrt3" ? Crease_kind::none : Crease_kind::edges,
+                     Of_vertices(), limits, soup, 20);
+    compare_pieces(scheme, Crease_kind::none, Linear(), {true, true}, soup, 20);
+  }
+}
+
+} // namespace

@@ -1,0 +1,499 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Given normals that are smoothed against the points: a minimum by a dense solve, noise that is known, the mean change of
+// curvature of the refined surface, what must not change.
+
+#include "Sampled_surfaces.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/smooth_control_normals.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+using sampled_surfaces::Cells;
+using sampled_surfaces::Control_mesh;
+using sampled_surfaces::Triple;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector_3 = Kernel::Vector_3;
+
+template <class K>
+struct Mesh_with_normals
+{
+  using Mesh = CGAL::Surface_mesh<typename K::Point_3>;
+  using Vertex = typename Mesh::Vertex_index;
+  using Vector = typename K::Vector_3;
+
+  explicit Mesh_with_normals(const Control_mesh& control)
+  {
+    normals = mesh.template add_property_map<Vertex, Vector>("v:normal").first;
+    for (std::size_t i = 0; i < control.points.size(); ++i) {
+      const Triple &p = control.points[i], &n = control.normals[i];
+      normals[mesh.add_vertex(typename K::Point_3(p[0], p[1], p[2]))] = Vector(n[0], n[1], n[2]);
+    }
+    for (const auto& face : control.faces) {
+      std::vector<Vertex> corners;
+      for (const int i : face) corners.emplace_back(static_cast<std::uint32_t>(i));
+      mesh.add_face(corners);
+    }
+  }
+  Mesh_with_normals(const Mesh_with_normals& other)
+    : mesh(other.mesh)
+    , normals(mesh.template add_property_map<Vertex, Vector>("v:normal").first)
+  {}
+  Mesh_with_normals& operator=(const Mesh_with_normals&) = delete;
+
+  Mesh mesh;
+  typename Mesh::template Property_map<Vertex, Vector> normals;
+};
+using Sampled = Mesh_with_normals<Kernel>;
+
+// turns normals by angles with the root mean square of `degrees`
+void disturb(Sampled& s, double degrees, unsigned seed = 1)
+{
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> random(0, degrees * CGAL_PI / 180 / std::sqrt(2.));
+  for (const auto v : s.mesh.vertices()) {
+    const double x = random(generator), y = random(generator), z = random(generator);
+    const Vector_3 n = s.normals[v], r(x, y, z), m = n + r - (r * n) * n;
+    s.normals[v] = m / std::sqrt(m.squared_length());
+  }
+}
+
+Control_mesh sphere()
+{
+  return sampled_surfaces::scattered(3, 0.2, 3, sampled_surfaces::on_sphere);
+}
+Control_mesh ellipsoid()
+{
+  return sampled_surfaces::scattered(3, 0.2, 3, sampled_surfaces::on_ellipsoid);
+}
+Control_mesh torus(Cells cells)
+{
+  std::mt19937 generator(5);
+  const auto u = sampled_surfaces::uneven(33, 0.2, generator);
+  const auto v = sampled_surfaces::uneven(17, 0.2, generator);
+  return sampled_surfaces::torus(u, v, cells);
+}
+Control_mesh waves(Cells cells)
+{
+  return sampled_surfaces::patch(20, 20, 0.1, cells, 7, sampled_surfaces::on_waves);
+}
+
+// The mean of |grad H| of a refined surface: H by cotangents, of quads the mean of both ways to split them.
+class Fairness
+{
+public:
+  template <class Scheme>
+  Fairness(Sampled s, const Scheme& scheme)
+  {
+    PN::subdivide(s.mesh, scheme,
+                  CGAL::parameters::number_of_iterations(2).vertex_normal_map(s.normals));
+    for (const auto v : s.mesh.vertices()) {
+      p_.push_back(s.mesh.point(v));
+      n_.push_back(s.normals[v]);
+      is_inner_.push_back(!s.mesh.is_border(v));
+    }
+    for (const auto f : s.mesh.faces()) {
+      std::vector<std::size_t> c;
+      for (const auto v : CGAL::vertices_around_face(s.mesh.halfedge(f), s.mesh)) c.push_back(v);
+      if (c.size() == 3)
+        triangles_.push_back({c[0], c[1], c[2]});
+      else
+        for (std::size_t i = 0; i < 4; ++i)
+          triangles_.push_back({c[i], c[(i + 1) % 4], c[(i + 2) % 4]});
+    }
+  }
+
+  double operator()() const
+  {
+    std::vector<Vector_3> laplacian(p_.size(), Vector_3(0, 0, 0));
+    std::vector<double> area(p_.size(), 0);
+    for (const auto& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+        const Vector_3 u = p_[a] - p_[c], v = p_[b] - p_[c];
+        const double twice = std::sqrt(CGAL::cross_product(u, v).squared_length());
+        const Vector_3 flow = (u * v) / twice / 2 * (p_[a] - p_[b]);
+        laplacian[a] = laplacian[a] + flow;
+        laplacian[b] = laplacian[b] - flow;
+        area[c] += twice / 6;
+      }
+    std::vector<double> mean(p_.size());
+    for (std::size_t v = 0; v < p_.size(); ++v) mean[v] = laplacian[v] * n_[v] / area[v] / 2;
+    double sum = 0, all = 0;
+    for (const auto& t : triangles_) {
+      if (!is_inner_[t[0]] || !is_inner_[t[1]] || !is_inner_[t[2]]) continue;
+      const Vector_3 u = p_[t[1]] - p_[t[0]], v = p_[t[2]] - p_[t[0]];
+      const Vector_3 w = (mean[t[2]] - mean[t[0]]) * u - (mean[t[1]] - mean[t[0]]) * v;
+      sum += std::sqrt(w.squared_length()) / 2; // |grad H| times the area
+      all += std::sqrt(CGAL::cross_product(u, v).squared_length()) / 2;
+    }
+    return sum / all;
+  }
+
+private:
+  std::vector<Kernel::Point_3> p_;
+  std::vector<Vector_3> n_;
+  std::vector<bool> is_inner_;
+  std::vector<std::array<std::size_t, 3>> triangles_;
+};
+
+double fairness(const Sampled& s)
+{
+  if (CGAL::is_triangle_mesh(s.mesh)) return Fairness(s, PN::Loop_scheme())();
+  return Fairness(s, PN::CatmullClark_scheme())();
+}
+
+double error(const Sampled& s, const Control_mesh& exact)
+{
+  double sum = 0;
+  for (const auto v : s.mesh.vertices()) {
+    const Triple& n = exact.normals[v];
+    sum += (s.normals[v] - Vector_3(n[0], n[1], n[2])).squared_length();
+  }
+  return std::sqrt(sum / double(s.mesh.number_of_vertices())) * 180 / CGAL_PI;
+}
+
+TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
+{
+  const std::pair<const char*, Control_mesh> shapes[] = {
+    {"sphere", sphere()},
+    {"ellipsoid", ellipsoid()},
+    {"torus, quads", torus(Cells::quads)},
+    {"torus, triangles", torus(Cells::triangles)},
+    {"waves, quads", waves(Cells::quads)},
+    {"waves, triangles", waves(Cells::triangles)}};
+  for (const auto& [name, control] : shapes)
+    for (const double noise : {0., 0.2, 1., 2., 5.}) {
+      SCOPED_TRACE(name + (" " + std::to_string(noise)));
+      Sampled s(control);
+      disturb(s, noise);
+      const double angle = error(s, control), before = fairness(s);
+      const auto report = PN::smooth_control_normals(s.mesh, s.normals);
+      const double after = fairness(s);
+      EXPECT_LE(after, before);
+      EXPECT_LE(report.noise, report.arc_defect * 1.15);
+      if (noise == 0) {
+        EXPECT_EQ(report.changed_normals, 0u);
+        EXPECT_EQ(error(s, control), angle);
+        EXPECT_EQ(report.strength, 0);
+      }
+      if (noise < 1) continue;
+      EXPECT_NEAR(report.noise, angle, 0.15 * angle);
+      if (report.changed_normals == 0) { // there the shape counts for as much
+        EXPECT_EQ(name, std::string("torus, triangles"));
+        EXPECT_LT(noise, 5);
+        continue;
+      }
+      EXPECT_LE(error(s, control), 0.5 * angle);
+      EXPECT_GT(report.largest_turn, angle);
+      EXPECT_LT(report.largest_turn, 4 * angle);
+    }
+}
+
+// --- the minimum ---
+
+// by elimination with pivots
+std::vector<double> dense_solution(std::vector<std::vector<double>> a, std::vector<double> b)
+{
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    std::swap(a[k], a[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double f = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= f * a[k][j];
+      b[i] -= f * b[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
+    b[k] /= a[k][k];
+  }
+  return b;
+}
+
+std::vector<Vector_3> minimum(const Control_mesh& control, const std::vector<Vector_3>& m,
+                              double lambda)
+{
+  const std::size_t n = m.size();
+  const auto point = [&](int i) {
+    const Triple& p = control.points[std::size_t(i)];
+    return Kernel::Point_3(p[0], p[1], p[2]);
+  };
+  std::vector<double> area(n, 0);
+  double sum = 0;
+  std::set<std::pair<int, int>> edges;
+  for (const auto& f : control.faces) {
+    Vector_3 normal(0, 0, 0);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const int a = f[i], b = f[(i + 1) % f.size()];
+      normal = normal + CGAL::cross_product(point(a) - CGAL::ORIGIN, point(b) - CGAL::ORIGIN) / 2;
+      edges.insert(std::minmax(a, b));
+    }
+    const double size = std::sqrt(normal.squared_length());
+    for (const int v : f) area[std::size_t(v)] += size / double(f.size());
+    sum += size;
+  }
+  std::vector<std::vector<double>> a(3 * n, std::vector<double>(3 * n, 0));
+  std::vector<double> b(3 * n);
+  for (std::size_t v = 0; v < n; ++v)
+    for (std::size_t k = 0; k < 3; ++k) {
+      a[3 * v + k][3 * v + k] = area[v] * double(n) / sum;
+      b[3 * v + k] = a[3 * v + k][3 * v + k] * m[v][int(k)];
+    }
+  for (const auto& [i, j] : edges) {
+    const Vector_3 e = point(j) - point(i);
+    for (const int v : {i, j})
+      for (const int w : {i, j})
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l)
+            a[std::size_t(3 * v + k)][std::size_t(3 * w + l)] +=
+              lambda * e[k] * e[l] / e.squared_length();
+  }
+  const std::vector<double> x = dense_solution(a, b);
+  std::vector<Vector_3> normals;
+  for (std::size_t v = 0; v < n; ++v) {
+    const Vector_3 y(x[3 * v], x[3 * v + 1], x[3 * v + 2]);
+    normals.push_back(y / std::sqrt(y.squared_length()));
+  }
+  return normals;
+}
+
+TEST(Smooth_normals, AreTheMinimum)
+{
+  for (const Control_mesh& control :
+       {sampled_surfaces::scattered(1, 0.3, 3, sampled_surfaces::on_ellipsoid),
+        sampled_surfaces::patch(6, 5, 0.2, Cells::mixed, 7, sampled_surfaces::on_waves)}) {
+    Sampled s(control);
+    disturb(s, 4);
+    std::vector<Vector_3> given;
+    for (const auto v : s.mesh.vertices()) given.push_back(s.normals[v]);
+    const auto report = PN::smooth_control_normals(s.mesh, s.normals);
+    const double noise = report.noise * report.noise, arcs = report.arc_defect * report.arc_defect;
+    const double chance = (std::min)(2 / std::sqrt(double(given.size())), .2); // all have a fit
+    const double shape = (std::max)(arcs - (1 + chance) * noise, noise / 1000);
+    ASSERT_GT(report.strength, 0);
+    EXPECT_NEAR(report.strength / ((noise - arcs / 10) / 2 / shape), 1, 1e-9);
+    const std::vector<Vector_3> expected = minimum(control, given, report.strength);
+    for (const auto v : s.mesh.vertices())
+      EXPECT_LE(std::sqrt((s.normals[v] - expected[v]).squared_length()), 1e-9) << v;
+    EXPECT_EQ(report.changed_normals, given.size());
+  }
+}
+
+TEST(Smooth_normals, ScaleWithTheMesh)
+{
+  const Control_mesh control =
+    sampled_surfaces::scattered(2, 0.3, 3, sampled_surfaces::on_ellipsoid);
+  Sampled one(control);
+  disturb(one, 3);
+  const Sampled given(one);
+  PN::smooth_control_normals(one.mesh, one.normals);
+  for (const double scale : {0x1p-600, 0x1p600}) {
+    Sampled other(given);
+    for (const auto v : other.mesh.vertices())
+      other.mesh.point(v) = CGAL::ORIGIN + scale * (given.mesh.point(v) - CGAL::ORIGIN);
+    PN::smooth_control_normals(other.mesh, other.normals);
+    for (const auto v : one.mesh.vertices())
+      EXPECT_LE((one.normals[v] - other.normals[v]).squared_length(), 1e-24);
+  }
+}
+
+// --- what stays ---
+
+TEST(Smooth_normals, LeaveArcsThatHold)
+{
+  for (const Control_mesh& control : {sphere(), torus(Cells::quads)}) {
+    Sampled s(control);
+    for (const auto v : s.mesh.vertices()) s.normals[v] = 3 * s.normals[v]; // of any length
+    const Sampled given(s);
+    EXPECT_EQ(PN::smooth_control_normals(s.mesh, s.normals).changed_normals, 0u);
+    for (const auto v : s.mesh.vertices()) EXPECT_EQ(s.normals[v], given.normals[v]);
+  }
+}
+
+TEST(Smooth_normals, TakeTheLeastNoise)
+{
+  const Control_mesh control = sphere();
+  Sampled s(control);
+  disturb(s, 1e-6);
+  const double angle = error(s, control);
+  PN::smooth_control_normals(s.mesh, s.normals);
+  EXPECT_LE(error(s, control), 0.1 * angle);
+}
+
+// A sphere with noise; beside it one without, an isolated vertex, a triangle of one line, and normals that are zero or
+// reversed.
+TEST(Smooth_normals, LeaveWhatHasNothingToSay)
+{
+  const Control_mesh control = sphere();
+  const auto n = std::uint32_t(control.points.size());
+  Sampled s(control);
+  disturb(s, 2);
+  s.normals[Sampled::Vertex(7)] = Vector_3(0, 0, 0);
+  s.normals[Sampled::Vertex(50)] = -s.normals[Sampled::Vertex(50)];
+  const Control_mesh clean = sampled_surfaces::scattered(1, 0.2, 3, sampled_surfaces::on_sphere);
+  for (std::size_t i = 0; i < clean.points.size(); ++i) {
+    const Triple &p = clean.points[i], &m = clean.normals[i];
+    s.normals[s.mesh.add_vertex(Kernel::Point_3(p[0] + 5, p[1], p[2]))] =
+      Vector_3(m[0], m[1], m[2]);
+  }
+  for (const auto& f : clean.faces) {
+    std::vector<Sampled::Vertex> corners;
+    for (const int i : f) corners.emplace_back(n + std::uint32_t(i));
+    s.mesh.add_face(corners);
+  }
+  const auto isolated = s.mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  s.normals[isolated] = Vector_3(0, 0, 2);
+  std::vector<Sampled::Vertex> line;
+  for (const double x : {0., 0., 1.}) {
+    line.push_back(s.mesh.add_vertex(Kernel::Point_3(x, 7, 0)));
+    s.normals[line.back()] = Vector_3(0, .6, .8);
+  }
+  s.mesh.add_face(line);
+  const Sampled given(s);
+  PN::smooth_control_normals(s.mesh, s.normals);
+  for (const auto v : s.mesh.vertices()) {
+    const std::uint32_t i = v;
+    if (i >= n || i == 7 || i == 50)
+      EXPECT_EQ(s.normals[v], given.normals[v]) << v;
+    else // nor do they spoil the others
+      EXPECT_LE((s.normals[v] - (s.mesh.point(v) - CGAL::ORIGIN)).squared_length(), 1e-4) << v;
+  }
+}
+
+TEST(Smooth_normals, OfNothing)
+{
+  Sampled empty(Control_mesh{"empty", {}, {}, {}});
+  EXPECT_EQ(PN::smooth_control_normals(empty.mesh, empty.normals).changed_normals, 0u);
+  Sampled one(Control_mesh{
+    "one", {{0, 0, 0}, {1, 0, 0}, {0, 1, .1}}, {{0, 1, 2}}, {{0, 0, 1}, {.6, 0, .8}, {0, 0, 1}}});
+  EXPECT_EQ(PN::smooth_control_normals(one.mesh, one.normals).changed_normals, 0u);
+}
+
+// --- wedges ---
+
+// A half sphere and the disk below it, with noise on the sphere: its wedges are smoothed as if the disk were not there.
+TEST(Smooth_normals, OfWedgesAreThoseOfTheParts)
+{
+  std::mt19937 generator(5);
+  const auto u = sampled_surfaces::uneven(25, 0.2, generator);
+  const auto v = sampled_surfaces::uneven(8, 0.2, generator);
+  const Control_mesh dome = sampled_surfaces::revolution(
+    u, v, false, Cells::quads, [](sampled_surfaces::Real s, sampled_surfaces::Real t) {
+      const auto z = 0.9L * t, r = std::sqrt(1 - z * z);
+      return sampled_surfaces::on_sphere({r * std::cos(s), r * std::sin(s), z});
+    });
+  Sampled alone(dome);
+  disturb(alone, 2);
+  Sampled whole(alone);
+  std::vector<Sampled::Vertex> rim;
+  for (std::uint32_t i = 24; i-- > 0;) rim.emplace_back(i);
+  const auto disk = whole.mesh.add_face(rim);
+  const auto sharp =
+    whole.mesh.add_property_map<Sampled::Mesh::Edge_index, bool>("e:sharp", false).first;
+  const auto corners =
+    whole.mesh.add_property_map<Sampled::Mesh::Halfedge_index, Vector_3>("h:normal").first;
+  for (const auto h : whole.mesh.halfedges()) corners[h] = whole.normals[whole.mesh.target(h)];
+  for (const auto h : CGAL::halfedges_around_face(whole.mesh.halfedge(disk), whole.mesh)) {
+    sharp[whole.mesh.edge(h)] = true;
+    corners[h] = Vector_3(0, 0, -1);
+  }
+  const auto report = PN::smooth_control_normals(whole.mesh, corners,
+                                                 CGAL::parameters::edge_is_constrained_map(sharp));
+  const auto expected = PN::smooth_control_normals(alone.mesh, alone.normals);
+  EXPECT_EQ(report.changed_normals, alone.mesh.number_of_vertices());
+  EXPECT_NEAR(report.noise, expected.noise, 0.2);
+  for (const auto h : whole.mesh.halfedges()) {
+    if (whole.mesh.is_border(h)) continue;
+    if (whole.mesh.face(h) == disk)
+      EXPECT_EQ(corners[h], Vector_3(0, 0, -1));
+    else // the strength and the mean area are of both
+      EXPECT_LE((corners[h] - alone.normals[whole.mesh.target(h)]).squared_length(), 1e-3);
+  }
+}
+
+// --- number types, faults ---
+
+TEST(Smooth_normals, OfExactNumbersAreThoseOfDoubles)
+{
+  const Control_mesh control =
+    sampled_surfaces::patch(6, 5, 0.2, Cells::mixed, 7, sampled_surfaces::on_waves);
+  Sampled s(control);
+  disturb(s, 4);
+  Mesh_with_normals<CGAL::Simple_cartesian<CGAL::Exact_rational>> exact(control);
+  for (const auto v : s.mesh.vertices()) {
+    const Vector_3 n = s.normals[v];
+    exact.normals[CGAL::SM_Vertex_index(v)] =
+      CGAL::Simple_cartesian<CGAL::Exact_rational>::Vector_3(n.x(), n.y(), n.z());
+  }
+  PN::smooth_control_normals(s.mesh, s.normals);
+  PN::smooth_control_normals(exact.mesh, exact.normals);
+  for (const auto v : s.mesh.vertices())
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(CGAL::to_double(exact.normals[CGAL::SM_Vertex_index(v)][k]), s.normals[v][k],
+                  1e-13);
+}
+
+// a map that throws at a vertex, once
+struct Failing_map
+{
+  using key_type = Sampled::Vertex;
+  using value_type = Vector_3;
+  using reference = Vector_3;
+  using category = boost::read_write_property_map_tag;
+  decltype(Sampled::normals) normals;
+  int* left;
+
+  friend Vector_3 get(const Failing_map& m, key_type v) { return m.normals[v]; }
+  friend void put(const Failing_map& m, key_type v, const Vector_3& n)
+  {
+    if (--*m.left == 0) throw std::runtime_error("full");
+    m.normals[v] = n;
+  }
+};
+
+TEST(Smooth_normals, AreAsBeforeAfterAnError)
+{
+  Sampled s(sphere());
+  disturb(s, 2);
+  const auto expect_unchanged = [&](const Sampled& given) {
+    for (const auto v : s.mesh.vertices())
+      if (s.normals[v] != given.normals[v] && s.normals[v] == s.normals[v]) ADD_FAILURE() << v;
+  };
+  const Sampled given(s);
+  int left = 100;
+  EXPECT_THROW(PN::smooth_control_normals(s.mesh, Failing_map{s.normals, &left}),
+               std::runtime_error);
+  expect_unchanged(given);
+  s.normals[Sampled::Vertex(3)] = Vector_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  EXPECT_THROW(PN::smooth_control_normals(s.mesh, s.normals), std::invalid_argument);
+  expect_unchanged(given);
+}
+
+} // namespace
