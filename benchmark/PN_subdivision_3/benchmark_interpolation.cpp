@@ -47,17 +47,17 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
 
 void quads(benchmark::State& state, Mode mode)
 {
-  interpolate(state, Control_meshes::quads(100, 100), PN::modified_CatmullClark_scheme(), mode);
+  interpolate(state, Control_meshes::quads(100, 100), PN::Tuned_CatmullClark_scheme(), mode);
 }
 void triangles(benchmark::State& state, Mode mode)
 {
-  interpolate(state, Control_meshes::triangles(100, 100), PN::modified_Loop_scheme(), mode);
+  interpolate(state, Control_meshes::triangles(100, 100), PN::Tuned_Loop_scheme(), mode);
 }
 
 BENCHMARK_CAPTURE(quads, slide, Mode::slide)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(quads, limit_points, Mode::limit_points)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(quads, limit_points, Mode::strict)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(triangles, slide, Mode::slide)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(triangles, limit_points, Mode::limit_points)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(triangles, limit_points, Mode::strict)->Unit(benchmark::kMillisecond);
 
 } // namespace
 

@@ -13,12 +13,12 @@
 
 #include "../../examples/PN_subdivision_3/Extraordinary_data.h"
 
-#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Timer.h>
 
@@ -105,8 +105,8 @@ int main(int argc, char** argv)
   print_row(csv, columns);
   if (!csv) print_row(csv, std::vector<std::string>(columns.size(), "---"));
   print_rows(csv, "PN-modified Catmull-Clark", {3, 5, 6, 7, 8, 10, 12}, PN::CatmullClark_scheme(),
-             PN::modified_CatmullClark_scheme());
+             PN::Tuned_CatmullClark_scheme());
   print_rows(csv, "PN-modified Loop", {3, 4, 5, 7, 8, 9, 12}, PN::Loop_scheme(),
-             PN::modified_Loop_scheme());
+             PN::Tuned_Loop_scheme());
   return EXIT_SUCCESS;
 }

@@ -200,7 +200,7 @@ void add_modified_schemes()
 {
   // the triangles have extraordinary vertices that are separated after a round or two
   const PN::CatmullClark_scheme catmull_clark;
-  const PN::modified_CatmullClark_scheme modified_catmull_clark;
+  const PN::Tuned_CatmullClark_scheme modified_catmull_clark;
   const auto add_catmull_clark = [&](const char* size, const Control& control, unsigned rounds) {
     add_modified("modified_CatmullClark", size, control, rounds, catmull_clark,
                  modified_catmull_clark);
@@ -210,7 +210,7 @@ void add_modified_schemes()
   add_catmull_clark("1M-one-round", quads(500, 500), 1);
 
   const PN::Loop_scheme loop;
-  const PN::modified_Loop_scheme modified_loop;
+  const PN::Tuned_Loop_scheme modified_loop;
   add_modified("modified_Loop", "100k", triangles(16, 14), 4, loop, modified_loop);
   add_modified("modified_Loop", "1M", triangles(50, 40), 4, loop, modified_loop);
   add_modified("modified_Loop", "1M-one-round", triangles(360, 350), 1, loop, modified_loop);

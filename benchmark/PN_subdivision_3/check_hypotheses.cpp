@@ -17,9 +17,9 @@
 
 #include "../../examples/PN_subdivision_3/Order_samples.h"
 
+#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
-#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/curve_limit_points.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Timer.h>
@@ -132,19 +132,19 @@ Surface subdivided(Mesh mesh, Way way)
   timer.start();
   if (way == Way::linear_solved) {
     PN::interpolate_limit_points(
-      mesh, PN::linear(PN::modified_Loop_scheme()),
-      PN::parameters::join(
-        PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::limit_points), np));
+      mesh, PN::linear(PN::Tuned_Loop_scheme()),
+      PN::parameters::join(PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::strict),
+                           np));
   } else if (way == Way::slide)
-    PN::interpolate_limit_points(mesh, PN::modified_Loop_scheme(), np);
+    PN::interpolate_limit_points(mesh, PN::Tuned_Loop_scheme(), np);
   Mesh refined = mesh;
   const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  PN::subdivide(refined, PN::modified_Loop_scheme(),
+  PN::subdivide(refined, PN::Tuned_Loop_scheme(),
                 params::number_of_iterations(3).vertex_normal_map(map));
   timer.stop();
   Surface surface;
   surface.nanoseconds = timer.time() / double(refined.number_of_vertices()) * 1e9;
-  surface.samples = limits(mesh, PN::modified_Loop_scheme(), is_linear);
+  surface.samples = limits(mesh, PN::Tuned_Loop_scheme(), is_linear);
   return surface;
 }
 

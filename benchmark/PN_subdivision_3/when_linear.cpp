@@ -20,8 +20,8 @@
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/smooth_control_normals.h>
 #include <CGAL/PN_subdivision_curve.h>
@@ -159,8 +159,8 @@ void print_smoothing()
     normals[v] = order_samples::unit(sphere.point(v) - CGAL::ORIGIN);
     sphere.point(v) = CGAL::ORIGIN + normals[v];
   }
-  const PN::modified_Loop_scheme loop;
-  const PN::modified_CatmullClark_scheme catmull_clark;
+  const PN::Tuned_Loop_scheme loop;
+  const PN::Tuned_CatmullClark_scheme catmull_clark;
   print_smoothing("a", sphere, loop);
   print_smoothing("b", grid(32, 16, true, false, on_torus), catmull_clark);
   print_smoothing("c", grid(32, 16, true, true, on_torus), loop);
@@ -211,7 +211,7 @@ double interpolation_error(Mesh mesh, const std::string& way)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
   const auto np = PN::parameters::tolerance(1e-9)
                     .interpolation_mode(way == "slide" ? PN::Limit_interpolation_mode::slide
-                                                       : PN::Limit_interpolation_mode::limit_points)
+                                                       : PN::Limit_interpolation_mode::strict)
                     .vertex_normal_map(normals);
   if (way == "linear")
     PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), np);
@@ -241,7 +241,7 @@ void print_interpolation()
 void print_convexity()
 {
   std::puts("#table convexity");
-  const PN::modified_CatmullClark_scheme scheme;
+  const PN::Tuned_CatmullClark_scheme scheme;
   for (const double thickness : {1., .5, .2, .1}) {
     Mesh mesh = closed_samples::cube(4);
     const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
@@ -350,8 +350,8 @@ void print_models(const std::string& folder)
 int main(int argc, char** argv)
 {
   std::puts("#table noise");
-  print_noise("even quads", closed_samples::cube(12), PN::modified_CatmullClark_scheme());
-  print_noise("scattered triangles", closed_samples::scattered(896), PN::modified_Loop_scheme());
+  print_noise("even quads", closed_samples::cube(12), PN::Tuned_CatmullClark_scheme());
+  print_noise("scattered triangles", closed_samples::scattered(896), PN::Tuned_Loop_scheme());
   print_smoothing();
   std::puts("#table ellipse");
   print_ellipse("cubic", PN::B_spline_mask(3));

@@ -10,7 +10,7 @@
 
 #include "Extraordinary_data.h"
 
-#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Regular_jet.h>
 
 #include <array>

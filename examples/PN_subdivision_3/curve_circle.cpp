@@ -11,7 +11,7 @@
 //
 //   curve_circle [OUTPUT.svg]
 
-#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
+#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_curve.h>
 

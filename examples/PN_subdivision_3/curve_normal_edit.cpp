@@ -12,7 +12,7 @@
 //
 //   curve_normal_edit [OUTPUT.svg]
 
-#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
+#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 #include <CGAL/PN_subdivision_curve.h>
 
 #include <CGAL/intersections.h>
@@ -84,7 +84,7 @@ int main(int argc, char** argv)
   std::vector<curve_svg::Panel> panels;
   for (const int degrees : {40, 90, 150}) {
     Curve polygon = circle(12);
-    PN::rotate_control_normals(polygon, degrees * pi / 180, PN::every_kth_vertex(polygon, 2));
+    PN::rotate_control_normals(polygon, degrees * pi / 180, PN::take_every_kth_vertex(polygon, 2));
     const Curve curve = PN::subdivide_curve(polygon, PN::Dubuc_Deslauriers_mask(10), closed,
                                             CGAL::parameters::number_of_iterations(rounds));
     std::cout << degrees << " degrees: ";

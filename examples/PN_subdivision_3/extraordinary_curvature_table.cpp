@@ -15,12 +15,12 @@
 #include "Extraordinary_data.h"
 #include "Log_plot_svg.h"
 
-#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -84,8 +84,8 @@ int main(int argc, char** argv)
                           0,
                           {}};
   plot.panels.push_back(table("Catmull-Clark: PN (dashed) and PN-modified", 4,
-                              PN::CatmullClark_scheme(), PN::modified_CatmullClark_scheme()));
+                              PN::CatmullClark_scheme(), PN::Tuned_CatmullClark_scheme()));
   plot.panels.push_back(
-    table("Loop: PN (dashed) and PN-modified", 6, PN::Loop_scheme(), PN::modified_Loop_scheme()));
+    table("Loop: PN (dashed) and PN-modified", 6, PN::Loop_scheme(), PN::Tuned_Loop_scheme()));
   return log_plot_svg::write(output, plot) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

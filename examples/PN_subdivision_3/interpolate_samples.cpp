@@ -59,7 +59,7 @@ bool show(const std::string& title, const std::string& file, const Shape& shape,
 
 bool interpolate(const Shape& shape, const std::string& folder)
 {
-  const PN::modified_CatmullClark_scheme scheme;
+  const PN::Tuned_CatmullClark_scheme scheme;
   Mesh samples = shape.samples();
   const Normals normals =
     samples.add_property_map<Mesh::Vertex_index, Vector>("v:normal", CGAL::NULL_VECTOR).first;
@@ -67,7 +67,7 @@ bool interpolate(const Shape& shape, const std::string& folder)
   PN::natural_normals(samples, scheme, normals);
   std::printf("%s, %u points\n", shape.name.c_str(), unsigned(samples.number_of_vertices()));
 
-  PN::Limit_interpolation_mode mode = PN::Limit_interpolation_mode::limit_points;
+  PN::Limit_interpolation_mode mode = PN::Limit_interpolation_mode::strict;
   const auto run = [&](const std::string& title, const std::string& name, const auto& s) {
     Mesh net = samples;
     const Normals map = net.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;

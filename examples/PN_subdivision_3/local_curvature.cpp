@@ -14,7 +14,7 @@
 #include "Local_examples.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <cstdio>
@@ -49,7 +49,7 @@ void print_table(const std::string& file, const local_examples::Local_example& e
   for (int m : {0, 3, 6, 12}) std::printf(" %22d", m);
   std::printf("  predicted\n");
   const PN::CatmullClark_scheme plain;
-  const PN::modified_CatmullClark_scheme modified;
+  const PN::Tuned_CatmullClark_scheme modified;
   print_row("linear", mesh, PN::linear(plain), false);
   print_row("modified linear", mesh, PN::linear(modified), true);
   print_row("PN", mesh, plain, false);

@@ -38,7 +38,7 @@ namespace params = CGAL::parameters;
 
 namespace {
 
-const PN::modified_CatmullClark_scheme scheme;
+const PN::Tuned_CatmullClark_scheme scheme;
 
 // A mesh with control normals and what is prescribed.
 struct Design

@@ -21,7 +21,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #if __has_include(<Eigen/Eigenvalues>)
-#  include <CGAL/PN_subdivision_3/subdivision_matrix.h>
+#  include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #  include <Eigen/Eigenvalues>
 #endif
 

@@ -12,8 +12,8 @@
 /*!
 \file PN_subdivision_3.h
 Schemes and the functions that subdivide meshes and curves. Not included are what needs other packages or
-libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`), what measures results
-(`reproduction.h`, `extraordinary_curvature.h`, `extraordinary_eigenvalues.h`), the limit surface
+libraries (`PN_mask_3.h`, `analysis/subdivision_matrix.h`, `estimate_curvature.h`), what measures results
+(`reproduction.h`, `analysis/extraordinary_curvature.h`, `analysis/extraordinary_eigenvalues.h`), the limit surface
 (`limit_points.h`, `subdivide_to_limit.h`, `tessellate.h`, `curve_limit_points.h`,
 `interpolate_limit_points.h`, `interpolate_curve.h`, `prescribe_limit_data.h`), and surfaces that follow their control data (`Surface_refiner.h`).
 */
@@ -22,7 +22,7 @@ libraries (`PN_mask_3.h`, `subdivision_matrix.h`, `estimate_curvature.h`), what 
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
-#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

@@ -14,8 +14,8 @@
 Point-normal subdivision of curves in the plane and in space.
 */
 
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
-#include <CGAL/PN_subdivision_3/curves/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
 #include <CGAL/PN_subdivision_3/curves/curve_corners.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>

@@ -10,7 +10,7 @@
 
 #include "curve/curve_schemes.h"
 
-#include <CGAL/PN_subdivision_3/curves/curve_analysis.h>
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
 
 #include <stdexcept>

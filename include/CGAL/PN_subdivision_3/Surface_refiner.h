@@ -82,7 +82,7 @@ next call evaluates everything. All other members have the strong guarantee.
 Different refiners may be used by different threads at the same time, one of them by one thread only.
 
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin; none that transfers curvature,
-  such as `ct_Loop_scheme`
+  such as `Transfer_Loop_scheme`
 \tparam GeomTraits a model of `Kernel`; its `FT` is the number type of all computations
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads.

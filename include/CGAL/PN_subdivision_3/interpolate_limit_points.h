@@ -57,7 +57,7 @@ arc with their normals. Samples of spheres and circular cylinders with exact nor
 net: nothing is solved. On borders, and wherever the iteration does not come to its end (then the report
 says `fallback`), the limit control normal stands for the surface normal.
 
-<b>`Limit_interpolation_mode::limit_points`.</b> The limit point of each vertex is the data point, up to
+<b>`Limit_interpolation_mode::strict`.</b> The limit point of each vertex is the data point, up to
 the tolerance. Control normals are the given ones, or with `Limit_interpolation_normals::solved` those
 whose limits are the given ones; vertices where these cannot be found keep the given ones and are counted
 in `left_out`.
@@ -76,7 +76,7 @@ Smoother surfaces are those with a map of `natural_normals()`.
 <b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays what it is: further calls that refine the
 result take it, too. `estimate_control_normals()` tells it.
 
-<b>Creases</b> that are sharp for ever are for `Limit_interpolation_mode::limit_points` with given normals: the normals of
+<b>Creases</b> that are sharp for ever are for `Limit_interpolation_mode::strict` with given normals: the normals of
 the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
 points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
 the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices

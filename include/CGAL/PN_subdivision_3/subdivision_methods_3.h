@@ -13,15 +13,15 @@
 #include <CGAL/PN_subdivision_3/schemes/Butterfly_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Kobbelt_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
 namespace CGAL {
@@ -52,15 +52,15 @@ void subdivide_by_variant(PolygonMesh& mesh, const NamedParameters& np)
 applies point-normal Catmull-Clark subdivision, for polygons of any degree. The same as
 `subdivide(mesh, CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
 exceptions. The order of the new vertices is that of `PQQ_host`. With `parameters::tuned()` it is
-`modified_CatmullClark_scheme`, with cap 1/2, and with `parameters::curvature_transfer()` it is `ct_CatmullClark_scheme`.
+`Tuned_CatmullClark_scheme`, with cap 1/2, and with `parameters::curvature_transfer()` it is `Transfer_CatmullClark_scheme`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
 void CatmullClark_subdivision(PolygonMesh& mesh,
                               const NamedParameters& np = parameters::default_values())
 {
-  internal::subdivide_by_variant<Concurrency_tag, CatmullClark_scheme, modified_CatmullClark_scheme,
-                                 ct_CatmullClark_scheme>(mesh, np);
+  internal::subdivide_by_variant<Concurrency_tag, CatmullClark_scheme, Tuned_CatmullClark_scheme,
+                                 Transfer_CatmullClark_scheme>(mesh, np);
 }
 
 /*!
@@ -68,8 +68,8 @@ void CatmullClark_subdivision(PolygonMesh& mesh,
 
 applies point-normal Loop subdivision, for triangles. The same as `subdivide(mesh, Loop_scheme(),
 np)`, which documents all parameters, guarantees and exceptions. The order of the new vertices is
-that of `PTQ_host`. With `parameters::tuned()` it is `modified_Loop_scheme`, with cap 1/2, and with
-`parameters::curvature_transfer()` it is `ct_Loop_scheme`.
+that of `PTQ_host`. With `parameters::tuned()` it is `Tuned_Loop_scheme`, with cap 1/2, and with
+`parameters::curvature_transfer()` it is `Transfer_Loop_scheme`.
 
 \throws std::invalid_argument also if a face is not a triangle
 */
@@ -77,8 +77,8 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
 void Loop_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
-  internal::subdivide_by_variant<Concurrency_tag, Loop_scheme, modified_Loop_scheme,
-                                 ct_Loop_scheme>(mesh, np);
+  internal::subdivide_by_variant<Concurrency_tag, Loop_scheme, Tuned_Loop_scheme,
+                                 Transfer_Loop_scheme>(mesh, np);
 }
 
 /*!
@@ -194,17 +194,17 @@ void Bilinear_subdivision(PolygonMesh& mesh,
 \ingroup PkgPNSubdivision3Functions
 
 applies point-normal Catmull-Clark subdivision by grid lines, for quads. The same as
-`subdivide(mesh, grid_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
+`subdivide(mesh, Grid_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
 exceptions. The order of the new vertices is that of `PQQ_host`.
 
 \throws std::invalid_argument also if a face is not a quad, or if something is sharp
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
-void grid_CatmullClark_subdivision(PolygonMesh& mesh,
+void Grid_CatmullClark_subdivision(PolygonMesh& mesh,
                                    const NamedParameters& np = parameters::default_values())
 {
-  subdivide<Concurrency_tag>(mesh, grid_CatmullClark_scheme(), np);
+  subdivide<Concurrency_tag>(mesh, Grid_CatmullClark_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

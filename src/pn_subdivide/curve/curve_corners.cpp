@@ -104,7 +104,7 @@ Curve_data joined_curve(const std::vector<Curve_data>& parts, PN::Curve_end end,
       std::vector<Curve> curves;
       curves.reserve(parts.size());
       for (const Curve_data& part : parts) curves.push_back(std::get<Curve>(part.points));
-      Curve curve = PN::joined_at_corners(curves, end);
+      Curve curve = PN::join_at_corners(curves, end);
       if (end == PN::Curve_end::closed && first < curve.size())
         std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end());
       joined.points = std::move(curve);

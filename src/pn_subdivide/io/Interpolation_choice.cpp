@@ -21,7 +21,7 @@ std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::s
   throw Usage_error("--interpolate: this program was built without Eigen");
 #endif
   if (*text == "slide") return Interpolation_mode::slide;
-  if (*text == "points") return Interpolation_mode::limit_points;
+  if (*text == "points") return Interpolation_mode::strict;
   throw Usage_error("--interpolate '" + *text + "': it takes slide or points");
 }
 

@@ -12,7 +12,7 @@
 #include "io/near_miss.h"
 #include "surface/Scheme.h"
 
-#include <CGAL/PN_subdivision_3/schemes/grid_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <algorithm>
@@ -33,12 +33,12 @@ std::string enumeration(const std::vector<std::string>& names, const std::string
   return s;
 }
 
-constexpr const char* grid_name = PN::grid_CatmullClark_scheme::name();
+constexpr const char* grid_name = PN::Grid_CatmullClark_scheme::name();
 
-// What the command asks of grid_CatmullClark_scheme. What would average its rows as those of others is refused.
+// What the command asks of Grid_CatmullClark_scheme. What would average its rows as those of others is refused.
 struct Grid_facts
 {
-  using Host = PN::grid_CatmullClark_scheme::Host;
+  using Host = PN::Grid_CatmullClark_scheme::Host;
   static constexpr const char* name() { return grid_name; }
 
   template <class FT>

@@ -11,7 +11,7 @@
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
+#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -12,8 +12,8 @@
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <gtest/gtest.h>
@@ -107,9 +107,9 @@ protected:
     for (std::size_t i = 0; i < part.faces.size(); ++i)
       groups.insert(groups.end(), part.faces[i].size() - 2, part.group[i]);
     f(CatmullClark_scheme(), polygons, part.group, "Catmull-Clark");
-    f(modified_CatmullClark_scheme(), polygons, part.group, "modified Catmull-Clark");
+    f(Tuned_CatmullClark_scheme(), polygons, part.group, "modified Catmull-Clark");
     f(Loop_scheme(), triangles, groups, "Loop");
-    f(modified_Loop_scheme(), triangles, groups, "modified Loop");
+    f(Tuned_Loop_scheme(), triangles, groups, "modified Loop");
   }
 };
 

@@ -15,10 +15,10 @@
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,8 @@ namespace PN = CGAL::PN_subdivision_3;
 namespace data = extraordinary_data;
 using data::Curvature;
 using data::Index;
-using PN::modified_CatmullClark_scheme;
-using PN::modified_Loop_scheme;
+using PN::Tuned_CatmullClark_scheme;
+using PN::Tuned_Loop_scheme;
 
 // a scheme at a valence: the subdominant eigenvalue of the tuned rules, and the expected rate
 struct Case
@@ -62,9 +62,9 @@ template <class Function>
 void with_scheme(const Case& c, const Function& f)
 {
   if (c.quads)
-    f(modified_CatmullClark_scheme());
+    f(Tuned_CatmullClark_scheme());
   else
-    f(modified_Loop_scheme());
+    f(Tuned_Loop_scheme());
 }
 
 using extraordinary_checks::Zoom;
@@ -197,9 +197,9 @@ template <class Function>
 void with_transfer(const Case& c, const Function& f)
 {
   if (c.quads)
-    f(PN::ct_CatmullClark_scheme());
+    f(PN::Transfer_CatmullClark_scheme());
   else
-    f(PN::ct_Loop_scheme());
+    f(PN::Transfer_Loop_scheme());
 }
 
 class Transfer : public testing::TestWithParam<Case>
@@ -327,8 +327,8 @@ TEST_P(Transfer, KeepsTheCurvatureOfPointsAndNormals)
   const Case& c = GetParam();
   const Transfer_figures f =
     c.quads
-      ? transfer_figures(modified_CatmullClark_scheme(), PN::ct_CatmullClark_scheme(), c.valence)
-      : transfer_figures(modified_Loop_scheme(), PN::ct_Loop_scheme(), c.valence);
+      ? transfer_figures(Tuned_CatmullClark_scheme(), PN::Transfer_CatmullClark_scheme(), c.valence)
+      : transfer_figures(Tuned_Loop_scheme(), PN::Transfer_Loop_scheme(), c.valence);
   if (c.valence >= (c.quads ? 5u : 7u)) {
     EXPECT_LE(f.off, .025);
     EXPECT_LE(f.off_with_constant_normals, .4);
@@ -342,9 +342,9 @@ TEST_P(Transfer, IsNoLessFairThanTheModifiedScheme)
   const Case& c = GetParam();
   const auto ratio = [&](data::Values (*values)(const data::Extraordinary_net&)) {
     return c.quads
-             ? variation_ratio(modified_CatmullClark_scheme(), PN::ct_CatmullClark_scheme(),
+             ? variation_ratio(Tuned_CatmullClark_scheme(), PN::Transfer_CatmullClark_scheme(),
                                c.valence, values)
-             : variation_ratio(modified_Loop_scheme(), PN::ct_Loop_scheme(), c.valence, values);
+             : variation_ratio(Tuned_Loop_scheme(), PN::Transfer_Loop_scheme(), c.valence, values);
   };
   EXPECT_LE(ratio([](const data::Extraordinary_net& net) {
               return data::with_estimated_normals(net, data::cubic);
@@ -363,8 +363,8 @@ TEST(Modified_scheme_controls, ACapOfNineTenthsFails)
   for (const Case& c : cases) {
     if (c.valence < 5) continue;
     SCOPED_TRACE(c);
-    const data::Figures f = c.quads ? figures(modified_CatmullClark_scheme(.9), c.valence)
-                                    : figures(modified_Loop_scheme(.9), c.valence);
+    const data::Figures f = c.quads ? figures(Tuned_CatmullClark_scheme(.9), c.valence)
+                                    : figures(Tuned_Loop_scheme(.9), c.valence);
     EXPECT_GT(f.rate, c.rate + rate_margin);
     EXPECT_GT(f.oscillation_20, .002);
     EXPECT_GT(f.prediction_error, c.is_Loop_5() ? Loop_5_error_bound : error_bound);
@@ -378,9 +378,9 @@ TEST(Modified_scheme_controls, TunedPointsWithPlainNormalsFail)
     SCOPED_TRACE(c);
     const data::Figures f =
       c.quads
-        ? figures(PN::with_normal_scheme(modified_CatmullClark_scheme(), PN::CatmullClark_scheme()),
+        ? figures(PN::with_normal_scheme(Tuned_CatmullClark_scheme(), PN::CatmullClark_scheme()),
                   c.valence)
-        : figures(PN::with_normal_scheme(modified_Loop_scheme(), PN::Loop_scheme()), c.valence);
+        : figures(PN::with_normal_scheme(Tuned_Loop_scheme(), PN::Loop_scheme()), c.valence);
     EXPECT_TRUE(f.rate > c.rate + rate_margin || f.oscillation_20 > .002);
   }
 }
@@ -389,7 +389,7 @@ TEST(Modified_scheme_controls, TunedPointsWithPlainNormalsFail)
 TEST(Transfer_controls, TheModifiedSchemesLoseTheCurvatureOfPoints)
 {
   const Transfer_figures f =
-    transfer_figures(modified_CatmullClark_scheme(), modified_CatmullClark_scheme(), 6);
+    transfer_figures(Tuned_CatmullClark_scheme(), Tuned_CatmullClark_scheme(), 6);
   EXPECT_GT(f.off, .025);
   EXPECT_GT(f.off_with_constant_normals, .9);
   EXPECT_GT(f.error_ratio, .99);
@@ -398,11 +398,9 @@ TEST(Transfer_controls, TheModifiedSchemesLoseTheCurvatureOfPoints)
 TEST(Modified_scheme_controls, TunedNormalsWithPlainPointsDiverge)
 {
   EXPECT_GT(
-    figures(PN::with_normal_scheme(PN::CatmullClark_scheme(), modified_CatmullClark_scheme()), 8)
-      .rate,
+    figures(PN::with_normal_scheme(PN::CatmullClark_scheme(), Tuned_CatmullClark_scheme()), 8).rate,
     1.05);
-  EXPECT_GT(figures(PN::with_normal_scheme(PN::Loop_scheme(), modified_Loop_scheme()), 9).rate,
-            1.05);
+  EXPECT_GT(figures(PN::with_normal_scheme(PN::Loop_scheme(), Tuned_Loop_scheme()), 9).rate, 1.05);
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 #include "../../examples/PN_subdivision_3/Local_examples.h"
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ namespace data = extraordinary_data;
 using local_examples::Mesh;
 using local_examples::Values;
 using PN::CatmullClark_scheme;
-using PN::modified_CatmullClark_scheme;
+using PN::Tuned_CatmullClark_scheme;
 using Curvature = PN::Extraordinary_curvature<double>;
 
 const std::string folder = PN_DATA_DIR;
@@ -155,7 +155,7 @@ TEST_P(Local_curvature, NetIsThatOfTheFile)
 TEST_P(Local_curvature, OfPNModifiedIsNearThatOfTheSampledSurface)
 {
   if (!GetParam().gaussian_curvature) GTEST_SKIP() << "does not apply: no surface";
-  const modified_CatmullClark_scheme scheme;
+  const Tuned_CatmullClark_scheme scheme;
   const auto normals = local_examples::normal_map(mesh);
   const Mesh::Vertex_index middle(0);
   double cosine = 1;
@@ -173,7 +173,7 @@ TEST_P(Local_curvature, OfPNModifiedIsNearThatOfTheSampledSurface)
 // The principal curvatures decay by the expected rate from ring to ring.
 TEST_P(Local_curvature, OfLinearModifiedVanishes)
 {
-  const modified_CatmullClark_scheme scheme;
+  const Tuned_CatmullClark_scheme scheme;
   const Curvature c = curvature(PN::linear(scheme));
   EXPECT_NEAR(c.limit.gaussian, 0, 1e-14);
   EXPECT_LE(largest_curvature(c.rings[12]),
@@ -183,7 +183,7 @@ TEST_P(Local_curvature, OfLinearModifiedVanishes)
 TEST_P(Local_curvature, OfThePlainSchemesDoesNotSettle)
 {
   if (valence < 5) GTEST_SKIP() << "does not apply: only from valence 5 on";
-  const modified_CatmullClark_scheme scheme;
+  const Tuned_CatmullClark_scheme scheme;
   const CatmullClark_scheme plain;
   // by rates of more than 1.05 against less than 0.7 twelve times, which is 129 at equal amplitudes
   EXPECT_GE(curvature(plain).rings[12].oscillation(),
@@ -197,8 +197,8 @@ TEST_P(Local_curvature, OfThePlainSchemesDoesNotSettle)
 double gaussian_at_vertex(const data::Graph& graph, double x, double y, unsigned valence,
                           double size)
 {
-  const PN::Extraordinary_vertex_zoom<modified_CatmullClark_scheme> zoom(
-    modified_CatmullClark_scheme(), valence);
+  const PN::Extraordinary_vertex_zoom<Tuned_CatmullClark_scheme> zoom(Tuned_CatmullClark_scheme(),
+                                                                      valence);
   const auto scaled = [&](double u, double v) {
     const data::Height h = graph(x + size * u, y + size * v);
     return data::Height{h.z / size, h.x, h.y};

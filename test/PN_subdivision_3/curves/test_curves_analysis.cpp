@@ -224,7 +224,7 @@ TEST(CurveCorners, PartsHaveOneSidedNormals)
   for (const auto& item : parts[0]) EXPECT_EQ(item.second, Vector(1, 0));
   EXPECT_EQ(parts[1][0].first, Point(4, 4));
   EXPECT_NEAR(parts[1][1].second.y(), 1, 1e-15);
-  const auto curve = PN::joined_at_corners(parts, Curve_end::closed);
+  const auto curve = PN::join_at_corners(parts, Curve_end::closed);
   ASSERT_EQ(curve.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(curve[i].first, house[(i + 1) % 5]);
 }
@@ -237,7 +237,7 @@ TEST(CurveCorners, GivenNormalsServeBothSides)
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0][1].second, n);
   EXPECT_EQ(parts[1][0].second, n);
-  EXPECT_EQ(PN::joined_at_corners(parts, Curve_end::reflect), polygon);
+  EXPECT_EQ(PN::join_at_corners(parts, Curve_end::reflect), polygon);
 }
 
 TEST(CurveCorners, WhatCannotBeSplit)
@@ -280,7 +280,7 @@ TEST(CurveNormals, RotateAndDrop)
 {
   const auto polygon = circle_2<>(uneven_angles(7, 2, Real(6), true, 1), 1);
   auto rotated = polygon;
-  PN::rotate_control_normals(rotated, CGAL_PI / 2, PN::every_kth_vertex(rotated, 2, 1));
+  PN::rotate_control_normals(rotated, CGAL_PI / 2, PN::take_every_kth_vertex(rotated, 2, 1));
   for (std::size_t i = 0; i < 7; ++i) {
     const Vector n = polygon[i].second;
     const Vector expected = i % 2 == 1 ? Vector(-n.y(), n.x()) : n; // counterclockwise
@@ -298,7 +298,7 @@ TEST(CurveNormals, RotateAndDrop)
   for (std::size_t i = 0; i < 7; ++i)
     EXPECT_EQ(dropped[i].second, i == 0 || i == 5 ? Vector(0, 0) : polygon[i].second);
   auto space = helix<>(uneven_angles(4, 2, Real(6), true, 1), 1, 1);
-  PN::drop_control_normals(space, PN::every_kth_vertex(space, 3));
+  PN::drop_control_normals(space, PN::take_every_kth_vertex(space, 3));
   EXPECT_EQ(space[0].second, Double::Vector_3(0, 0, 0));
   EXPECT_NE(space[1].second, Double::Vector_3(0, 0, 0));
   EXPECT_EQ(space[3].second, Double::Vector_3(0, 0, 0));
@@ -311,11 +311,11 @@ TEST(CurveNormals, VerticesThatAreNotThere)
   EXPECT_THROW(PN::drop_control_normals(changed, {1, 5}), std::invalid_argument);
   EXPECT_THROW(PN::rotate_control_normals(changed, 1, {1, 5}), std::invalid_argument);
   EXPECT_EQ(changed, polygon);
-  EXPECT_THROW(PN::every_kth_vertex(polygon, 0), std::invalid_argument);
-  EXPECT_EQ(PN::every_kth_vertex(polygon, 2), (std::vector<std::size_t>{0, 2, 4}));
-  EXPECT_EQ(PN::every_kth_vertex(polygon, 2, 1), (std::vector<std::size_t>{1, 3}));
+  EXPECT_THROW(PN::take_every_kth_vertex(polygon, 0), std::invalid_argument);
+  EXPECT_EQ(PN::take_every_kth_vertex(polygon, 2), (std::vector<std::size_t>{0, 2, 4}));
+  EXPECT_EQ(PN::take_every_kth_vertex(polygon, 2, 1), (std::vector<std::size_t>{1, 3}));
   const auto largest_step = (std::numeric_limits<std::size_t>::max)();
-  EXPECT_EQ(PN::every_kth_vertex(polygon, largest_step, 2), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(PN::take_every_kth_vertex(polygon, largest_step, 2), (std::vector<std::size_t>{2}));
 }
 
 // --- curvature ---

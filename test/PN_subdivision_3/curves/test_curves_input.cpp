@@ -14,7 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/PN_subdivision_3/curves/Curve_svg.h>
+#include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

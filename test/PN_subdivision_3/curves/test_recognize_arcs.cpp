@@ -256,7 +256,7 @@ TEST(Recognize_arcs, SmoothJointsHaveOneNormalAndCornersTwo)
   EXPECT_TRUE(is_near(parts[1].front().second, 0, -1));
   EXPECT_TRUE(is_near(parts[1].back().second, 1, 0));
   EXPECT_TRUE(is_near(parts[2].front().second, 0, 1));
-  const auto whole = PN::joined_at_corners(parts, Curve_end::reflect);
+  const auto whole = PN::join_at_corners(parts, Curve_end::reflect);
   EXPECT_TRUE(is_near(whole[1].second, 0, -1));
   EXPECT_TRUE(is_near(whole[7].second, std::sqrt(0.5), std::sqrt(0.5)));
   // clockwise, too

@@ -213,7 +213,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     subdivide(in, PN::Kobbelt_scheme(), how);
     break;
   case 6:
-    subdivide(in, PN::modified_Loop_scheme(), how);
+    subdivide(in, PN::Tuned_Loop_scheme(), how);
     break;
   default:
     limit(in);

@@ -131,7 +131,7 @@ TEST(Interpolation_input, RealMeshes)
     Options options = strict();
     options.tolerance = 1e-9;
     for (const auto mode :
-         {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::limit_points}) {
+         {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::strict}) {
       options.mode = mode;
       Surface_mesh net = mesh;
       const Report report = Runs::interpolate(net, scheme, options);

@@ -11,10 +11,10 @@
 namespace interpolation_cases {
 
 template struct Interpolation_runs<PN::CatmullClark_scheme>;
-template struct Interpolation_runs<PN::modified_CatmullClark_scheme>;
+template struct Interpolation_runs<PN::Tuned_CatmullClark_scheme>;
 template struct Interpolation_runs<PN::Linear_scheme<PN::CatmullClark_scheme>>;
-template struct Interpolation_runs<PN::Linear_scheme<PN::modified_CatmullClark_scheme>>;
-template struct Wrong_runs<PN::modified_CatmullClark_scheme>;
-template struct Further_interpolation_runs<PN::modified_CatmullClark_scheme>;
+template struct Interpolation_runs<PN::Linear_scheme<PN::Tuned_CatmullClark_scheme>>;
+template struct Wrong_runs<PN::Tuned_CatmullClark_scheme>;
+template struct Further_interpolation_runs<PN::Tuned_CatmullClark_scheme>;
 
 } // namespace interpolation_cases

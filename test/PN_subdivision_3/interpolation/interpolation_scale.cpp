@@ -87,7 +87,7 @@ template <class FT>
 void expect_scaled_nets(const std::vector<int>& exponents)
 {
   for (const auto mode :
-       {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::limit_points})
+       {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::strict})
     for (const auto normals :
          {PN::Limit_interpolation_normals::given, PN::Limit_interpolation_normals::solved}) {
       Options options;
@@ -144,7 +144,7 @@ TEST(Interpolation_at_any_scale, OfPolygons)
     return result;
   };
   for (const auto mode :
-       {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::limit_points}) {
+       {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::strict}) {
     Options options;
     options.mode = mode;
     const auto [one, report] = PN::interpolate_curve(polygon(0), PN::B_spline_mask(3),

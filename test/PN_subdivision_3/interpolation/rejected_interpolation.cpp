@@ -28,7 +28,8 @@ void reject(Mesh& mesh)
   const auto curvatures =
     mesh.add_property_map<Vertex, std::optional<PN::Prescribed_curvature<Kernel>>>("c").first;
 
-  PN::interpolate_limit_points(mesh, PN::ct_Loop_scheme(), params::vertex_normal_map(normals));
+  PN::interpolate_limit_points(mesh, PN::Transfer_Loop_scheme(),
+                               params::vertex_normal_map(normals));
   // expected: interpolation is not known for schemes that transfer curvature
 
   PN::interpolate_limit_points(mesh, PN::Sqrt3_scheme(), params::vertex_normal_map(normals));

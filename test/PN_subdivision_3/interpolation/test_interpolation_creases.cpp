@@ -34,7 +34,7 @@ constexpr Crease_kind kinds[] = {Crease_kind::none, Crease_kind::edges, Crease_k
 
 auto points_mode()
 {
-  return PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::limit_points);
+  return PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::strict);
 }
 
 struct Tangled_case : Case

@@ -41,7 +41,7 @@ constexpr double pi = 3.14159265358979323846;
 Options strict()
 {
   Options options;
-  options.mode = PN::Limit_interpolation_mode::limit_points;
+  options.mode = PN::Limit_interpolation_mode::strict;
   return options;
 }
 
@@ -230,7 +230,7 @@ TEST(Interpolating_curves, CornersPartByPart)
     EXPECT_EQ(part.front(), before.front());
     EXPECT_EQ(part.back(), before.back());
   }
-  EXPECT_EQ(PN::joined_at_corners(parts, PN::Curve_end::closed).size(), data.size());
+  EXPECT_EQ(PN::join_at_corners(parts, PN::Curve_end::closed).size(), data.size());
 }
 
 TEST(Interpolating_curves, SmallAndStrangeInput)

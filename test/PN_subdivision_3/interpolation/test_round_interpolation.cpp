@@ -17,7 +17,7 @@
 #include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ void expect_limits_at_data(const Scheme& scheme, bool triangles)
 {
   for (const Surface_mesh& data : meshes_of(triangles)) {
     Surface_mesh mesh = data;
-    interpolate(mesh, scheme, Mode::limit_points);
+    interpolate(mesh, scheme, Mode::strict);
     EXPECT_LT(distance_of_limits(mesh, scheme, data), 1e-11);
     EXPECT_GT(distance_of_limits(data, scheme, data), 1e-3); // what has to be solved
     Surface_mesh before = data;
@@ -137,13 +137,13 @@ TEST(Round_interpolation, HasLimitsAtItsData)
 {
   expect_limits_at_data(PN::CatmullClark_scheme(), false);
   expect_limits_at_data(PN::Loop_scheme(), true);
-  expect_limits_at_data(PN::modified_Loop_scheme(), true);
+  expect_limits_at_data(PN::Tuned_Loop_scheme(), true);
 }
 
 // with roundness 1 everywhere they are those without, with 0 those of the linear scheme
 TEST(Round_interpolation, HasTheUsualEnds)
 {
-  for (const Mode mode : {Mode::limit_points, Mode::slide})
+  for (const Mode mode : {Mode::strict, Mode::slide})
     for (const Surface_mesh& data : meshes_of(true)) {
       Surface_mesh without = data, ones = data, zeros = data, linear = data;
       test_options::Limit_interpolation_options<> options;
@@ -163,8 +163,7 @@ TEST(Round_interpolation, HasTheUsualEnds)
       interpolate(zeros, PN::Loop_scheme(), mode);
       for (auto v : data.vertices()) {
         EXPECT_EQ(without.point(v), ones.point(v));
-        if (mode ==
-            Mode::limit_points) { // sliding takes control normals on the border, if there are any
+        if (mode == Mode::strict) { // sliding takes control normals on the border, if there are any
           EXPECT_LT(CGAL::squared_distance(zeros.point(v), linear.point(v)), 1e-22);
         }
       }
@@ -188,7 +187,7 @@ void expect_limits_of_estimates_at_data(const Scheme& scheme, bool triangles)
   for (const Surface_mesh& data : meshes_of(triangles)) {
     Surface_mesh mesh = data, limits = data;
     test_options::Limit_interpolation_options<> options;
-    options.mode = std::exchange(mode, Mode::limit_points);
+    options.mode = std::exchange(mode, Mode::strict);
     options.tolerance = 1e-10;
     options.max_steps = 100;
     const auto report = PN::interpolate_limit_points(mesh, scheme, options.pack());
@@ -203,7 +202,7 @@ void expect_limits_of_estimates_at_data(const Scheme& scheme, bool triangles)
     const double left = largest_distance(mesh, data), before = largest_distance(limits, data);
     EXPECT_LE(left, 1.1 * (std::max)(report.residual, report.tolerance));
     EXPECT_LE(left, before / 4);
-    if (!triangles || options.mode == Mode::limit_points) {
+    if (!triangles || options.mode == Mode::strict) {
       EXPECT_LE(report.residual, report.tolerance);
     }
   }
@@ -237,7 +236,7 @@ TEST(Round_interpolation, WithoutNormalsOthersDoNotMove)
   Surface_mesh data = meshes_of(true).back(), mesh = data;
   const auto some = [](Vertex v) { return v.idx() % 2 == 0; };
   test_options::Limit_interpolation_options<> smooth;
-  smooth.mode = Mode::limit_points;
+  smooth.mode = Mode::strict;
   smooth.free = PN::Limit_interpolation_free::smooth;
   EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth.pack()),
                std::invalid_argument);
@@ -312,7 +311,7 @@ TEST(Round_interpolation, RefusesWhatIsOutOfRange)
   Surface_mesh mesh = meshes_of(true)[0];
   const Surface_mesh before = mesh;
   roundness_map(mesh)[Vertex(3)] = 1.75;
-  for (const Mode mode : {Mode::limit_points, Mode::slide}) try {
+  for (const Mode mode : {Mode::strict, Mode::slide}) try {
       interpolate(mesh, PN::Loop_scheme(), mode);
       ADD_FAILURE();
     } catch (const std::invalid_argument& e) {
@@ -344,8 +343,8 @@ TEST(Round_interpolation, TakesExactNumbers)
     exact.add_face(corners);
   }
   test_options::Limit_interpolation_options<> options;
-  options.mode = Mode::limit_points;
-  interpolate(mesh, PN::Loop_scheme(), Mode::limit_points);
+  options.mode = Mode::strict;
+  interpolate(mesh, PN::Loop_scheme(), Mode::strict);
   PN::interpolate_limit_points(
     exact, PN::Loop_scheme(),
     PN::parameters::join(

@@ -93,7 +93,7 @@ TEST(Enclosure, Proven)
 }
 TEST(Enclosure, Estimated)
 {
-  expect_boxes(on_ellipsoid(named_shapes::cube()), PN::modified_CatmullClark_scheme(), false, 0.5);
+  expect_boxes(on_ellipsoid(named_shapes::cube()), PN::Tuned_CatmullClark_scheme(), false, 0.5);
   expect_boxes(on_ellipsoid(test_meshes::bipyramid(5)), PN::Butterfly_scheme(), false, 0.8);
   Control_mesh grid = test_meshes::grid(3, 2, false, false, Cells::quads);
   test_meshes::set_uneven_normals(grid, 4);
@@ -165,7 +165,7 @@ TEST(Enclosure, WhatIsNotCoveredIsNamed)
 {
   Surface_mesh cube = to_surface_mesh(on_ellipsoid(named_shapes::cube()));
   const auto np = params::vertex_normal_map(normal_map(cube));
-  const PN::Limit_surface modified(cube, PN::modified_CatmullClark_scheme(), np);
+  const PN::Limit_surface modified(cube, PN::Tuned_CatmullClark_scheme(), np);
   expect_refusal("modified", [&] { modified.proven_bbox(Face(0)); });
   auto sharp = cube.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
   const auto h = cube.halfedge(Face(3));

@@ -182,7 +182,7 @@ void expect_spline(Cells cells, const Scheme& scheme)
 TEST(LimitSurface, BicubicPieces)
 {
   expect_spline(Cells::quads, PN::CatmullClark_scheme());
-  expect_spline(Cells::quads, PN::modified_CatmullClark_scheme());
+  expect_spline(Cells::quads, PN::Tuned_CatmullClark_scheme());
 }
 TEST(LimitSurface, BoxSplinePieces)
 {
@@ -262,7 +262,7 @@ TEST(LimitSurface, Spheres)
   expect_sphere(named_shapes::cube(), PN::CatmullClark_scheme());
   expect_sphere(named_shapes::prism(5), PN::CatmullClark_scheme()); // pentagons
   expect_sphere(test_meshes::bipyramid(7), PN::Loop_scheme());
-  expect_sphere(named_shapes::tetrahedron(), PN::modified_Loop_scheme());
+  expect_sphere(named_shapes::tetrahedron(), PN::Tuned_Loop_scheme());
 }
 
 // \name The limits of refined meshes
@@ -322,7 +322,7 @@ TEST(LimitSurface, LimitsOfRefinedQuads)
   expect_limits(named_shapes::cube(), PN::CatmullClark_scheme());
   expect_limits(named_shapes::prism(5), PN::CatmullClark_scheme());
   expect_limits(test_meshes::grid(3, 3, false, false, Cells::quads), PN::CatmullClark_scheme());
-  expect_limits(test_meshes::star(5, 2, Cells::quads), PN::modified_CatmullClark_scheme());
+  expect_limits(test_meshes::star(5, 2, Cells::quads), PN::Tuned_CatmullClark_scheme());
 }
 TEST(LimitSurface, LimitsOfRefinedTriangles)
 {
@@ -330,7 +330,7 @@ TEST(LimitSurface, LimitsOfRefinedTriangles)
   expect_limits(test_meshes::bipyramid(7), PN::Loop_scheme());
   expect_limits(test_meshes::grid(3, 3, false, false, Cells::triangles), PN::Loop_scheme());
   expect_limits(test_meshes::with_isolated_vertices(test_meshes::star(5, 2, Cells::triangles)),
-                PN::modified_Loop_scheme());
+                PN::Tuned_Loop_scheme());
 }
 TEST(LimitSurface, LimitsOfInterpolatingSchemes)
 {

@@ -89,9 +89,9 @@ void reject(Mesh& mesh)
   PN::Any_scheme<>(PN::linear(PN::Loop_scheme()));
   // expected: make an Any_scheme of the scheme that is adapted, and adapt it
 
-  PN::limit_points(mesh, PN::grid_CatmullClark_scheme(),
+  PN::limit_points(mesh, PN::Grid_CatmullClark_scheme(),
                    mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("of grids").first);
-  // expected: grid_CatmullClark_scheme is a scheme of subdivide() only
+  // expected: Grid_CatmullClark_scheme is a scheme of subdivide() only
 
   PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
   // expected: the map of creases is no property map of the mesh's edges
@@ -124,7 +124,7 @@ void reject(Mesh& mesh)
   PN::estimate_control_normals(mesh, points);
   // expected: the values of the normal map are not Vector_3
 
-  PN::subdivide(mesh, PN::with_normal_scheme(PN::ct_Loop_scheme(), PN::Loop_scheme()));
+  PN::subdivide(mesh, PN::with_normal_scheme(PN::Transfer_Loop_scheme(), PN::Loop_scheme()));
   // expected: a scheme that transfers curvature refines points and normals together
 
   PN::subdivide(mesh, PN::with_normal_scheme(

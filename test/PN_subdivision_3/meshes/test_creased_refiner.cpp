@@ -53,7 +53,7 @@ TEST(Creased_refiner, BordersThatAreCreases)
   for (const PN::Border border :
        {PN::Border::surface, PN::Border::curve, PN::Border::corners, PN::Border::fixed})
     expect_creases_as_subdivide(triangles(),
-                                PN::internal::with_border(PN::modified_Loop_scheme(), border), 3);
+                                PN::internal::with_border(PN::Tuned_Loop_scheme(), border), 3);
 }
 
 // What is far from the change is left alone, though creases are evaluated everywhere.

@@ -51,7 +51,7 @@ TEST(Surface_refiner, NormalsByAnotherScheme)
 }
 TEST(Surface_refiner, ModifiedScheme)
 {
-  expect_as_subdivide(triangles(), PN::modified_Loop_scheme(), 3);
+  expect_as_subdivide(triangles(), PN::Tuned_Loop_scheme(), 3);
 }
 
 TEST(Surface_refiner, LinearScheme)

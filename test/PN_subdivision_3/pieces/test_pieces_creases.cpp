@@ -247,16 +247,16 @@ TEST(Pieces_creases, Loop)
 }
 TEST(Pieces_creases, ModifiedCatmullClark)
 {
-  expect_as_subdivide(Any(PN::modified_CatmullClark_scheme()), Kind::polygons, 3);
+  expect_as_subdivide(Any(PN::Tuned_CatmullClark_scheme()), Kind::polygons, 3);
 }
 TEST(Pieces_creases, ModifiedLoop)
 {
-  expect_as_subdivide(Any(PN::modified_Loop_scheme()), Kind::triangles, 3);
+  expect_as_subdivide(Any(PN::Tuned_Loop_scheme()), Kind::triangles, 3);
 }
 TEST(Pieces_creases, TransferredCurvature)
 {
-  expect_as_subdivide(Any(PN::ct_CatmullClark_scheme()), Kind::polygons, 2);
-  expect_as_subdivide(Any(PN::ct_Loop_scheme()), Kind::triangles, 2);
+  expect_as_subdivide(Any(PN::Transfer_CatmullClark_scheme()), Kind::polygons, 2);
+  expect_as_subdivide(Any(PN::Transfer_Loop_scheme()), Kind::triangles, 2);
 }
 
 TEST(Pieces_creases, GivenTangents)

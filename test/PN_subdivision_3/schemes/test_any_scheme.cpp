@@ -13,14 +13,14 @@
 
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
-#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
-#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
@@ -144,7 +144,7 @@ TEST(Any_scheme, Creases)
   };
   expect_same(PN::CatmullClark_scheme(), subdivide);
   expect_same(PN::Loop_scheme(), subdivide);
-  expect_same(PN::ct_CatmullClark_scheme(), subdivide);
+  expect_same(PN::Transfer_CatmullClark_scheme(), subdivide);
 }
 
 TEST(Any_scheme, TwoSchemes)
@@ -161,7 +161,7 @@ TEST(Any_scheme, TwoSchemes)
       });
     };
     const PN::CatmullClark_scheme points;
-    const PN::modified_CatmullClark_scheme normals;
+    const PN::Tuned_CatmullClark_scheme normals;
     const Outcome expected = with(points, normals);
     EXPECT_TRUE(expected.message.empty()) << expected.message;
     EXPECT_EQ(with(PN::Any_scheme<>(points), PN::Any_scheme<>(normals)), expected);
@@ -179,8 +179,8 @@ TEST(Any_scheme, Limits)
     for (const auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + normals[v];
   };
   expect_same(PN::CatmullClark_scheme(), to_limit);
-  expect_same(PN::modified_Loop_scheme(1., 2, PN::Tuned_valences::all), to_limit);
-  expect_same(PN::ct_CatmullClark_scheme(), to_limit);
+  expect_same(PN::Tuned_Loop_scheme(1., 2, PN::Tuned_valences::all), to_limit);
+  expect_same(PN::Transfer_CatmullClark_scheme(), to_limit);
   expect_same(PN::Butterfly_scheme(), to_limit);
   expect_same(PN::Kobbelt_scheme(), to_limit);
   expect_same(PN::Sqrt3_scheme(), to_limit);
@@ -225,7 +225,7 @@ TEST(Any_scheme, Pieces)
     EXPECT_GT(PN::memory_of_pieces<Kernel>(s, {4, 6, 4, 12}, 3, 3), 0);
   };
   expect_same(PN::CatmullClark_scheme(), refine);
-  expect_same(PN::ct_Loop_scheme(), refine);
+  expect_same(PN::Transfer_Loop_scheme(), refine);
   expect_same(PN::DooSabin_scheme(), refine);
   expect_same(PN::Sqrt3_scheme(), refine);
 }
@@ -257,13 +257,13 @@ TEST(Any_scheme, Interpolation)
     PN::interpolate_limit_points(mesh, s, params::vertex_normal_map(normals));
   };
   expect_same(PN::Loop_scheme(), interpolate);
-  expect_same(PN::modified_CatmullClark_scheme(), interpolate);
+  expect_same(PN::Tuned_CatmullClark_scheme(), interpolate);
 }
 
 TEST(Any_scheme, Numbers)
 {
-  const PN::modified_CatmullClark_scheme scheme(PN::Scheme_parameter(1, 3), 2u,
-                                                PN::Tuned_valences::all);
+  const PN::Tuned_CatmullClark_scheme scheme(PN::Scheme_parameter(1, 3), 2u,
+                                             PN::Tuned_valences::all);
   const PN::Any_scheme<> any(scheme);
   for (const unsigned valence : {3u, 5u, 8u}) {
     const auto a = PN::extraordinary_eigenvalues(scheme, valence);
@@ -322,7 +322,7 @@ TEST(Any_scheme, ByName)
   EXPECT_EQ(refined(PN::any_scheme("kobbelt", {{"tension", 1. / 20}})),
             refined(PN::Kobbelt_scheme(1. / 20)));
   EXPECT_EQ(refined(PN::any_scheme("modified-catmull-clark", {{"cap", 0.3}, {"first-round", 2.}})),
-            refined(PN::modified_CatmullClark_scheme(0.3, 2u, PN::Tuned_valences::all)));
+            refined(PN::Tuned_CatmullClark_scheme(0.3, 2u, PN::Tuned_valences::all)));
 }
 
 namespace {
@@ -374,7 +374,7 @@ TEST(Any_scheme, RefusedCalls)
     EXPECT_EQ(numbers<double>(mesh), before);
   };
   const PN::Any_scheme<> quads{PN::CatmullClark_scheme()}, triangles{PN::Loop_scheme()},
-    dual{PN::DooSabin_scheme()}, transferring{PN::ct_CatmullClark_scheme()},
+    dual{PN::DooSabin_scheme()}, transferring{PN::Transfer_CatmullClark_scheme()},
     without_creases{PN::Kobbelt_scheme()};
   refused([&](Mesh& m) { PN::subdivide(m, triangles); }, {"triangles"});
   refused([&](Mesh& m) { PN::subdivide(m, PN::with_normal_scheme(quads, triangles)); },

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// grid_CatmullClark_scheme: tori and parallels are exact, grids are those of an implementation by two indices, and irregular
+// Grid_CatmullClark_scheme: tori and parallels are exact, grids are those of an implementation by two indices, and irregular
 // vertices have the rules of Catmull-Clark.
 
 #include "reference/Grid_lines.h"
@@ -72,7 +72,7 @@ Mesh grid(int n, int m, bool closed_n, bool closed_m, const Shape& shape)
 
 void refine(Mesh& mesh, unsigned rounds)
 {
-  PN::grid_CatmullClark_subdivision(
+  PN::Grid_CatmullClark_subdivision(
     mesh, np::number_of_iterations(rounds).vertex_normal_map(normals_of(mesh)));
 }
 
@@ -328,14 +328,14 @@ TEST(Grid_scheme, LeavesCornersAndIsLinearWithoutRoundness)
   refine(mesh, 2);
   for (const unsigned corner : {0u, 4u, 15u, 19u})
     EXPECT_EQ(mesh.point(Vertex(corner)), flat.point(Vertex(corner)));
-  PN::subdivide(linear, PN::linear(PN::grid_CatmullClark_scheme()), np::number_of_iterations(2));
-  PN::grid_CatmullClark_subdivision(
+  PN::subdivide(linear, PN::linear(PN::Grid_CatmullClark_scheme()), np::number_of_iterations(2));
+  PN::Grid_CatmullClark_subdivision(
     flat,
     PN::parameters::roundness(0.).number_of_iterations(2).vertex_normal_map(normals_of(flat)));
   Mesh once = half, once_linear = half;
   refine(once, 1);
-  PN::subdivide(once_linear, PN::linear(PN::grid_CatmullClark_scheme()));
-  PN::grid_CatmullClark_subdivision(
+  PN::subdivide(once_linear, PN::linear(PN::Grid_CatmullClark_scheme()));
+  PN::Grid_CatmullClark_subdivision(
     half, PN::parameters::roundness(.5).vertex_normal_map(normals_of(half)));
   for (const Vertex v : flat.vertices())
     EXPECT_LE(CGAL::squared_distance(flat.point(v), linear.point(v)), 1e-28);
@@ -369,16 +369,16 @@ TEST(Grid_scheme, TakesOtherMeshesAndNumbers)
   Exact_mesh exact;
   CGAL::copy_face_graph(control, exact);
   const PN::Control_normal_estimate estimate = PN::Control_normal_estimate::angle;
-  PN::grid_CatmullClark_subdivision(mesh, PN::parameters::control_normal_estimate(estimate));
-  PN::grid_CatmullClark_subdivision(polyhedron, PN::parameters::control_normal_estimate(estimate));
-  PN::grid_CatmullClark_subdivision(exact, PN::parameters::control_normal_estimate(estimate));
+  PN::Grid_CatmullClark_subdivision(mesh, PN::parameters::control_normal_estimate(estimate));
+  PN::Grid_CatmullClark_subdivision(polyhedron, PN::parameters::control_normal_estimate(estimate));
+  PN::Grid_CatmullClark_subdivision(exact, PN::parameters::control_normal_estimate(estimate));
   expect_same_points(mesh, polyhedron, 1e-14, [](const auto& v) { return v->point(); });
   expect_same_points(mesh, exact, 1e-13, [&](const auto& v) { return exact.point(v); });
   Mesh nothing;
-  PN::grid_CatmullClark_subdivision(nothing);
+  PN::Grid_CatmullClark_subdivision(nothing);
   EXPECT_EQ(nothing.number_of_vertices(), 0u);
   const Vertex lonely = nothing.add_vertex(Point(1, 2, 3));
-  PN::grid_CatmullClark_subdivision(nothing);
+  PN::Grid_CatmullClark_subdivision(nothing);
   EXPECT_EQ(nothing.point(lonely), Point(1, 2, 3));
 }
 
@@ -386,7 +386,7 @@ TEST(Grid_scheme, RefusesWhatItHasNoRulesFor)
 {
   const auto message = [](Mesh& mesh, const auto& parameters) {
     try {
-      PN::grid_CatmullClark_subdivision(mesh, parameters);
+      PN::Grid_CatmullClark_subdivision(mesh, parameters);
     } catch (const std::invalid_argument& e) {
       return std::string(e.what());
     }

@@ -210,11 +210,11 @@ TEST(Own_parameters, VariantsArePartOfTheFunctions)
   const auto catmull_clark = [](const auto& np) {
     return [np](Mesh& mesh) { PN::CatmullClark_subdivision(mesh, np.number_of_iterations(3)); };
   };
-  expect_variant<PN::modified_Loop_scheme>(loop(of_call::tuned(true)));
-  expect_variant<PN::ct_Loop_scheme>(loop(of_call::curvature_transfer(true)));
+  expect_variant<PN::Tuned_Loop_scheme>(loop(of_call::tuned(true)));
+  expect_variant<PN::Transfer_Loop_scheme>(loop(of_call::curvature_transfer(true)));
   expect_variant<PN::Loop_scheme>(loop(of_call::tuned(false).curvature_transfer(false)));
-  expect_variant<PN::modified_CatmullClark_scheme>(catmull_clark(of_call::tuned(true)));
-  expect_variant<PN::ct_CatmullClark_scheme>(
+  expect_variant<PN::Tuned_CatmullClark_scheme>(catmull_clark(of_call::tuned(true)));
+  expect_variant<PN::Transfer_CatmullClark_scheme>(
     catmull_clark(of_call::tuned(true).curvature_transfer(true)));
   expect_variant<PN::CatmullClark_scheme>(catmull_clark(of_call::tuned(false)));
 }

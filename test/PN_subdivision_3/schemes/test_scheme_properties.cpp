@@ -12,8 +12,8 @@
 #include "Scheme_rows.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
-#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
 
 #include <array>
 #include <cstdint>

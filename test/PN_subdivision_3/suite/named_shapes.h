@@ -15,7 +15,7 @@
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
 
-#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
+#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <functional>

@@ -11,8 +11,8 @@
 
 #include "../../examples/PN_subdivision_3/Extraordinary_data.h"
 
-#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
-#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <gtest/gtest.h>

@@ -149,8 +149,8 @@ returns the positions `first`, `first + k`, `first + 2k`, ... of a polygon's ver
 \throws std::invalid_argument if `k` is 0
 */
 template <class Range>
-std::vector<std::size_t> every_kth_vertex(const Range& polygon, std::size_t k,
-                                          std::size_t first = 0)
+std::vector<std::size_t> take_every_kth_vertex(const Range& polygon, std::size_t k,
+                                               std::size_t first = 0)
 {
   if (k == 0)
     throw std::invalid_argument("PN_subdivision_3: every 0th vertex: give a step of 1 or more");
@@ -186,7 +186,7 @@ rotates control normals in the plane counterclockwise.
 
 \param polygon a range of pairs of `Point_2` and `Vector_2`
 \param angle the angle in radians; its sine and cosine are `double`
-\param positions the vertices whose normals are rotated, see `every_kth_vertex()`
+\param positions the vertices whose normals are rotated, see `take_every_kth_vertex()`
 \throws std::invalid_argument if there is no such vertex; nothing has been changed then
 */
 template <class Range>
@@ -205,7 +205,7 @@ void rotate_control_normals(Range& polygon, double angle, const std::vector<std:
 template <class Range>
 void rotate_control_normals(Range& polygon, double angle)
 {
-  rotate_control_normals(polygon, angle, every_kth_vertex(polygon, 1));
+  rotate_control_normals(polygon, angle, take_every_kth_vertex(polygon, 1));
 }
 
 /*!
@@ -213,7 +213,7 @@ void rotate_control_normals(Range& polygon, double angle)
 drops control normals: makes them zero, "no control normal".
 
 \param polygon a range of pairs of points and vectors, in the plane or in space
-\param positions the vertices whose normals are dropped, see `every_kth_vertex()`
+\param positions the vertices whose normals are dropped, see `take_every_kth_vertex()`
 \throws std::invalid_argument if there is no such vertex; nothing has been changed then
 */
 template <class Range>

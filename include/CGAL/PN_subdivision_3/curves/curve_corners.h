@@ -60,7 +60,7 @@ parts_between_corners(std::size_t size, Curve_end end, std::vector<std::size_t> 
 \ingroup PkgPNSubdivision3Curves
 
 splits a control polygon at corners into open polygons, each from one corner to the next. Refined with
-`Curve_end::reflect` and a primal mask they keep their end points, and `joined_at_corners()` makes one
+`Curve_end::reflect` and a primal mask they keep their end points, and `join_at_corners()` makes one
 curve of them again, with a sharp corner.
 
 A control normal given at a corner serves the parts on both sides. Where the items of the polygon have
@@ -126,7 +126,7 @@ appears once; if its normals differ, it has their normalized sum (zero if they a
 */
 template <class Point, class Vector>
 std::vector<std::pair<Point, Vector>>
-joined_at_corners(const std::vector<std::vector<std::pair<Point, Vector>>>& parts, Curve_end end)
+join_at_corners(const std::vector<std::vector<std::pair<Point, Vector>>>& parts, Curve_end end)
 {
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
   constexpr int dimension = CGAL::Ambient_dimension<Point>::value;

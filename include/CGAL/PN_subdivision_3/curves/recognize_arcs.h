@@ -243,7 +243,7 @@ private:
 \ingroup PkgPNSubdivision3Curves
 
 splits a control polygon into the pieces that `recognize_arcs()` has found, each with the normals of its line or circle. Refined
-with `Curve_end::reflect` and a primal mask these stay lines and arcs, and `joined_at_corners()` makes one curve of them
+with `Curve_end::reflect` and a primal mask these stay lines and arcs, and `join_at_corners()` makes one curve of them
 again: where two pieces touch it has their common normal, at corners the normalized sum of two.
 
 Normals are to the right of the direction of travel, as those of `estimate_control_normals()` are; in space more turns of the polygon have

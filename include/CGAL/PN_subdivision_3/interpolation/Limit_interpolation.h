@@ -21,11 +21,11 @@ enum class Limit_interpolation_mode {
   /// point slides along them. The fairest, and exact on spheres and circular cylinders.
   slide,
   /// the limit point of each vertex is its point
-  limit_points
+  strict
 };
 
 /// \ingroup PkgPNSubdivision3Interpolation
-/// Which control normals `Limit_interpolation_mode::limit_points` takes.
+/// Which control normals `Limit_interpolation_mode::strict` takes.
 enum class Limit_interpolation_normals {
   given, ///< the given ones
   solved ///< those of which the limit is the given ones, where they can be found
@@ -35,7 +35,7 @@ enum class Limit_interpolation_normals {
 /// What happens to the control points of vertices that are not interpolated.
 enum class Limit_interpolation_free {
   fixed, ///< they stay
-  smooth ///< they move along, as smoothly as they can; for `Limit_interpolation_mode::limit_points`
+  smooth ///< they move along, as smoothly as they can; for `Limit_interpolation_mode::strict`
 };
 
 /// \ingroup PkgPNSubdivision3Interpolation

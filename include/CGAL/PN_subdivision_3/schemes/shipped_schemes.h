@@ -17,10 +17,10 @@
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/ct_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -58,8 +58,8 @@ command `pn_subdivide` and to the tests.
 */
 using Shipped_schemes =
   Scheme_list<CatmullClark_scheme, Kobbelt_scheme, Loop_scheme, Butterfly_scheme, DooSabin_scheme,
-              Sqrt3_scheme, modified_CatmullClark_scheme, modified_Loop_scheme,
-              ct_CatmullClark_scheme, ct_Loop_scheme, Midpoint_scheme, Bilinear_scheme>;
+              Sqrt3_scheme, Tuned_CatmullClark_scheme, Tuned_Loop_scheme,
+              Transfer_CatmullClark_scheme, Transfer_Loop_scheme, Midpoint_scheme, Bilinear_scheme>;
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// calls `f(scheme)` with an object of each of the `Shipped_schemes`. It has the default parameters.

@@ -9,7 +9,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_SVG_WRITER_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_CURVE_SVG_WRITER_H
 
-#include <CGAL/PN_subdivision_3/curves/Curve_svg_panel.h>
+#include <CGAL/PN_subdivision_3/analysis/Curve_svg_panel.h>
 
 #include <CGAL/Bbox_2.h>
 

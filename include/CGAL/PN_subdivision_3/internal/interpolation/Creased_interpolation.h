@@ -263,11 +263,11 @@ void require_creased_options(const Options& options, const std::string& what_is_
   const auto require = [&](bool is_so, const std::string& what) {
     if (!is_so)
       throw std::invalid_argument("PN_subdivision_3: " + what_is_sharp + ", but " + what +
-                                  ": take Limit_interpolation_mode::limit_points with given "
+                                  ": take Limit_interpolation_mode::strict with given "
                                   "normals and Limit_interpolation_free::fixed, or make all edges "
                                   "and vertices smooth");
   };
-  require(options.mode == Limit_interpolation_mode::limit_points,
+  require(options.mode == Limit_interpolation_mode::strict,
           "control points slide on surfaces without creases only");
   require(options.normals == Limit_interpolation_normals::given,
           "control normals are solved for on surfaces without creases only");

@@ -135,7 +135,7 @@ constexpr bool check_no_grid_rows()
 {
   static_assert(
     !Has_grid_rows<Scheme>::value,
-    "PN_subdivision_3: grid_CatmullClark_scheme is a scheme of subdivide() only: it has no limits, "
+    "PN_subdivision_3: Grid_CatmullClark_scheme is a scheme of subdivide() only: it has no limits, "
     "interpolation, tessellation, pieces and other normal schemes, and no Any_scheme");
   return true;
 }

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_CURVES_CURVE_SVG_PANEL_H
-#define CGAL_PN_SUBDIVISION_3_CURVES_CURVE_SVG_PANEL_H
+#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
+#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H
 
 #include <CGAL/PN_subdivision_curve.h>
 
@@ -87,4 +87,4 @@ inline Panel panel(const std::string& caption, const Curve& polygon, const Curve
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_CURVES_CURVE_SVG_PANEL_H
+#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_PANEL_H

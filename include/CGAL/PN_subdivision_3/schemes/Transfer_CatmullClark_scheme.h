@@ -5,12 +5,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_CT_CATMULLCLARK_SCHEME_H
-#define CGAL_PN_SUBDIVISION_3_SCHEMES_CT_CATMULLCLARK_SCHEME_H
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_CATMULLCLARK_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_CATMULLCLARK_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
 #include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -19,9 +19,9 @@ namespace PN_subdivision_3 {
 \ingroup PkgPNSubdivision3Schemes
 Catmull-Clark subdivision with transfer of curvature: the PN scheme keeps at extraordinary vertices the
 curvature that is in the control points, too, and not only that of the control normals, as
-`modified_CatmullClark_scheme` does.
+`Tuned_CatmullClark_scheme` does.
 
-<b>Weights.</b> Those of `modified_CatmullClark_mask` on `PQQ_host`, with other eigenvalues: the
+<b>Weights.</b> Those of `Tuned_CatmullClark_mask` on `PQQ_host`, with other eigenvalues: the
 *quadratic* ones (the larger one of frequency 0 besides 1, and the larger one of frequencies 2 and n-2;
 for n = 3 the smaller one of frequencies 1 and 2) become &lambda;'<sup>2</sup>; all others are bounded by
 &lambda;'<sup>2</sup>/2.
@@ -47,11 +47,11 @@ unit of the mesh but for rounding. `linear()` has the weights and no transfer, a
 `with_normal_scheme()` refuses it, since points and normals belong together.
 
 This is no scheme of the paper; neither is it better everywhere, see the manual. Accepts any polygons.
-<br><b>Cost:</b> of a round besides that of `modified_CatmullClark_scheme`: the rows of the 1-rings once more, and
+<br><b>Cost:</b> of a round besides that of `Tuned_CatmullClark_scheme`: the rows of the 1-rings once more, and
 linear in their size
 \cgalModels{PNSubdivisionScheme_3}
 */
-class ct_CatmullClark_scheme
+class Transfer_CatmullClark_scheme
 {
 public:
   /// the host of the scheme.
@@ -63,7 +63,7 @@ public:
   static constexpr unsigned ghost_rings = 3;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood =
-    modified_CatmullClark_scheme::limit_neighborhood;
+    Tuned_CatmullClark_scheme::limit_neighborhood;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
@@ -73,21 +73,21 @@ public:
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
-  modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  Tuned_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {
     internal::Ring_tuning tuning;
     tuning.keeps_quadratic = true;
-    return modified_CatmullClark_mask<FT>(level, round, tuning);
+    return Tuned_CatmullClark_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `modified_CatmullClark_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Tuned_CatmullClark_scheme`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return modified_CatmullClark_scheme::dense_row_entries(level, round);
+    return Tuned_CatmullClark_scheme::dense_row_entries(level, round);
   }
 };
 
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_CT_CATMULLCLARK_SCHEME_H
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TRANSFER_CATMULLCLARK_SCHEME_H

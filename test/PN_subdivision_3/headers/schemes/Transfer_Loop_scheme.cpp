@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/schemes/ct_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
@@ -22,7 +22,7 @@ struct Row
 void use_ct_loop()
 {
   const Level_connectivity level = connect();
-  const auto mask = ct_Loop_scheme().mask<double>(level, 1);
+  const auto mask = Transfer_Loop_scheme().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

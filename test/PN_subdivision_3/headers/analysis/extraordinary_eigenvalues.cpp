@@ -6,19 +6,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/subdivision_matrix.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 
-#include "mesh.h"
-#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
 
-void use_matrix(const Mesh& mesh)
+void use_eigenvalues()
 {
-  (void)subdivision_matrix(mesh, Loop_scheme());
+  (void)extraordinary_eigenvalues(CatmullClark_scheme(), 5);
 }
 
 } // namespace header_in_use

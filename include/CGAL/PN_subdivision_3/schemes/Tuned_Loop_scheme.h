@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_LOOP_SCHEME_H
-#define CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_LOOP_SCHEME_H
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_LOOP_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_LOOP_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
@@ -60,19 +60,19 @@ e<sub>d</sub> around v (1 - 3&kappa;/8 + &sum; &mu;<sub>k</sub>' cos(2&pi;kd/n))
 \cgalModels{PNSubdivisionMask_3}
 */
 template <class FT>
-class modified_Loop_mask
+class Tuned_Loop_mask
 {
 public:
   /// numbers an element.
   using Index = Level_connectivity::Index;
 
   /// makes the mask of a level, which has to live as long, with a bound of the eigenvalues.
-  modified_Loop_mask(const Level_connectivity& level, const Scheme_parameter& cap)
-    : modified_Loop_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
+  Tuned_Loop_mask(const Level_connectivity& level, const Scheme_parameter& cap)
+    : Tuned_Loop_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
   /// in a round, counted from 1.
-  modified_Loop_mask(const Level_connectivity& level, unsigned round,
-                     const internal::Ring_tuning& tuning)
+  Tuned_Loop_mask(const Level_connectivity& level, unsigned round,
+                  const internal::Ring_tuning& tuning)
     : level_(level)
     , plain_(level)
   {
@@ -152,11 +152,11 @@ private:
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Modified Loop subdivision: `modified_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
+Modified Loop subdivision: `Tuned_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
 without separated extraordinary vertices a round gives the same as one of `Loop_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class modified_Loop_scheme
+class Tuned_Loop_scheme
 {
 public:
   /// the host of the scheme.
@@ -182,16 +182,16 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit modified_Loop_scheme(const Scheme_parameter& cap = default_parameter(),
-                                unsigned first_round = 1,
-                                Tuned_valences valences = Tuned_valences::all)
+  explicit Tuned_Loop_scheme(const Scheme_parameter& cap = default_parameter(),
+                             unsigned first_round = 1,
+                             Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 
   /// the policy of Yang's paper: a plain first round, and plain rules at valences 4 and 5.
-  static modified_Loop_scheme of_the_paper(const Scheme_parameter& cap = default_parameter())
+  static Tuned_Loop_scheme of_the_paper(const Scheme_parameter& cap = default_parameter())
   {
-    return modified_Loop_scheme(cap, 2, Tuned_valences::diverging);
+    return Tuned_Loop_scheme(cap, 2, Tuned_valences::diverging);
   }
 
   /// the first round with modified weights.
@@ -201,9 +201,9 @@ public:
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
-  modified_Loop_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  Tuned_Loop_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {
-    return modified_Loop_mask<FT>(level, round, tuning_);
+    return Tuned_Loop_mask<FT>(level, round, tuning_);
   }
 
   /// see `estimated_row_entries()`: the n edges of a separated vertex have n entries each.
@@ -221,4 +221,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_LOOP_SCHEME_H
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_LOOP_SCHEME_H

@@ -6,10 +6,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_CURVES_CURVE_SVG_H
-#define CGAL_PN_SUBDIVISION_3_CURVES_CURVE_SVG_H
+#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H
+#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H
 
-#include <CGAL/PN_subdivision_3/curves/Curve_svg_panel.h>
+#include <CGAL/PN_subdivision_3/analysis/Curve_svg_panel.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_svg_writer.h>
 
 #include <algorithm>
@@ -87,4 +87,4 @@ inline bool write(const std::string& file, const std::string& title,
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_CURVES_CURVE_SVG_H
+#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_SVG_H

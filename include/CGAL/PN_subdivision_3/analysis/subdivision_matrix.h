@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
-#define CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
+#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
+#define CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
@@ -153,4 +153,4 @@ subdivision_matrix(const PolygonMesh& mesh, const Scheme& scheme, unsigned round
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_SUBDIVISION_MATRIX_H
+#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_SUBDIVISION_MATRIX_H

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/schemes/modified_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_CatmullClark_scheme.h>
 
 using namespace CGAL::PN_subdivision_3;
 
@@ -19,10 +19,10 @@ struct Row
   void add_rest(Level_connectivity::Index) {}
 };
 
-void use_modified_catmullclark()
+void use_ct_catmullclark()
 {
   const Level_connectivity level = connect();
-  const auto mask = modified_CatmullClark_scheme().mask<double>(level, 1);
+  const auto mask = Transfer_CatmullClark_scheme().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_CATMULLCLARK_SCHEME_H
-#define CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_CATMULLCLARK_SCHEME_H
+#ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H
+#define CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
@@ -168,19 +168,19 @@ e<sub>d</sub> and f<sub>d</sub>.
 \cgalModels{PNSubdivisionMask_3}
 */
 template <class FT>
-class modified_CatmullClark_mask
+class Tuned_CatmullClark_mask
 {
 public:
   /// numbers an element.
   using Index = Level_connectivity::Index;
 
   /// makes the mask of a level, which has to live as long, with a bound of the eigenvalues.
-  modified_CatmullClark_mask(const Level_connectivity& level, const Scheme_parameter& cap)
-    : modified_CatmullClark_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
+  Tuned_CatmullClark_mask(const Level_connectivity& level, const Scheme_parameter& cap)
+    : Tuned_CatmullClark_mask(level, 1, internal::Ring_tuning(cap, 1, Tuned_valences::all))
   {}
   /// in a round, counted from 1.
-  modified_CatmullClark_mask(const Level_connectivity& level, unsigned round,
-                             const internal::Ring_tuning& tuning)
+  Tuned_CatmullClark_mask(const Level_connectivity& level, unsigned round,
+                          const internal::Ring_tuning& tuning)
     : level_(level)
     , plain_(level)
   {
@@ -308,11 +308,11 @@ private:
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Modified Catmull-Clark subdivision: `modified_CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
+Modified Catmull-Clark subdivision: `Tuned_CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
 On a mesh without separated extraordinary vertices a round gives the same as one of `CatmullClark_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class modified_CatmullClark_scheme
+class Tuned_CatmullClark_scheme
 {
 public:
   /// the host of the scheme.
@@ -338,17 +338,16 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit modified_CatmullClark_scheme(const Scheme_parameter& cap = default_parameter(),
-                                        unsigned first_round = 1,
-                                        Tuned_valences valences = Tuned_valences::all)
+  explicit Tuned_CatmullClark_scheme(const Scheme_parameter& cap = default_parameter(),
+                                     unsigned first_round = 1,
+                                     Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 
   /// the policy of Yang's paper: a plain first round, and plain rules at valence 3.
-  static modified_CatmullClark_scheme
-  of_the_paper(const Scheme_parameter& cap = default_parameter())
+  static Tuned_CatmullClark_scheme of_the_paper(const Scheme_parameter& cap = default_parameter())
   {
-    return modified_CatmullClark_scheme(cap, 2, Tuned_valences::diverging);
+    return Tuned_CatmullClark_scheme(cap, 2, Tuned_valences::diverging);
   }
 
   /// the first round with modified weights.
@@ -358,9 +357,9 @@ public:
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.
   template <class FT>
-  modified_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
+  Tuned_CatmullClark_mask<FT> mask(const Level_connectivity& level, unsigned round) const
   {
-    return modified_CatmullClark_mask<FT>(level, round, tuning_);
+    return Tuned_CatmullClark_mask<FT>(level, round, tuning_);
   }
 
   /// see `estimated_row_entries()`: the edges and faces of a separated vertex of valence n have 2n entries each, other faces those of `CatmullClark_scheme`.
@@ -382,4 +381,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_MODIFIED_CATMULLCLARK_SCHEME_H
+#endif // CGAL_PN_SUBDIVISION_3_SCHEMES_TUNED_CATMULLCLARK_SCHEME_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_CURVATURE_H
-#define CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_CURVATURE_H
+#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
+#define CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/curvature/Extraordinary_net.h>
@@ -408,4 +408,4 @@ private:
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_CURVATURE_H
+#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_CURVATURE_H

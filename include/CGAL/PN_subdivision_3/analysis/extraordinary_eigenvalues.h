@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
-#define CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
+#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
+#define CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H
 
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Extraordinary_limit.h>
@@ -171,4 +171,4 @@ Extraordinary_eigenvalues<FT> extraordinary_eigenvalues(const Scheme& scheme,
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_EXTRAORDINARY_EIGENVALUES_H
+#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_EXTRAORDINARY_EIGENVALUES_H

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#ifndef CGAL_PN_SUBDIVISION_3_CURVES_CURVE_ANALYSIS_H
-#define CGAL_PN_SUBDIVISION_3_CURVES_CURVE_ANALYSIS_H
+#ifndef CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
+#define CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H
 
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Univariate_rows.h>
@@ -191,4 +191,4 @@ auto divided_differences(const Range& curve, Curve_end end, unsigned order, unsi
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_CURVES_CURVE_ANALYSIS_H
+#endif // CGAL_PN_SUBDIVISION_3_ANALYSIS_CURVE_ANALYSIS_H

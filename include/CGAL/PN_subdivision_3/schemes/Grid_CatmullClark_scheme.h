@@ -200,7 +200,7 @@ With equal or absent normals the result is not that of the linear scheme, since 
 interpolation, tessellation and other schemes for the normals.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct grid_CatmullClark_scheme
+struct Grid_CatmullClark_scheme
 {
   /// the host of the scheme.
   using Host = PQQ_host;

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/extraordinary_eigenvalues.h>
+#include <CGAL/PN_subdivision_3/analysis/extraordinary_curvature.h>
 
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 
@@ -14,9 +14,9 @@ using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
 
-void use_eigenvalues()
+void use_extraordinary_curvature()
 {
-  (void)extraordinary_eigenvalues(CatmullClark_scheme(), 5);
+  (void)extraordinary_curvature(CatmullClark_scheme(), 5);
 }
 
 } // namespace header_in_use

@@ -6,17 +6,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include <CGAL/PN_subdivision_3/extraordinary_curvature.h>
+#include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
 
-#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include "mesh.h"
+#include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 using namespace CGAL::PN_subdivision_3;
 
 namespace header_in_use {
 
-void use_extraordinary_curvature()
+void use_matrix(const Mesh& mesh)
 {
-  (void)extraordinary_curvature(CatmullClark_scheme(), 5);
+  (void)subdivision_matrix(mesh, Loop_scheme());
 }
 
 } // namespace header_in_use
