@@ -78,6 +78,15 @@ TEST(Own_parameters, AreChainedInAnyOrder)
     refined(of_call::roundness(.5).border(PN::Border::curve).number_of_iterations(2));
   EXPECT_EQ(refined(of_call::border(PN::Border::curve).roundness(.5).number_of_iterations(2)),
             expected);
+  EXPECT_EQ(refined(of_call::roundness(.5).number_of_iterations(2).border(PN::Border::curve)),
+            expected);
+  EXPECT_EQ(refined(of_call::border(PN::Border::curve)
+                      .number_of_iterations(7)
+                      .geom_traits(Kernel())
+                      .roundness(1)
+                      .number_of_iterations(2)
+                      .roundness(.5)),
+            expected);
   const auto rounds = params::number_of_iterations(2);
   EXPECT_EQ(refined(of_call::join(rounds, of_call::border(PN::Border::curve).roundness(.5))),
             expected);
@@ -137,7 +146,7 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
   EXPECT_EQ(faces, 36u);
 
   Mesh at_limit = bowl();
-  PN::subdivide_to_limit(at_limit, scheme, fixed.pack());
+  PN::subdivide_to_limit(at_limit, scheme, fixed);
   expect_fixed_border(at_limit);
   PN::subdivide_to_limit(
     mesh, scheme,
@@ -146,7 +155,7 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
   Mesh control = bowl();
   const auto limits =
     control.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>("v:limit").first;
-  PN::limit_points(control, scheme, limits, fixed.pack());
+  PN::limit_points(control, scheme, limits, fixed);
   for (const auto v : control.vertices())
     if (control.is_border(v)) {
       EXPECT_EQ(limits[v].point, control.point(v));

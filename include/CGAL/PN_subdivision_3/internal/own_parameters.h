@@ -64,13 +64,16 @@ struct Own_parameter
 CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_TAG)
 #undef CGAL_PN_SUBDIVISION_3_TAG
 
+template <class Tag, class K, class T, class Own, class Base>
+auto with_parameter_below(const K& value, const Named_function_parameters<T, Own, Base>& np);
+
 } // namespace internal
 } // namespace PN_subdivision_3
 
 /// \cond SKIP_IN_MANUAL
 
-// A pack whose outermost parameter is one of this package. Its members add those of CGAL, as those of any pack do, and this
-// package's own ones.
+// A pack whose outermost parameter is one of this package. Its members add this package's own parameters, and those of CGAL,
+// which are put below: around them the members of this class would be inherited, and leave them out.
 template <class T, class Name, class Base>
 struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Name>, Base>
   : internal_np::Named_params_impl<T, PN_subdivision_3::internal::Own_parameter<Name>, Base>
@@ -94,7 +97,7 @@ struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Na
   template <class K>                                                                               \
   auto Z(const K& k) const                                                                         \
   {                                                                                                \
-    return Named_function_parameters<K, internal_np::X, self>(k, *this);                           \
+    return PN_subdivision_3::internal::with_parameter_below<internal_np::X>(k, *this);             \
   }
 #define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
@@ -102,15 +105,13 @@ struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Na
   template <class K>                                                                               \
   auto Z(const K& k) const                                                                         \
   {                                                                                                \
-    return Named_function_parameters<std::reference_wrapper<const K>, internal_np::X, self>(       \
-      std::cref(k), *this);                                                                        \
+    return PN_subdivision_3::internal::with_parameter_below<internal_np::X>(std::cref(k), *this);  \
   }
 #define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)                              \
   template <class K>                                                                               \
   auto Z(K& k) const                                                                               \
   {                                                                                                \
-    return Named_function_parameters<std::reference_wrapper<K>, internal_np::X, self>(std::ref(k), \
-                                                                                      *this);      \
+    return PN_subdivision_3::internal::with_parameter_below<internal_np::X>(std::ref(k), *this);   \
   }
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
@@ -134,18 +135,6 @@ struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Na
 namespace PN_subdivision_3 {
 namespace internal {
 
-// the pack `np` with one parameter more
-template <class Tag, class T, class Base>
-Named_function_parameters<T, Tag, Base> with_parameter(const T& value, const Base& np)
-{
-  return Named_function_parameters<T, Tag, Base>(value, np);
-}
-template <class Tag, class T>
-Named_function_parameters<T, Tag> with_parameter(const T& value)
-{
-  return Named_function_parameters<T, Tag>(value);
-}
-
 // the outermost value of a pack, which is a reference wrapper of the pack's own where it cannot be copied
 template <class T, class Tag, class Base>
 const T& value_of(const Named_function_parameters<T, Tag, Base>& np)
@@ -154,6 +143,39 @@ const T& value_of(const Named_function_parameters<T, Tag, Base>& np)
     return np.v;
   else
     return np.v.get();
+}
+
+// a pack of one parameter
+template <class Tag, class T>
+Named_function_parameters<T, Tag> with_parameter(const T& value)
+{
+  return Named_function_parameters<T, Tag>(value);
+}
+
+template <class Tag>
+constexpr bool is_own_v = false;
+template <class Name>
+inline constexpr bool is_own_v<Own_parameter<Name>> = true;
+
+// The pack `np` with one parameter more, which is what counts if it is there already. This package's own ones stay outside.
+template <class Tag, class K, class T, class Outermost, class Base>
+auto with_parameter(const K& value, const Named_function_parameters<T, Outermost, Base>& np)
+{
+  if constexpr (is_own_v<Outermost> && !is_own_v<Tag>)
+    return with_parameter_below<Tag>(value, np);
+  else
+    return Named_function_parameters<K, Tag, Named_function_parameters<T, Outermost, Base>>(value,
+                                                                                            np);
+}
+
+template <class Tag, class K, class T, class Own, class Base>
+auto with_parameter_below(const K& value, const Named_function_parameters<T, Own, Base>& np)
+{
+  if constexpr (std::is_same_v<Base, internal_np::No_property>)
+    return with_parameter<Own>(value_of(np), with_parameter<Tag>(value));
+  else
+    return with_parameter<Own>(value_of(np),
+                               with_parameter<Tag>(value, static_cast<const Base&>(np)));
 }
 
 // the value of a parameter, or what stands for it
