@@ -201,7 +201,7 @@ private:
       centers.push_back(level.target(h));
       h = level.next(h);
     } while (h != base);
-    const Sub_level sub(level, distinct(centers), rings(creases), true);
+    const Sub_level sub(level, distinct(centers), rings(creases), Sub_level::Keeps::walks);
     Cell cell{{sub.level(), {}}, Level_creases(sub.level().number_of_vertices()), 0, rounds};
     if constexpr (are_creases_v<Level_creases>)
       cell.creases = creases_of_part(
