@@ -1,3 +1,23 @@
+# Target preprint, where TeX is found: doc/PN_subdivision_3/approximation_order.tex, into build/.../doc/preprint.
+find_program(PN_PDFLATEX pdflatex)
+find_program(PN_BIBTEX bibtex)
+mark_as_advanced(PN_PDFLATEX PN_BIBTEX)
+if(PN_PDFLATEX AND PN_BIBTEX)
+  set(pn_preprint ${PROJECT_BINARY_DIR}/doc/preprint)
+  set(pn_latex ${PN_PDFLATEX} -interaction=batchmode -halt-on-error approximation_order)
+  file(MAKE_DIRECTORY ${pn_preprint})
+  add_custom_target(
+    preprint
+    COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/doc/PN_subdivision_3/approximation_order.tex
+            ${PROJECT_SOURCE_DIR}/doc/PN_subdivision_3/PN_subdivision_3.bib .
+    COMMAND ${pn_latex}
+    COMMAND ${PN_BIBTEX} -terse approximation_order
+    COMMAND ${pn_latex}
+    COMMAND ${pn_latex}
+    WORKING_DIRECTORY ${pn_preprint}
+    VERBATIM)
+endif()
+
 # Target doc: the manual with plain Doxygen, into build/.../doc/html. What CGAL's documentation build does
 # around Doxygen (bibliography, numbers of figures, formulas) is done by scripts/manual_pages.py.
 find_package(Doxygen QUIET)

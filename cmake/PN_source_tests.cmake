@@ -22,6 +22,9 @@ if(Python3_FOUND)
   add_test(NAME release_of_no_commit COMMAND ${pn_scripts}/make_release.sh no-such-tag)
   set_tests_properties(release_of_no_commit PROPERTIES
                        PASS_REGULAR_EXPRESSION "make_release.sh: no-such-tag: there is no such tag or commit")
+  # no TeX is needed
+  add_test(NAME preprint_has_tables_of_manual
+           COMMAND Python3::Interpreter -B ${pn_scripts}/preprint_tables.py --check)
   add_test(NAME package_does_not_grow
            COMMAND Python3::Interpreter -B ${pn_scripts}/check_budgets.py)
 
