@@ -32,6 +32,7 @@ foreach(header ${headers})
 endforeach()
 
 list(REMOVE_DUPLICATES external)
+list(FILTER external EXCLUDE REGEX "parameters_interface.h$") # calls of macros that whoever includes it defines
 list(TRANSFORM external REPLACE "(.+)" "<\\1>")
 
 # the headers of others are not ours to mend: they come before the macros

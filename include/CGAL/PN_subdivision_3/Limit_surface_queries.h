@@ -161,10 +161,11 @@ public:
     const double flat = std::sqrt(CGAL::squared_distance(q, nearest.first));
     Place best = descend(start(*nearest.second, nearest.first), q);
     const double reach = (std::min)(flat + 2 * distance_, best.distance + distance_);
-    std::vector<typename Primitive::Id> near;
-    tree_.all_intersected_primitives(Kernel::Sphere_3(q, reach * reach), std::back_inserter(near));
+    std::vector<typename Primitive::Id> around;
+    tree_.all_intersected_primitives(Kernel::Sphere_3(q, reach * reach),
+                                     std::back_inserter(around));
     std::vector<std::pair<double, typename Primitive::Id>> sorted;
-    for (const auto& t : near)
+    for (const auto& t : around)
       if (t != nearest.second)
         sorted.emplace_back(std::sqrt(CGAL::squared_distance(q, t->triangle)), t);
     std::sort(sorted.begin(), sorted.end());
@@ -464,10 +465,10 @@ private:
                             Place best) const
   {
     const double reach = 4 * distance_;
-    std::vector<typename Primitive::Id> near;
+    std::vector<typename Primitive::Id> around;
     tree_.all_intersected_primitives(Kernel::Sphere_3(flat, reach * reach),
-                                     std::back_inserter(near));
-    for (const auto& other : near) {
+                                     std::back_inserter(around));
+    for (const auto& other : around) {
       if (other->face == t.face && other->piece == t.piece) continue;
       const Place p = intersect(start(*other, closest(other->triangle, flat)), o, d, along);
       if (p.gap < best.gap) best = p;

@@ -32,7 +32,7 @@ public:
              const std::string& name, Estimate estimate = Estimate::coherent)
   {
     CGAL::PN_subdivision_3::subdivide(
-      mesh, CGAL::PN_subdivision_3::with_normal_estimate(Description::scheme(), estimate),
+      mesh, CGAL::PN_subdivision_3::internal::with_normal_estimate(Description::scheme(), estimate),
       CGAL::parameters::number_of_iterations(3));
     double largest = 0;
     for (auto v : mesh.vertices()) {

@@ -76,7 +76,7 @@ private:
     double length, defect;
   };
 
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   static constexpr double holds = 1e-9;
   static constexpr int least_freedom = 3;
   static constexpr std::size_t most_arcs = 64; // of a neighborhood, the factors of which are dense
@@ -244,7 +244,7 @@ private:
   {
     const std::vector<double> area = areas();
     const std::size_t entries = 3 * normals_.size() + 36 * arcs_.size();
-    if (entries > std::size_t(std::numeric_limits<int>::max()))
+    if (entries > std::size_t((std::numeric_limits<int>::max)()))
       throw std::length_error("PN_subdivision_3: the mesh has more vertices than Eigen's int can "
                               "number entries of a matrix: smooth the normals of a smaller one");
     std::vector<Eigen::Triplet<double>> triplets;
