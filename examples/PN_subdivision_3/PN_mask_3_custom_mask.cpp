@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// A mask of one's own, written for CGAL's PQQ() without a thought of normals, becomes a
+// A mask of your own, written for CGAL's PQQ(), which knows nothing of normals, becomes a
 // point-normal mask. The control mesh is a box inscribed in an ellipsoid, with the ellipsoid's
 // normals.
 

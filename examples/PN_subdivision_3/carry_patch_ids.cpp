@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Patch ids on the faces of a Polyhedron_3: first carried by the library, then by a visitor of one's own, which does
+// Patch ids on the faces of a Polyhedron_3: first carried by the library, then by a visitor of your own, which does
 // the same and shows what it is told.
 //
 //   carry_patch_ids [MESH]

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Control normals for a mesh without any: estimated from the faces, then corrected where the shape
-// is known, and left out where the surface shall be that of the linear scheme.
+// Control normals for a mesh without any: estimated from the points, then corrected where the shape
+// is known, and left out where the surface is to be that of the linear scheme.
 //
 //   estimate_normals [MESH [OUTPUT]]
 

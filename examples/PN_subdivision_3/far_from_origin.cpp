@@ -10,7 +10,7 @@
 // at distances of 1 to 10^12 from the origin, where doubles are 2^-53 to 10^-4 apart, and refined:
 //  - in place;
 //  - recentered: the control points are translated to the origin before and the result back after;
-//  - recentered and kept there: whoever draws or measures it adds the translation, if at all, last;
+//  - recentered and kept there: the translation is added last, if at all, by what draws or measures;
 //  - made about the origin in the first place, the translation a separate number.
 // Printed are the largest deviation from the shape (for results that are kept at the origin, from the
 // translated one) and the largest relative error of the discrete curvature of the circle.

@@ -28,7 +28,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
-// A visitor hears of every round; throwing an exception it could cancel the work.
+// A visitor is told of every round; an exception that it throws would cancel the work.
 struct Progress
 {
   void round_done(unsigned k, std::size_t number_of_faces) const

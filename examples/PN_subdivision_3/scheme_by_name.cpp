@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Schemes that are chosen at run time: those named are tried on a mesh, and how far they move its vertices is told.
+// Schemes chosen at run time: prints how far those named move the vertices of a mesh.
 // Without names, four schemes that take quadrilaterals.
 //
 //   scheme_by_name [MESH [SCHEME...]]

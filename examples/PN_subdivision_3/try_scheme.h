@@ -7,7 +7,7 @@
 // Author(s): PN_subdivision_3 developers
 
 // What any scheme can do: point-normal and linear subdivision, several threads, exact numbers and
-// the subdivision matrix. For the examples with schemes of one's own.
+// the subdivision matrix. For the examples with schemes of your own.
 
 #ifndef TRY_SCHEME_H
 #define TRY_SCHEME_H

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// A scheme of one's own for any polygons: Catmull-Clark with a tension between -1 and 1. Tension 0
+// A scheme of your own for any polygons: Catmull-Clark with a tension between -1 and 1. Tension 0
 // is Catmull-Clark itself; the nearer the tension to 1, the nearer the surface to the control mesh.
 //
 // The weights are all that is written here. Linear and point-normal subdivision, several threads,

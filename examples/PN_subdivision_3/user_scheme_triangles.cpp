@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// A scheme of one's own for triangles: Loop subdivision with the weights of Warren at extraordinary
+// A scheme of your own for triangles: Loop subdivision with the weights of Warren at extraordinary
 // vertices. They are rational, hence exact in exact numbers.
 //
 // The weights are all that is written here. Linear and point-normal subdivision, several threads,

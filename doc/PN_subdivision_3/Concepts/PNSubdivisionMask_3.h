@@ -41,6 +41,7 @@ The level outlives the mask, which may keep a reference to it.
 \cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Midpoint_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Bilinear_mask}
+\cgalHasModels{CGAL::PN_subdivision_3::Grid_CatmullClark_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Tuned_CatmullClark_mask}
 \cgalHasModels{CGAL::PN_subdivision_3::Tuned_Loop_mask}
 \cgalHasModelsEnd
