@@ -11,11 +11,13 @@
 
 /*!
 \file PN_subdivision_limit_3.h
-Limit surfaces: their points and normals, tessellation, surfaces that follow their control data and, where there is
+Limit surfaces: their points and normals, points between these, tessellation, surfaces that follow their control data and, where there is
 \ref thirdpartyEigen "Eigen", interpolation and prescribed data.
 */
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Face_patch.h>
+#include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>

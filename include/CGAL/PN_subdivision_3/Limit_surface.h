@@ -142,7 +142,7 @@ public:
   \param mesh an oriented 2-manifold with border
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map` with the control normals (without it
-    they are estimated), `vertex_roundness_map` or `roundness`, `control_normal_estimate`, `edge_is_constrained_map`, `vertex_is_constrained_map` and `geom_traits`, as in
+    they are estimated), `vertex_roundness_map` or `roundness`, `control_normal_estimate`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in
     `subdivide()`, and `number_of_iterations`, the most rounds that are done about a point, 12 by default. The maps are read only
 
   \throws std::invalid_argument as `limit_points()` does, and if the scheme does not split edges in halves
@@ -151,11 +151,11 @@ public:
   Limit_surface(const FaceGraph& mesh, const Scheme& scheme,
                 const NamedParameters& np = parameters::default_values())
   {
-    if constexpr (internal::Is_any<Scheme>::value)
-      internal::on_host<void, internal::Number_call<double>>(
-        scheme, [&](const auto& s) { this->read(mesh, s, np); });
+    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+      internal::with_scheme_of_call(
+        scheme, np, [&](const auto& s, const auto& others) { this->read_any(mesh, s, others); });
     else
-      read(mesh, scheme, np);
+      read_any(mesh, scheme, np);
   }
 
   /// \name Tolerances
@@ -285,6 +285,16 @@ private:
         }
       });
     }
+  }
+
+  template <class Scheme, class NamedParameters>
+  void read_any(const FaceGraph& mesh, const Scheme& scheme, const NamedParameters& np)
+  {
+    if constexpr (internal::Is_any<Scheme>::value)
+      internal::on_host<void, internal::Number_call<double>>(
+        scheme, [&](const auto& s) { this->read(mesh, s, np); });
+    else
+      read(mesh, scheme, np);
   }
 
   template <class Parameters, class Access, class Scheme, class NamedParameters>

@@ -291,7 +291,7 @@ private:
                   internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       const unsigned rounds = Parameters::number_of_iterations(np);
-      const auto given = Parameters::attributes(np);
+      auto given = Parameters::attributes(np);
       const auto& attributes = internal::unwrapped(given);
       internal::with_mesh_access(mesh, [&](const auto& access) {
         read(access, scheme, Parameters::const_point_map(mesh, np), used_normals<Parameters>(np),

@@ -325,10 +325,11 @@ are refused. In exact number types limit masks are exact, the limit points of `l
 done at most about a vertex that is not near an end, so that the tolerance may be missed. Tangents, curvatures
 and errors are computed in `double`, from differences in the number type.
 
-\tparam Range a model of `ConstRange`, as for `subdivide_curve()`
 <b>Masks that differ from round to round.</b> Where the last of them is that of all further rounds, as of
 `level_dependent_mask()` of a vector of masks, the polygon is refined by the others, and the limits of the last one are those
 of the curve. The masks are all primal or all dual.
+
+\tparam Range a model of `ConstRange`, as for `subdivide_curve()`
 
 \tparam Mask a model of `PNSubdivisionCurveMask`, or what `linear()` or `with_normal_mask()` makes of one, or
   `level_dependent_mask()` of a vector of these

@@ -164,9 +164,9 @@ Interpolation_data<dimension> curve_data(const std::vector<std::pair<Point, Vect
 returns a control polygon whose limit curve passes through the points of a polygon. All is as for
 `interpolate_limit_points()`: in mode `slide` control points move along the normals, in space along the
 binormals, too, so that samples of circles with exact normals, however uneven, are their own control
-polygon; in mode `limit_points` each point is the limit of its vertex. In space `slide` leaves a point beside the
+polygon; in mode `strict` each point is the limit of its vertex. In space `slide` leaves a point beside the
 curve, by the square of its slip times the curvature and the sine of the angle between its normal and the
-principal normal: take `limit_points` where that matters.
+principal normal: take `strict` where that matters.
 
 For corners split the polygon by `split_at_corners()` and interpolate part by part.
 

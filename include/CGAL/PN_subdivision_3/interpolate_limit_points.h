@@ -66,7 +66,7 @@ With `linear()` schemes the same code does classic linear interpolation; `slide`
 the given normals, or estimated ones. Schemes that interpolate return the net as it is.
 
 <b>Normals.</b> The `vertex_normal_map` holds normals of the data, and control normals afterwards. Where
-it is zero, `slide` estimates a normal, and `limit_points` does as linear subdivision does. 
+it is zero, `slide` estimates a normal, and `strict` does as linear subdivision does.
 
 <b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
 one estimate from the control points, and in either mode the limit point of each vertex is the data point: an iteration of at

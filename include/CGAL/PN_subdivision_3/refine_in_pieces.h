@@ -178,8 +178,8 @@ numbers, without gaps between the pieces; with options that let the compiler fus
 machines can make different ones, without talking to each other.
 
 \code{.cpp}
-Surface_pieces pieces(mesh, CatmullClark_scheme(), 64,
-                      CGAL::parameters::number_of_iterations(9).vertex_normal_map(normals));
+Surface_pieces pieces(mesh, CatmullClark_scheme(),
+                      parameters::number_of_pieces(64).number_of_iterations(9).vertex_normal_map(normals));
 for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
   const auto piece = pieces.piece(i); // 1/64 of the surface
   ...
@@ -251,7 +251,7 @@ public:
     they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
     `border`, `crease_tangent_map`, `control_normal_estimate` and `geom_traits`, as in `subdivide()`, and `number_of_pieces`,
     by default 1; if there are fewer faces, some are empty. The maps are read only.
-    With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see below
+    With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see above; `to_limit` is `false` by default
 
   \throws std::invalid_argument if there are to be no pieces; as `subdivide_to_limit()` does if limits are asked for, which
     dual schemes have not at their vertices

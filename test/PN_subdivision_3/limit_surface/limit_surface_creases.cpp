@@ -30,9 +30,9 @@ TEST(LimitSurface, Parts)
     part.place();
     const auto data = part.control();
     tagged_meshes::Tagged<Mesh> control(data);
-    PN::Limit_surface surface(control.mesh,
-                              PN::internal::with_border(PN::CatmullClark_scheme(), data.border),
-                              params::vertex_normal_map(control.normals)
+    PN::Limit_surface surface(control.mesh, PN::CatmullClark_scheme(),
+                              PN::parameters::border(data.border)
+                                .vertex_normal_map(control.normals)
                                 .edge_is_constrained_map(control.sharp)
                                 .vertex_is_constrained_map(control.corners));
     surface.set_tolerance(1e-2);

@@ -10,6 +10,7 @@
 // creases.
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
@@ -188,6 +189,23 @@ void expect_limits_in_maps(const Scheme& of_call_scheme)
   const auto points_alone = mesh.add_property_map<Element, Point>("alone").first;
   PN::limit_points(mesh, of_call_scheme, np.limit_point_map(points_alone));
   EXPECT_EQ(points_alone[Element(3)], all[Element(3)].point);
+}
+
+TEST(Own_parameters, AttributesInAChainAreTheUsers)
+{
+  Mesh mesh = bowl();
+  const std::size_t n = mesh.number_of_vertices();
+  PN::Attribute_table table;
+  table.vertices = {{1, std::vector<double>(n, 7), PN::Corner_rule::smooth}};
+  const auto weight = mesh.add_property_map<Mesh::Vertex_index, double>("w", 3).first;
+  PN::subdivide(mesh, scheme, of_call::roundness(.5).attributes(table).number_of_iterations(1));
+  ASSERT_GT(mesh.number_of_vertices(), n);
+  EXPECT_EQ(table.vertices[0].values, std::vector<double>(mesh.number_of_vertices(), 7));
+  const std::size_t level_1 = mesh.number_of_vertices();
+  for (const auto v : mesh.vertices()) weight[v] = 3;
+  PN::subdivide(mesh, scheme, of_call::roundness(.5).attributes(PN::vertex_attribute(weight)));
+  ASSERT_GT(mesh.number_of_vertices(), level_1);
+  for (const auto v : mesh.vertices()) EXPECT_EQ(weight[v], 3);
 }
 
 TEST(Own_parameters, LimitsAreWrittenIntoMaps)

@@ -23,7 +23,6 @@
   ADD(control_normal_estimate)                                                                     \
   ADD(border)                                                                                      \
   ADD(crease_tangent_map)                                                                          \
-  ADD(attributes)                                                                                  \
   ADD(number_of_pieces)                                                                            \
   ADD(tolerance)                                                                                   \
   ADD(normal_tolerance)                                                                            \
@@ -53,7 +52,13 @@
 
 namespace CGAL {
 namespace PN_subdivision_3 {
+
+struct Attribute_table;
+
 namespace internal {
+
+template <class... Items>
+struct Attributes;
 
 // the tag of a parameter of this package
 template <class Name>
@@ -62,6 +67,7 @@ struct Own_parameter
 
 #define CGAL_PN_SUBDIVISION_3_TAG(X) using X##_t = Own_parameter<struct Name_of_##X>;
 CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_TAG)
+CGAL_PN_SUBDIVISION_3_TAG(attributes)
 #undef CGAL_PN_SUBDIVISION_3_TAG
 
 template <class Tag, class K, class T, class Own, class Base>
@@ -128,6 +134,34 @@ struct Named_function_parameters<T, PN_subdivision_3::internal::Own_parameter<Na
   }
   CGAL_PN_SUBDIVISION_3_OWN_PARAMETERS(CGAL_PN_SUBDIVISION_3_MEMBER)
 #undef CGAL_PN_SUBDIVISION_3_MEMBER
+
+  // as parameters::attributes(): a table that changes is not copied
+  auto attributes(PN_subdivision_3::Attribute_table& table) const
+  {
+    return with_attributes(std::ref(table));
+  }
+  auto attributes(const PN_subdivision_3::Attribute_table& table) const
+  {
+    return with_attributes(std::cref(table));
+  }
+  template <class... Items>
+  auto attributes(const PN_subdivision_3::internal::Attributes<Items...>& items) const
+  {
+    return with_attributes(items);
+  }
+  template <class... Items>
+  auto attributes(const Items&... items) const
+  {
+    return with_attributes(PN_subdivision_3::internal::Attributes<Items...>{{items...}});
+  }
+
+private:
+  template <class K>
+  Named_function_parameters<K, PN_subdivision_3::internal::attributes_t, self>
+  with_attributes(const K& k) const
+  {
+    return {k, *this};
+  }
 };
 
 /// \endcond

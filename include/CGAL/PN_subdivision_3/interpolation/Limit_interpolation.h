@@ -43,7 +43,7 @@ enum class Limit_interpolation_free {
 struct Limit_interpolation_report
 {
   /// the largest distance that remains: in mode `slide` between a point and the limit surface, along
-  /// the normal; in mode `limit_points` between a point and its limit point.
+  /// the normal; in mode `strict` between a point and its limit point.
   double residual = 0;
   /// `prescribe_limit_data()`: the largest angle between a prescribed normal and that of the surface, in
   /// radians.
