@@ -106,8 +106,6 @@ public:
   {
     rounds_.levels = 1;
     rounds_.threads = threads;
-    rounds_.wedges = &wedges_;
-    rounds_.attributes = &table_;
     if (creases.any() || creases.border != Border::surface)
       rounds_.creases = add_creases(surface_, creases, true);
   }
@@ -118,6 +116,8 @@ public:
   {
     table_ = {};
     table_.has_face_parents = true;
+    rounds_.wedges = &wedges_; // here, since this object may have been moved
+    rounds_.attributes = &table_;
     refine_surface(surface_, scheme_, rounds_);
     if (!wedges_.empty()) put_corner_normals(surface_, std::exchange(wedges_, {}));
     return std::move(table_.face_parents);

@@ -117,16 +117,20 @@ TEST_F(Pn_subdivide_interpolate, Curves)
 // A box with a dent, all of whose edges are sharp but those of the dent.
 TEST_F(Pn_subdivide_interpolate, PointsWithSharpEdges)
 {
-  write("box.off", "OFF\n9 9 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
+  write("box.ply", "ply\nformat ascii 1.0\nelement vertex 9\nproperty double x\nproperty double "
+                   "y\nproperty double z\n"
+                   "element face 9\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
+                   "0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
                    "1 0.9 0.9\n4 3 2 1 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
                    "3 4 5 8\n3 5 6 8\n3 6 7 8\n3 7 4 8\n");
-  const std::string in = folder.file("box.off"), out = folder.file("out.off");
+  const std::string in = folder.file("box.ply"), out = folder.file("out.ply");
   const auto before = points(in);
+  ASSERT_EQ(before.size(), 9u);
   for (const char* const scheme : {"catmull-clark", "modified-catmull-clark"})
     for (const char* const options : {"--levels 0", "--levels 2", "--levels 2 --linear"}) {
-      const Outcome outcome =
-        run("surface '" + in + "' '" + out + "' --interpolate points --limit --sharp angle:60 " +
-            "--scheme " + scheme + " " + options);
+      const Outcome outcome = run("surface '" + in + "' '" + out +
+                                  "' --interpolate points --limit --ascii --sharp angle:60 " +
+                                  "--scheme " + scheme + " " + options);
       ASSERT_EQ(outcome.code, 0) << outcome.err;
       EXPECT_NE(outcome.err.find("sharp edges"), std::string::npos) << outcome.err;
       const auto after = points(out);
@@ -151,8 +155,9 @@ TEST_F(Pn_subdivide_interpolate, WhatCannotBeIsRefusedInOneLine)
   expect_one_line(run(torus + "--interpolate points --scheme catmull-clark --sharp angle:1 "
                               "--sharpness 2"),
                   1, "--sharpness");
-  expect_one_line(run(torus + "--interpolate slide --scheme catmull-clark --border curve"), 2,
-                  "--border");
+  expect_one_line(run("surface '" + data("sphere_cap.ply") + "' '" + folder.file("out.ply") +
+                      "' --interpolate slide --scheme catmull-clark --border curve"),
+                  2, "--border");
   write("line.txt", "0 0\n1 0\n2 1\n3 1\n");
   const std::string curve =
     "curve '" + folder.file("line.txt") + "' '" + folder.file("out.txt") + "' ";

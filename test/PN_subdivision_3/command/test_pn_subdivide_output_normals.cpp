@@ -525,8 +525,6 @@ TEST_F(Pn_subdivide_output_normals, WhatDoesNotGoTogetherIsRefused)
   expect_refusal("o.ply", "--output-normals ''", {"auto, surface, control, both or none"});
   expect_refusal("o.ply", "--output-normals surface --scheme doo-sabin",
                  {"--output-normals", "doo-sabin"});
-  expect_refusal("o.ply", "--output-normals surface --pieces 2",
-                 {"--output-normals surface", "--pieces"});
   expect_refusal("o.ply", "--output-normals surface --levels 1 --sharpness 1.5" + sharp(),
                  {"--output-normals", "--levels 2"});
 }
