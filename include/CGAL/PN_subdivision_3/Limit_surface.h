@@ -321,7 +321,7 @@ private:
       level.values = of_mesh.values(level.level, points, normals, creases);
       demand_.tolerance = 1e-7 * internal::box_size(level);
       evaluation_ = std::make_unique<internal::Scheme_evaluation<Scheme, decltype(creases)>>(
-        internal::without_given(scheme), std::move(level), std::move(creases));
+        internal::kept_scheme(scheme, *roundness_), std::move(level), std::move(creases));
     }
   }
 
@@ -411,6 +411,8 @@ private:
     return s;
   }
 
+  std::unique_ptr<internal::Given_roundness<double>> roundness_ =
+    std::make_unique<internal::Given_roundness<double>>();
   std::unique_ptr<internal::Surface_evaluation> evaluation_;
   internal::Surface_demand demand_{0, 1e-3, 12};
   std::vector<Face> faces_;

@@ -67,11 +67,14 @@ struct Parameters_in_double : Surface_parameters<PolygonMesh, NamedParameters>
   }
 };
 
-// a scheme that is kept beyond the call
+// A scheme that is kept beyond the call. The values have the roundness of vertices; one of all goes to where it stays.
 template <class Scheme>
-Scheme without_given(Scheme scheme)
+Scheme kept_scheme(Scheme scheme, [[maybe_unused]] Given_roundness<double>& kept)
 {
-  if constexpr (Is_with_roundness<Scheme>::value) scheme.given = nullptr;
+  if constexpr (Is_with_roundness<Scheme>::value) {
+    if (scheme.given != nullptr) kept.of_all = scheme.given->of_all;
+    scheme.given = &kept;
+  }
   return scheme;
 }
 
