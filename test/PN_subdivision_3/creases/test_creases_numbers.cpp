@@ -328,8 +328,7 @@ void add_octahedron(Wide_mesh& mesh)
 
 void refine(Wide_mesh& mesh, Border border)
 {
-  subdivide(mesh, Loop_scheme(),
-            parameters::border(border).vertex_normal_map(wide_normals(mesh)));
+  subdivide(mesh, Loop_scheme(), parameters::border(border).vertex_normal_map(wide_normals(mesh)));
 }
 
 // the angles that are not decided
