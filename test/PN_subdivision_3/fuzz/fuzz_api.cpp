@@ -9,7 +9,6 @@
 // valid manifold with finite points and unit or zero normals, or an exception with a message is thrown and the
 // mesh is as it was. Sanitizers watch the rest.
 
-#include "support/Options.h"
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
@@ -174,10 +173,8 @@ void limit(const Input& in)
 {
   Mesh mesh = in.mesh;
   const auto map = mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("v:limit").first;
-  test_options::Limit_options options;
-  options.max_depth = 4;
   try {
-    PN::limit_points(mesh, PN::CatmullClark_scheme(), map, options.pack());
+    PN::limit_points(mesh, PN::CatmullClark_scheme(), map, PN::parameters::max_depth(4u));
   } catch (const std::exception& e) {
     if (std::string(e.what()).empty()) fail("an exception without a message");
     return;
