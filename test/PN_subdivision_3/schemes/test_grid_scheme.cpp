@@ -358,6 +358,26 @@ void expect_same_points(const Mesh& mesh, const Other& other, double tolerance,
   }
 }
 
+TEST(Grid_scheme, ScalesWithTheMesh)
+{
+  Mesh mesh = disturbed(6, 8, true, true, 4);
+  const Mesh control = mesh;
+  refine(mesh, 2);
+  for (const int exponent : {600, -600}) {
+    const double scale = std::ldexp(1., exponent);
+    Mesh scaled = control;
+    for (const auto v : scaled.vertices()) {
+      const Point p = scaled.point(v);
+      scaled.point(v) = Point(scale * p.x(), scale * p.y(), scale * p.z());
+    }
+    refine(scaled, 2);
+    for (const auto v : mesh.vertices()) {
+      const Point p = mesh.point(v);
+      EXPECT_EQ(scaled.point(v), Point(scale * p.x(), scale * p.y(), scale * p.z()));
+    }
+  }
+}
+
 TEST(Grid_scheme, TakesOtherMeshesAndNumbers)
 {
   const Mesh control = disturbed(3, 3, false, false, 3);

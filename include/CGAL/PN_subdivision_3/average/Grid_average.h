@@ -12,7 +12,9 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -66,6 +68,7 @@ public:
     : nodes_(nodes)
     , size_(size)
   {
+    find_scale();
     FT largest(0);
     for (int i = 1; i < size - 1; ++i) {
       find_circle(i);
@@ -132,11 +135,31 @@ private:
   {
     if (x <= begin) return FT(0);
     if (x >= end) return FT(1);
-    const FT t = (x - begin) / (end - begin);
-    return t * t * (FT(3) - FT(2) * t);
+    return smoothstep<FT>((x - begin) / (end - begin));
   }
 
   bool has(int i) const { return i >= 0 && i < size_ && nodes_[i].exists; }
+
+  // A power of two by which the squares of chords and of their inverses neither overflow nor underflow. Exact numbers need none.
+  void find_scale()
+  {
+    if constexpr (!is_exact_v<FT>) {
+      double largest = 0;
+      for (int i = 1; i < size_; ++i)
+        if (has(i - 1) && has(i))
+          for (const FT& x : difference<FT, 3>(nodes_[i].value.point, nodes_[i - 1].value.point))
+            largest = (std::max)(largest, std::abs(close_double(x)));
+      if (largest > 0 && std::isfinite(largest)) exponent_ = -std::ilogb(largest);
+    }
+  }
+  // from a point to another one, scaled
+  Vector chord(int from, int to) const
+  {
+    Vector c = difference<FT, 3>(nodes_[to].value.point, nodes_[from].value.point);
+    if (exponent_ != 0)
+      for (FT& x : c) x = times_power_of_two(x, exponent_);
+    return c;
+  }
 
   void find_circle(int i)
   {
@@ -144,8 +167,7 @@ private:
     if (!has(a)) a = i + 2;
     if (!has(b)) b = i - 2;
     if (!has(a) || !has(b)) return;
-    Vector x = difference<FT, 3>(nodes_[a].value.point, nodes_[i].value.point),
-           y = difference<FT, 3>(nodes_[b].value.point, nodes_[i].value.point);
+    Vector x = chord(i, a), y = chord(i, b);
     const FT xx = dot<FT, 3>(x, x), yy = dot<FT, 3>(y, y);
     if (!(xx > FT(0)) || !(yy > FT(0))) return;
     scale<FT, 3>(x, FT(1) / xx);
@@ -211,7 +233,7 @@ private:
   // along a circle exactly that one, across an inflection the one on the same side.
   void turn_like(int i, int j)
   {
-    const Vector e = difference<FT, 3>(nodes_[j].value.point, nodes_[i].value.point);
+    const Vector e = chord(i, j);
     const FT ee = dot<FT, 3>(e, e);
     Vector mirrored = normals_[i];
     if (ee > FT(0)) add_multiple<FT, 3>(mirrored, FT(-2) * dot<FT, 3>(mirrored, e) / ee, e);
@@ -235,7 +257,7 @@ private:
   }
 
   const Nodes& nodes_;
-  int size_;
+  int size_, exponent_ = 0;
   std::array<Circle, 5> circles_;
   std::array<Vector, 5> normals_;
 };
