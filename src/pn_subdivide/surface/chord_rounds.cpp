@@ -104,6 +104,7 @@ public:
     : surface_(make_surface(mesh))
     , scheme_(scheme)
   {
+    scale();
     rounds_.levels = 1;
     rounds_.threads = threads;
     if (creases.any() || creases.border != Border::surface)
@@ -111,6 +112,8 @@ public:
   }
 
   const Surface& surface() const { return surface_; }
+  // of what is measured there
+  double length(double scaled) const { return std::ldexp(scaled, exponent_); }
   // Of each face the number of the one that it was before.
   std::vector<std::uint32_t> refine()
   {
@@ -144,7 +147,23 @@ public:
   }
 
 private:
+  // by a power of two, so that squares neither overflow nor underflow
+  void scale()
+  {
+    double largest = 0;
+    for (const Vertex v : surface_.vertices())
+      for (int c = 0; c < 3; ++c) largest = (std::max)(largest, std::abs(surface_.point(v)[c]));
+    if (!(largest > 0)) return;
+    exponent_ = std::ilogb(largest);
+    for (const Vertex v : surface_.vertices()) {
+      const Point_3 p = surface_.point(v);
+      surface_.point(v) = Point_3(std::ldexp(p[0], -exponent_), std::ldexp(p[1], -exponent_),
+                                  std::ldexp(p[2], -exponent_));
+    }
+  }
+
   Surface surface_;
+  int exponent_ = 0;
   const Scheme_choice& scheme_;
   Refinement rounds_;
   Wedge_list wedges_;
@@ -174,7 +193,7 @@ public:
     double largest = 0;
     for (const Vertex v : refined_.surface().vertices())
       if (std::size_t(v) >= old.size()) largest = (std::max)(largest, from_middle(v, old));
-    return largest;
+    return refined_.length(largest);
   }
 
 private:
@@ -412,8 +431,8 @@ Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Creases& creases,
         at_limits && k >= first ? refined.limits(k) : refined.points();
       const auto parents = refined.refine();
       if (k + 1 < first) continue;
-      error =
-        Distance_from_limit(level, points, refined.surface(), parents, refined.limits(k + 1))();
+      error = refined.length(
+        Distance_from_limit(level, points, refined.surface(), parents, refined.limits(k + 1))());
       if (before > 0 && std::isfinite(before)) factor = (std::max)(0.25, error / before);
     } else
       error *= factor;

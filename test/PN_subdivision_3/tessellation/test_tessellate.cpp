@@ -335,6 +335,28 @@ TEST(Tessellate, ThreadsChangeNothing)
   EXPECT_EQ(triangles(one), triangles(other));
 }
 
+TEST(Tessellate, ScalesWithTheMesh)
+{
+  Control_mesh shape = named_shapes::cube();
+  test_meshes::set_uneven_normals(shape, 5);
+  const Surface_mesh control = to_surface_mesh(shape);
+  const auto one = tessellated(control, PN::CatmullClark_scheme(), 0.02);
+  for (const int exponent : {600, -600}) {
+    const double scale = std::ldexp(1., exponent);
+    const auto times = [&](const auto& p) {
+      return Point(scale * p[0], scale * p[1], scale * p[2]);
+    };
+    Surface_mesh scaled = control;
+    for (auto v : scaled.vertices()) scaled.point(v) = times(scaled.point(v));
+    const auto other = tessellated(scaled, PN::CatmullClark_scheme(), 0.02 * scale);
+    ASSERT_EQ(other->mesh.number_of_vertices(), one->mesh.number_of_vertices());
+    for (auto v : one->mesh.vertices()) EXPECT_EQ(other->mesh.point(v), times(one->mesh.point(v)));
+    EXPECT_EQ(other->result.bound, scale * one->result.bound);
+    EXPECT_EQ(other->result.worst_place[0], scale * one->result.worst_place[0]);
+    EXPECT_TRUE(other->result.reached);
+  }
+}
+
 // \name Attributes
 
 // The limit masks of valence 3 on quadrilaterals: Halstead, Kass, DeRose (SIGGRAPH 1993), (n^2 v + 4 e + f) / (n (n + 5)).

@@ -43,7 +43,8 @@ namespace internal {
 
 struct Tessellation_demand
 {
-  double tolerance;     // of the triangles
+  double tolerance; // of the triangles, divided by 2^exponent, as is what flatness is told from
+  int exponent;
   unsigned most_rounds; // at least one is done where faces are not triangles or quadrilaterals
   std::uint64_t most_triangles;
   Limit_demand limits;
@@ -69,7 +70,9 @@ public:
     , plane_demand_{demand.limits.tolerance, 0, demand.limits.max_depth}
     , limits_(scheme, demand_.limits, for_chunks)
     , of_planes_(scheme, plane_demand_, for_chunks)
-  {}
+  {
+    all_.set_exponent(demand.exponent);
+  }
 
   // What is carried besides the points, `dimension` numbers for each vertex of the control mesh and `of_corners` for each
   // half-edge.
@@ -86,6 +89,7 @@ public:
     for (bool is_done = false; !is_done;) is_done = !refine(level);
   }
 
+  const Tessellation_demand& demand() const { return demand_; }
   Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
   std::vector<Tessellation_node>& nodes() { return nodes_; }
@@ -155,7 +159,7 @@ private:
     const auto& point = point_of(result.value);
     check_in_range<FT, 3>(
       point, [&] { return "the limit point of vertex number " + std::to_string(s.vertex); });
-    all_.set_point(s.vertex, point, to_double_3(point));
+    all_.set_point(s.vertex, point);
     s.has_surface_normal = result.has_surface_normal && is_smooth;
     if constexpr (is_pn_v<Scheme>) s.normal = to_double_3(result.value.normal);
     if (result.has_surface_normal) s.normal = result.surface_normal;
@@ -436,7 +440,7 @@ private:
     const Level_connectivity& old = level.level.level;
     const Host host(old, rounds_);
     const Flatness flatness(level, all_);
-    const auto place = [&](Index v) { return to_double_3(point_of(results[v].value)); };
+    const auto place = [&](Index v) { return all_.place(point_of(results[v].value)); };
     for_chunks_(old.number_of_faces(), [&](Index begin, Index end) {
       for (Index f = begin; f < end; ++f) {
         Adaptive_face& face = level.faces[f];

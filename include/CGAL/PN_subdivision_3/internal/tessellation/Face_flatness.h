@@ -188,7 +188,7 @@ private:
     return bend * chord * chord / 8;
   }
 
-  Vector place(Index v) const { return to_double_3(point_of(level_.level.values[v])); }
+  Vector place(Index v) const { return all_.place(point_of(level_.level.values[v])); }
 
   // the curvature of the curve through a vertex: the turn there by the mean length; 0 where it ends
   double bend_at(Index v) const

@@ -67,10 +67,18 @@ public:
     return number_of_edges() - 1;
   }
 
-  void set_point(Index vertex, const Coordinates<FT, 3>& point, const Vector& place)
+  // Flatness is told from points that are divided by a power of two, so that squares neither overflow nor underflow.
+  void set_exponent(int exponent) { exponent_ = exponent; }
+  Vector place(const Coordinates<FT, 3>& point) const
+  {
+    Vector place = to_double_3(point);
+    for (double& x : place) x = std::ldexp(x, -exponent_);
+    return place;
+  }
+  void set_point(Index vertex, const Coordinates<FT, 3>& point)
   {
     points_[vertex] = point;
-    places_[vertex] = place;
+    places_[vertex] = place(point);
   }
   Slot& slot(Index s) { return slots_[s]; }
   const Slot& slot(Index s) const { return slots_[s]; }
@@ -128,7 +136,8 @@ public:
 
 private:
   std::vector<Coordinates<FT, 3>> points_;
-  std::vector<Vector> places_; // the points, in double
+  std::vector<Vector> places_;
+  int exponent_ = 0;
   std::vector<Slot> slots_;
   std::vector<Edge> edges_;
 };

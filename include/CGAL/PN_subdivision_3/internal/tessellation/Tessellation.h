@@ -31,6 +31,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -61,10 +62,10 @@ public:
     Report report;
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
       refine(access, s, Parameters::const_point_map(control, np_), [&](auto& refinement) {
-        Merged_leaves<FT>(refinement.all(), refinement.nodes(),
-                          chord_error_ / tessellation_safety)();
-        Leaf_triangles<FT> triangles(refinement.all(), chord_error_ / tessellation_safety,
-                                     dimension_of_corners());
+        const Tessellation_demand& demand = refinement.demand();
+        const double tolerance = demand.tolerance / tessellation_safety;
+        Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
+        Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners());
         const auto& corners = refinement.corners_of_nodes();
         for (std::size_t i = 0; i < refinement.nodes().size(); ++i)
           if (refinement.nodes()[i].is_leaf)
@@ -81,10 +82,11 @@ public:
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
         if (table_ != nullptr) *table_ = std::move(carried);
-        report.bound = triangles.bound();
+        report.bound = std::ldexp(triangles.bound(), demand.exponent);
         report.worst_face = triangles.worst_face();
         report.worst_place = triangles.worst_place();
-        report.reached = refinement.is_reached() && report.bound <= chord_error_;
+        for (double& x : report.worst_place) x = std::ldexp(x, demand.exponent);
+        report.reached = refinement.is_reached() && triangles.bound() <= demand.tolerance;
         report.number_of_vertices = mesh.level().number_of_vertices();
         report.number_of_triangles = mesh.level().number_of_faces();
         report.depth = refinement.depth();
@@ -142,7 +144,8 @@ private:
   Tessellation_demand demand(double box) const
   {
     Tessellation_demand demand;
-    demand.tolerance = chord_error_;
+    demand.exponent = box > 0 && std::isfinite(box) ? std::ilogb(box) : 0;
+    demand.tolerance = std::ldexp(chord_error_, -demand.exponent);
     constexpr bool is_given =
       !std::is_same_v<typename internal_np::Lookup_named_param_def<
                         internal_np::number_of_iterations_t, NamedParameters, No_roundness>::type,
