@@ -393,6 +393,31 @@ TEST(LimitSurface, Roundness0IsTheLinearScheme)
     EXPECT_LE(length(surface.point(f, 0.3, 0.6) - linear.point(f, 0.3, 0.6)), 1e-12);
 }
 
+TEST(LimitSurface, NormalsDoNotDependOnTheScale)
+{
+  Control_mesh shape = named_shapes::cube();
+  test_meshes::set_uneven_normals(shape, 5);
+  Surface_mesh mesh = to_surface_mesh(shape);
+  const auto normals = [](Surface_mesh& m) {
+    const PN::Limit_surface surface(m, PN::CatmullClark_scheme(),
+                                    params::vertex_normal_map(normal_map(m)));
+    std::vector<Vector> all;
+    for (Face f : m.faces()) all.push_back(surface.normal(f, 0.3, 0.6));
+    return all;
+  };
+  const auto expected = normals(mesh);
+  for (const int exponent : {600, -600}) {
+    Surface_mesh scaled = mesh;
+    for (auto v : scaled.vertices()) {
+      const Point p = scaled.point(v);
+      scaled.point(v) = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                              std::ldexp(p.z(), exponent));
+    }
+    const auto all = normals(scaled);
+    for (std::size_t f = 0; f < all.size(); ++f) EXPECT_LE(length(all[f] - expected[f]), 1e-12);
+  }
+}
+
 // \name Meshes and numbers
 
 template <class Mesh>

@@ -9,6 +9,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_JET_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 
 #include <array>
 #include <cmath>
@@ -104,15 +106,14 @@ struct Jet_average
   // of the surface that it describes, or else of the average
   std::array<double, 3> unit_normal() const
   {
-    const auto& p = point;
-    std::array<double, 3> n = {p[1].u * p[2].v - p[2].u * p[1].v, p[2].u * p[0].v - p[0].u * p[2].v,
-                               p[0].u * p[1].v - p[1].u * p[0].v};
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    double u = 0, v = 0;
-    for (const Jet& x : p) u += x.u * x.u, v += x.v * x.v;
-    if (!(length > 1e-9 * std::sqrt(u * v)))
+    std::array<double, 3> u{point[0].u, point[1].u, point[2].u},
+      v{point[0].v, point[1].v, point[2].v}, n{};
+    if (scale_to_about_one<double, 3>(u) && scale_to_about_one<double, 3>(v))
+      n = cross<double>(u, v);
+    const double square = dot<double, 3>(n, n);
+    if (!(square > 1e-18 * dot<double, 3>(u, u) * dot<double, 3>(v, v)))
       return {normal[0].value, normal[1].value, normal[2].value};
-    for (double& x : n) x /= length;
+    divide_by_length<double, 3>(n, square);
     return n;
   }
 
