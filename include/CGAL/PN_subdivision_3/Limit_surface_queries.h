@@ -105,6 +105,8 @@ there Newton's method goes to the point on the surface itself, which is evaluate
 How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point, within twice this distance, are looked at. A ray
 that passes the surface closer than this without a crossing, or crosses it twice between, may be told wrong.
 
+The squares of distances have to be in the range of `double`, here and in `AABB_tree`: coordinates up to 10<sup>150</sup>.
+
 `AABB_tree` is under the GPL: this header is \cgal's package `AABB_tree` in all that includes it, and no other header of the package includes it.
 
 \tparam FaceGraph a model of `FaceListGraph`
@@ -189,8 +191,7 @@ public:
   std::optional<Hit> first_intersection(const Point_3& source, const Vector_3& direction) const
   {
     const Kernel::Point_3 o = in_double(source);
-    Kernel::Vector_3 d(CGAL::to_double(direction.x()), CGAL::to_double(direction.y()),
-                       CGAL::to_double(direction.z()));
+    Kernel::Vector_3 d = vector_in_double(direction);
     const double length = std::sqrt(d.squared_length());
     if (!(length > 0))
       throw std::invalid_argument("PN_subdivision_3: the direction of a ray is zero");

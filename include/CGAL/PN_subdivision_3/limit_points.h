@@ -278,10 +278,20 @@ Limit_report limit_points(const PolygonMesh& mesh, const Scheme& scheme, LimitMa
                   "PN_subdivision_3: limit_points() has nothing to write: give it a "
                   "map of Limit_point, or limit_point_map, limit_normal_map or "
                   "limit_error_map");
-    return limit_points<Concurrency_tag>(
-      mesh, scheme, internal::Limit_maps<typename Keys::type, Kernel, LimitMap>{limits}, limits);
-  } else
+    if constexpr (Keys::is_given)
+      return internal::limits_of_call<Concurrency_tag>(
+        mesh, scheme, internal::Limit_maps<typename Keys::type, Kernel, LimitMap>{limits}, limits);
+    else
+      return {};
+  } else {
+    static_assert(
+      !internal::is_given_v<internal::limit_point_map_t, NamedParameters> &&
+        !internal::is_given_v<internal::limit_normal_map_t, NamedParameters> &&
+        !internal::is_given_v<internal::limit_error_map_t, NamedParameters>,
+      "PN_subdivision_3: limit_points() writes a map of Limit_point, or limit_point_map, "
+      "limit_normal_map and limit_error_map, not both");
     return internal::limits_of_call<Concurrency_tag>(mesh, scheme, limits, np);
+  }
 }
 
 } // namespace PN_subdivision_3

@@ -56,6 +56,14 @@ void reject(Mesh& mesh)
                    mesh.add_property_map<Edge, PN::Limit_point<Kernel>>("of edges").first);
   // expected: the map of limit points is no property map of the mesh's vertices
 
+  PN::limit_points(mesh, PN::Loop_scheme(), params::geom_traits(Kernel()));
+  // expected: limit_points() has nothing to write
+
+  PN::limit_points(mesh, PN::Loop_scheme(),
+                   mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("limits").first,
+                   PN::parameters::limit_point_map(mesh.points()));
+  // expected: limit_points() writes a map of Limit_point, or limit_point_map, limit_normal_map and limit_error_map, not both
+
   PN::limit_points(mesh, PN::DooSabin_scheme(),
                    mesh.add_property_map<Mesh::Face_index, Kernel::Point_3>("of faces").first);
   // expected: the values of the map of limit points are not Limit_point
