@@ -238,15 +238,21 @@ public:
 
   double operator()() const
   {
+    Distances from_edges(before_.number_of_edges(), infinity),
+      from_vertices(points_.size(), infinity);
+    for (const Surface::Face_index f : before_.faces()) measure(f, from_edges, from_vertices);
     double largest = 0;
-    for (const Surface::Face_index f : before_.faces()) largest = (std::max)(largest, over(f));
+    for (const Surface::Face_index f : before_.faces())
+      largest = (std::max)(largest, over(f, from_edges));
     for (const Vertex v : before_.vertices())
-      if (!before_.is_isolated(v)) largest = (std::max)(largest, from_faces(v, limits_[v]));
+      if (!before_.is_isolated(v)) largest = (std::max)(largest, from_vertices[v]);
     return largest;
   }
 
 private:
   using Triangle_3 = Kernel::Triangle_3;
+  using Distances = std::vector<double>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // The next vertex after an old one is on the edge, and of a quadrilateral the one opposite in the face.
   void find_middles(const Surface& after, Surface::Face_index f, std::uint32_t parent)
@@ -269,44 +275,60 @@ private:
     return std::sqrt((std::min)(CGAL::squared_distance(p, Kernel::Segment_3(p0, p1)),
                                 CGAL::squared_distance(p, Kernel::Segment_3(p0, p2))));
   }
-  // from a fan of triangles
-  double from_face(Surface::Face_index f, const Point_3& p, std::size_t first) const
+
+  // A fan of triangles: triangle i has the corners first, first + i and first + i + 1.
+  double from_fan(const std::vector<Vertex>& v, const Point_3& p, std::size_t first,
+                  std::size_t begin, std::size_t end) const
+  {
+    const std::size_t n = v.size();
+    double least = infinity;
+    for (std::size_t i = begin; i < end; ++i)
+      least = (std::min)(least, distance(p, v[first], v[(first + i) % n], v[(first + i + 1) % n]));
+    return least;
+  }
+  double from_fan(const std::vector<Vertex>& v, const Point_3& p, std::size_t first) const
+  {
+    return from_fan(v, p, first, 1, v.size() - 1);
+  }
+  std::vector<Vertex> corners(Surface::Face_index f) const
   {
     std::vector<Vertex> v;
     for (const auto h : halfedges_around_face(before_.halfedge(f), before_))
       v.push_back(before_.target(h));
-    double least = std::numeric_limits<double>::infinity();
+    return v;
+  }
+
+  // The distances of its edges and corners from a face. Of a large one the triangles beside them are looked at only,
+  // since all would take the square of its size.
+  void measure(Surface::Face_index f, Distances& from_edges, Distances& from_vertices) const
+  {
+    constexpr std::size_t large = 64;
+    const std::vector<Vertex> v = corners(f);
     const std::size_t n = v.size();
-    for (std::size_t i = 1; i + 1 < n; ++i)
-      least = (std::min)(least, distance(p, v[first], v[(first + i) % n], v[(first + i + 1) % n]));
-    return least;
-  }
-  double from_edge(Surface::Edge_index e) const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto h : {before_.halfedge(e, 0), before_.halfedge(e, 1)})
-      if (!before_.is_border(h))
-        least = (std::min)(least, from_face(before_.face(h), limits_[of_edge_[e]], 0));
-    return least;
-  }
-  double from_faces(Vertex v, const Point_3& p) const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto h : CGAL::halfedges_around_target(before_.halfedge(v), before_))
-      if (!before_.is_border(h)) least = (std::min)(least, from_face(before_.face(h), p, 0));
-    return least;
+    const auto from = [&](const Point_3& p, std::size_t i) {
+      if (n <= large || i == 0) return from_fan(v, p, 0);
+      return from_fan(v, p, 0, (std::max)(std::size_t(1), i - 1), (std::min)(n - 1, i + 1));
+    };
+    std::size_t i = 0;
+    for (const auto h : halfedges_around_face(before_.halfedge(f), before_)) {
+      double &of_edge = from_edges[before_.edge(h)], &of_vertex = from_vertices[v[i]];
+      of_edge = (std::min)(of_edge, from(limits_[of_edge_[before_.edge(h)]], i));
+      of_vertex = (std::min)(of_vertex, from(limits_[v[i]], i));
+      ++i;
+    }
   }
 
   // Both diagonals of quadrilaterals, since nobody knows which will be taken.
-  double over(Surface::Face_index f) const
+  double over(Surface::Face_index f, const Distances& from_edges) const
   {
     using CGAL::PN_subdivision_3::internal::flatness::over_triangle;
     std::vector<double> sides;
     for (const auto h : halfedges_around_face(before_.halfedge(f), before_))
-      sides.push_back(from_edge(before_.edge(h)));
+      sides.push_back(from_edges[before_.edge(h)]);
     if (sides.size() == 3) return over_triangle(sides[0], sides[1], sides[2]);
     const Point_3& middle = limits_[of_face_[f]];
-    const double over_middle = (std::max)(from_face(f, middle, 0), from_face(f, middle, 1));
+    const std::vector<Vertex> v = corners(f);
+    const double over_middle = (std::max)(from_fan(v, middle, 0), from_fan(v, middle, 1));
     double largest = over_middle;
     for (const double side : sides) largest = (std::max)(largest, side);
     if (sides.size() != 4) return largest;
