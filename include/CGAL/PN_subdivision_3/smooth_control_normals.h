@@ -70,23 +70,6 @@ constexpr bool check_smoothing_arguments()
     return false;
 }
 
-inline double in_degrees(double radians)
-{
-  return radians * 57.29577951308232;
-}
-
-template <class FT>
-Interpolation_data<3> smoothing_data(const std::vector<Point_normal<FT, 3>>& values)
-{
-  Interpolation_data<3> data;
-  for (const auto& value : values) {
-    data.points.push_back(to_eigen<3>(to_double_3(value.point)));
-    data.normals.push_back(to_eigen<3>(to_double_3(value.normal)));
-  }
-  divide_by_size(data);
-  return data;
-}
-
 inline Normal_smoothing_report smooth(const Level_connectivity& level,
                                       const Interpolation_data<3>& data, Vectors<3>& smooth_normals)
 {
@@ -190,7 +173,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
         changed.keep();
       };
       if constexpr (!internal::is_of_halfedges_v<Access, NormalMap>) {
-        const auto data = internal::smoothing_data<FT>(internal::read_given_values<Average>(
+        const auto data = internal::data_in_double<FT>(internal::read_given_values<Average>(
           access, points, normals, level.number_of_vertices()));
         report = internal::smooth(level, data, smooth);
         write(
@@ -214,7 +197,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
         for (const Index v : internal::vertices_of_extra_slots(creases, level.number_of_vertices()))
           values.push_back(values[v]);
         internal::read_corner_normals<FT>(access, level, creases, normals, values);
-        const auto data = internal::smoothing_data<FT>(values);
+        const auto data = internal::data_in_double<FT>(values);
         const internal::Cut_level<FT> cut(level, creases);
         report = internal::smooth(cut.connectivity(), data, smooth);
         write([&](const auto& f) { internal::for_each_corner(level, cut.connectivity(), f); },

@@ -218,14 +218,15 @@ void refuse_interpolated_creases(const Scheme& scheme, const Access& access,
                         });
 }
 
-// Points and normals of a mesh in double. Without a map the normals are estimated.
-template <class FT, class Scheme, class Access, class Point_map, class Normal_map>
-Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme& scheme,
-                                              const Level_connectivity& level, Point_map points,
-                                              Normal_map normals)
+inline double in_degrees(double radians)
 {
-  const auto values =
-    read_values<PN_average<FT, 3>>(access, level, points, normals, normal_estimate(scheme));
+  return radians * 57.29577951308232;
+}
+
+// points and normals in double
+template <class FT>
+Interpolation_data<3> data_in_double(const std::vector<Point_normal<FT, 3>>& values)
+{
   Interpolation_data<3> data;
   for (const auto& value : values) {
     data.points.push_back(to_eigen<3>(to_double_3(value.point)));
@@ -233,6 +234,16 @@ Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme
   }
   divide_by_size(data);
   return data;
+}
+
+// Points and normals of a mesh in double. Without a map the normals are estimated.
+template <class FT, class Scheme, class Access, class Point_map, class Normal_map>
+Interpolation_data<3> read_points_and_normals(const Access& access, const Scheme& scheme,
+                                              const Level_connectivity& level, Point_map points,
+                                              Normal_map normals)
+{
+  return data_in_double<FT>(
+    read_values<PN_average<FT, 3>>(access, level, points, normals, normal_estimate(scheme)));
 }
 
 // estimates the normals that are zero
@@ -297,7 +308,7 @@ inline double largest_normal_angle(const Level_connectivity& level, const Vector
     const Eigen_vector<3>& b = normals[level.target(2 * e + 1)];
     if (!a.isZero(0) && !b.isZero(0)) least = (std::min)(least, a.dot(b));
   }
-  return std::acos((std::max)(-1., least)) * 57.29577951308232;
+  return in_degrees(std::acos((std::max)(-1., least)));
 }
 
 } // namespace internal
