@@ -111,20 +111,3 @@ export function setTheme(material: THREE.ShaderMaterial, theme: Theme): void {
   material.uniforms.surface.value.set(theme.surface);
   material.uniforms.inside.value.set(theme.inside);
 }
-
-/** The end of the colors of curvatures relative to their mean: this much less and more. */
-export const endOfRelative = 0.4;
-
-/** How much each value differs from the mean of all, as a share of it. */
-export function relativeToMean(values: Float32Array): Float32Array {
-  const mean = values.reduce((sum, x) => sum + x, 0) / Math.max(1, values.length);
-  return values.map((x) => x / mean - 1);
-}
-
-/** The value at the end of the colors: nine tenths of the vertices are within. What is flat but for rounding stays so. */
-export function endOfColors(values: Float32Array[], size: number, shading: Shading): number {
-  const sizes = values.flatMap((array) => Array.from(array, Math.abs)).sort((a, b) => a - b);
-  const least = shading === "mean" ? 1e-4 / size : 1e-4 / size ** 2;
-  const end = sizes.length === 0 ? 1 : sizes[Math.floor(0.9 * (sizes.length - 1))];
-  return Math.max(end, least);
-}
