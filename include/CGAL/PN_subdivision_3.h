@@ -20,7 +20,6 @@ libraries (`PN_mask_3.h`, `analysis/subdivision_matrix.h`, `estimate_curvature.h
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>

@@ -136,7 +136,7 @@ auto crease_tangent_map(const HalfedgeVectorMap& map)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-into how many pieces `Surface_pieces` and `for_each_piece()` divide a surface, by default 1.
+into how many pieces `Surface_pieces` divides a surface, by default 1.
 \param n at least 1
 */
 template <class Number>
@@ -286,8 +286,8 @@ auto to_limit(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what interpolation makes of a vertex, by default `Limit_interpolation_mode::slide`.
-\param mode a `Limit_interpolation_mode`
+what interpolation makes of a vertex, by default `Limit_interpolation::Mode::slide`.
+\param mode a `Limit_interpolation::Mode`
 */
 template <class Mode>
 auto interpolation_mode(const Mode& mode)
@@ -297,8 +297,8 @@ auto interpolation_mode(const Mode& mode)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-where the control normals of an interpolating surface or curve come from, by default `Limit_interpolation_normals::given`.
-\param normals a `Limit_interpolation_normals`
+where the control normals of an interpolating surface or curve come from, by default `Limit_interpolation::Normals::given`.
+\param normals a `Limit_interpolation::Normals`
 */
 template <class Normals>
 auto interpolation_normals(const Normals& normals)
@@ -308,8 +308,8 @@ auto interpolation_normals(const Normals& normals)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what vertices do that are not interpolated, by default `Limit_interpolation_free::fixed`.
-\param free a `Limit_interpolation_free`
+what vertices do that are not interpolated, by default `Limit_interpolation::Free::fixed`.
+\param free a `Limit_interpolation::Free`
 */
 template <class Free>
 auto free_vertices(const Free& free)

@@ -191,16 +191,15 @@ Computed in `double`, whatever the number type.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
-Limit_interpolation_report
-prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
-                     const NamedParameters& np = parameters::default_values())
+Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
+                                         const NamedParameters& np = parameters::default_values())
 {
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
     });
   else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation_report,
+    return internal::on_interpolated_host<Limit_interpolation,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme, [&](const auto& s) { return prescribe_limit_data<Concurrency_tag>(mesh, s, np); });
   else {
@@ -226,11 +225,11 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
                   "PN_subdivision_3: prescribed curvatures change the control normals: give a "
                   "vertex_normal_map that takes them");
     const auto point_map = Parameters::point_map(mesh, np);
-    Limit_interpolation_report report;
+    Limit_interpolation report;
     internal::with_mesh_access(mesh, [&](auto& access) {
       const Level_connectivity level = internal::checked_level(access);
-      internal::Interpolation_data<3> data =
-        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+      internal::Interpolation_data<3> data = internal::read_interpolation_data<FT>(
+        access, scheme, level, mesh, np, Parameters::normal_map(np));
       data.tolerance = options.tolerance * internal::box_size(data.points);
       data.max_depth = (std::max)(1u, options.max_depth);
       data.max_steps = (std::numeric_limits<unsigned>::max)();

@@ -266,7 +266,9 @@ TEST(Recognize_meshes, corner_normals)
     const auto patches = mesh.add_property_map<Mesh::Face_index, int>("f:p").first;
     const auto normals = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:n").first;
     const auto surfaces = PN::recognize_surfaces(mesh, patches);
-    PN::surface_corner_normals(mesh, patches, surfaces, normals);
+    const auto creases = mesh.add_property_map<Mesh::Edge_index, bool>("e:c").first;
+    PN::surface_creases(mesh, patches, surfaces, creases,
+                        CGAL::parameters::vertex_normal_map(normals));
     for (const auto f : mesh.faces())
       for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
         const True_surface& s = part.surfaces[part.surface_of_face[f]];
