@@ -408,7 +408,7 @@ auto max_curvature_steps(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated irregular vertices: the
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated extraordinary vertices: the
 curvature is bounded there. By default they have not.
 \param yes a `bool`
 */
@@ -420,7 +420,7 @@ auto tuned(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature from regular to irregular vertices, on top of what
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature to the normals at extraordinary vertices, on top of what
 `tuned()` does. By default they do not.
 \param yes a `bool`
 */
@@ -433,7 +433,7 @@ auto curvature_transfer(const Bool& yes)
 /*!
 \ingroup PkgPNSubdivision3Functions
 the least number of facets a full turn for which `recognize_surfaces()` takes a prism for a round that nothing else about the
-part tells to be one.
+part tells to be one, by default 8.
 \param n at least 3
 */
 template <class Number>
@@ -444,7 +444,8 @@ auto min_facets(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-how far vertices may be from the surface that `recognize_surfaces()` takes them to be on.
+how far vertices may be from the surface that `recognize_surfaces()` takes them to be on, by default what the rounding of the
+coordinates and the size of the mesh make of it, see there.
 \param x a positive length
 */
 template <class FT>
@@ -455,7 +456,7 @@ auto surface_tolerance(const FT& x)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the angle from which on edges between facets of no recognized surface are sharp.
+the angle in degrees from which on `surface_creases()` makes edges between facets of no recognized surface sharp, by default 30.
 \param degrees from 0 to 180
 */
 template <class FT>

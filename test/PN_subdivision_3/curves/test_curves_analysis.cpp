@@ -11,6 +11,7 @@
 #include "Curve_cases.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
