@@ -29,8 +29,9 @@ public:
   {
     CGAL::PN_subdivision_3::Attribute_table carried;
     const Surface refined = subdivide(mesh, carried);
-    const std::vector<double>& sharpness = carried.edges[0].values;
-    const Wedges wedges(refined, [&](Surface::Edge_index e) { return sharpness[e] > 0; });
+    const Wedges wedges(refined, [&](Surface::Edge_index e) {
+      return !carried.edges.empty() && carried.edges[0].values[e] > 0;
+    });
     for (const auto v : wedges.vertex) cut_vertices_.push_back(Index(v));
     for (const auto f : refined.faces()) {
       for (const auto h : halfedges_around_face(refined.halfedge(f), refined)) {
@@ -81,8 +82,10 @@ private:
     using Halfedge = Surface::Halfedge_index;
     Surface surface = mesh.surface();
     const auto sharpness = sharpness_of(surface);
-    carried.edges.emplace_back();
-    for (const auto e : surface.edges()) carried.edges[0].values.push_back(sharpness[e]);
+    if (mesh.number_of_sharp_edges() > 0) {
+      carried.edges.emplace_back();
+      for (const auto e : surface.edges()) carried.edges[0].values.push_back(sharpness[e]);
+    }
     if (!mesh.uv().empty()) {
       carried.corners.emplace_back();
       carried.corners[0].dimension = 2;

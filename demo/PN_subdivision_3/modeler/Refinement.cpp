@@ -22,6 +22,9 @@ std::unique_ptr<Refinement> make_refinement(const Control_mesh& mesh, const Sche
   const bool is_carrying = is_creased || !mesh.uv().empty();
   if (is_creased && !scheme.has_crease_rules())
     throw pn_subdivide::Error(scheme.name() + " subdivision has no rules for creases");
+  if (is_carrying && !is_linear && !scheme.has_crease_rules())
+    throw pn_subdivide::Error(
+      scheme.name() + " subdivision takes no texture coordinates here, but if it is linear");
   if (is_linear && is_carrying)
     return std::make_unique<Creased_refinement<Linear, true>>(mesh, linear, rounds);
   if (is_linear) return std::make_unique<Refiner_refinement<Linear, true>>(mesh, linear, rounds);

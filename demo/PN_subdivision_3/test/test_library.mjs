@@ -128,8 +128,8 @@ test("what results is what further rounds begin with, roundness 1 and linear sur
 });
 
 test("texture coordinates follow the mesh, and seams stay", async () => {
-  // each face of the cube is the whole texture: all edges are seams
-  const uv = cube.faces.flatMap(() => [0, 0, 1, 0, 1, 1, 0, 1]);
+  // each face of the cube has a texture of its own: all edges are seams
+  const uv = cube.faces.flatMap((_, f) => [0, 0, 1, 0, 1, 1, 0, 1].map((x) => x + 2 * f));
   const mesh = { ...cube, normals: normals(cube), uv };
   const obj = [
     ...Array.from({ length: 8 }, (_, v) => `v ${cube.positions.slice(3 * v, 3 * v + 3).join(" ")}`),
@@ -169,6 +169,8 @@ test("texture coordinates follow the mesh, and seams stay", async () => {
   assert.ok(largestDifference([...straight.uv], [...smooth.uv]) < 1e-15);
   assert.ok(largestDifference([...subdivision.subdivide({ ...mesh, uv: undefined }, { levels: 1 }).positions], [...smooth.positions]) < 1e-15);
   assert.throws(() => subdivision.subdivide({ ...mesh, uv: [1, 2, 3] }), /uv must be two numbers/);
+  assert.throws(() => subdivision.subdivide(mesh, { scheme: "kobbelt" }), /kobbelt subdivision takes no texture coordinates/);
+  assert.equal(subdivision.subdivide({ ...mesh, uv: ofVertices }, { scheme: "doo-sabin", linear: true }).geometry.uv.length, 2 * 24);
 });
 
 test("what is given is left alone, and what is wrong is named", () => {
