@@ -13,7 +13,7 @@
 #include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Wedge_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -12,9 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/is_interval.h>
 #include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
-#include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
-
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
@@ -106,6 +104,30 @@ inline std::vector<Level_connectivity::Index> irregular_valences(const Level_con
   for (const auto& counted : level.counted_valences())
     irregular[counted.vertex] = counted.valence == regular ? 0 : counted.valence;
   return irregular;
+}
+
+// The sum of the squares of the irregular valences.
+inline double squared_irregular_valences(const Level_connectivity& level,
+                                         Level_connectivity::Index regular)
+{
+  double sum = 0;
+  for (const Level_connectivity::Index n : irregular_valences(level, regular))
+    sum += double(n) * double(n);
+  return sum;
+}
+
+// The sum of the squares of the degrees of the faces that are not quadrilaterals.
+inline double squared_irregular_degrees(const Level_connectivity& level)
+{
+  double sum = 0;
+  if (level.uniform_degree() == 4) return sum;
+  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f) {
+    const Level_connectivity::Index h = level.halfedge_of_face(f);
+    if (level.has_degree(h, 4)) continue;
+    const double m = level.degree(h);
+    sum += m * m;
+  }
+  return sum;
 }
 
 } // namespace internal
