@@ -21,7 +21,7 @@ namespace PN_subdivision_3 {
 \ingroup PkgPNSubdivision3Schemes
 Catmull-Clark subdivision with transfer of curvature: the PN scheme keeps at extraordinary vertices the
 curvature that is in the control points, too, and not only that of the control normals, as
-`Tuned_CatmullClark_scheme` does.
+`CatmullClark_scheme::Tuned` does.
 
 <b>Weights.</b> Those of `Tuned_CatmullClark_mask` on `PQQ_host`, with other eigenvalues: the
 *quadratic* ones (the larger one of frequency 0 besides 1, and the larger one of frequencies 2 and n-2;
@@ -49,11 +49,11 @@ unit of the mesh but for rounding. `linear()` has the weights and no transfer, a
 `with_normal_scheme()` refuses it, since points and normals belong together.
 
 This is no scheme of the paper; neither is it better everywhere, see the manual. Accepts any polygons.
-<br><b>Cost:</b> of a round besides that of `Tuned_CatmullClark_scheme`: the rows of the 1-rings once more, and
+<br><b>Cost:</b> of a round besides that of `CatmullClark_scheme::Tuned`: the rows of the 1-rings once more, and
 linear in their size
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Transfer_CatmullClark_scheme
+class CatmullClark_scheme::Transfer
 {
 public:
   /// the host of the scheme.
@@ -65,7 +65,7 @@ public:
   static constexpr unsigned ghost_rings = 3;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood =
-    Tuned_CatmullClark_scheme::limit_neighborhood;
+    CatmullClark_scheme::Tuned::limit_neighborhood;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
@@ -82,16 +82,16 @@ public:
     return Tuned_CatmullClark_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Tuned_CatmullClark_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `CatmullClark_scheme::Tuned`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return Tuned_CatmullClark_scheme::dense_row_entries(level, round);
+    return CatmullClark_scheme::Tuned::dense_row_entries(level, round);
   }
 };
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Loop subdivision with transfer of curvature, see `Transfer_CatmullClark_scheme`, which has all that is said
+Loop subdivision with transfer of curvature, see `CatmullClark_scheme::Transfer`, which has all that is said
 here in common with it: `Tuned_Loop_mask` on `PTQ_host`, where the quadratic eigenvalues (that of
 frequency 0 besides 1, and of frequencies 2 and n-2) become &lambda;'<sup>2</sup>. At valence 3 there
 is one functional, at valence 4 there are two: of the three components of Q the least ones that they
@@ -100,7 +100,7 @@ allow are taken, and directions of curvature are not preserved there.
 Accepts triangles only.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Transfer_Loop_scheme
+class Loop_scheme::Transfer
 {
 public:
   /// the host of the scheme.
@@ -111,7 +111,7 @@ public:
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 3;
   /// what has to be regular around a vertex for its limit.
-  static constexpr Limit_neighborhood limit_neighborhood = Tuned_Loop_scheme::limit_neighborhood;
+  static constexpr Limit_neighborhood limit_neighborhood = Loop_scheme::Tuned::limit_neighborhood;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
@@ -128,10 +128,10 @@ public:
     return Tuned_Loop_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Tuned_Loop_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Loop_scheme::Tuned`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return Tuned_Loop_scheme::dense_row_entries(level, round);
+    return Loop_scheme::Tuned::dense_row_entries(level, round);
   }
 };
 

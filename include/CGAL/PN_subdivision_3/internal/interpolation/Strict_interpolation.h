@@ -158,7 +158,7 @@ private:
   std::vector<Functionals> functionals_;
   Iterate best_;
   double first_residual_ = 0;
-  Limit_interpolation_report report_;
+  Limit_interpolation report_;
 };
 
 // Control points whose limit points are the given points, where control normals and roundness are those that are estimated
