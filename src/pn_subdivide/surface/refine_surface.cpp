@@ -13,9 +13,9 @@
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/schemes/estimated_row_entries.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>

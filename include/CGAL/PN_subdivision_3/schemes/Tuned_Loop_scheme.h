@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Tuned_Loop_frequencies.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
