@@ -92,6 +92,14 @@ void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Cre
   for (const Halfedge h : surface.halfedges()) part.normals.push_back(normals[h]);
 }
 
+std::size_t number_of_known_faces(const std::vector<Recognized_surface>& surfaces)
+{
+  std::size_t result = 0;
+  for (const Recognized_surface& s : surfaces)
+    if (s.kind != Kind::unknown) result += s.number_of_faces;
+  return result;
+}
+
 // A file of six digits that another program has scaled or moved has coordinates of all digits, and is taken for exact.
 void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
                                  const Recognition_plan& plan)
@@ -110,13 +118,14 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
   if (PN::internal::recognition::file_rounding(x) > std::ldexp(largest, -40)) return;
   const double tolerance = 2e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
   const auto segments = surface.add_property_map<Face, std::size_t>("f:other_segment", 0).first;
-  const std::size_t found =
-    PN::recognize_surfaces(surface, segments,
-                           PN::parameters::surface_tolerance(tolerance).min_facets(plan.min_facets))
-      .size();
-  if (10 * found > 9 * part.surfaces.size()) return;
+  const std::vector<Recognized_surface> found = PN::recognize_surfaces(
+    surface, segments, PN::parameters::surface_tolerance(tolerance).min_facets(plan.min_facets));
+  const std::size_t known = number_of_known_faces(found);
+  if (10 * found.size() > 9 * part.surfaces.size() &&
+      9 * known < 10 * number_of_known_faces(part.surfaces))
+    return;
   part.other_tolerance = tolerance;
-  part.other_segments = found;
+  part.other_segments = found.size();
 }
 
 } // namespace

@@ -302,23 +302,17 @@ private:
     return true;
   }
 
-  // again from the rest, the largest connected part of it
+  // again from the rest
   bool grow_rest(Region& r, const std::vector<Index>& rest)
   {
-    Region best;
-    std::vector<Index> seen;
     for (const Index p : rest) {
-      if (std::binary_search(seen.begin(), seen.end(), p)) continue;
       Region next = r;
       if (!grower_.settle(next, {p}, c_.tolerance())) continue;
-      seen.insert(seen.end(), next.patches.begin(), next.patches.end());
-      std::sort(seen.begin(), seen.end());
-      if (next.patches.size() > best.patches.size()) best = next;
+      r = next;
+      measure_(r);
+      return true;
     }
-    if (best.patches.empty()) return false;
-    r = best;
-    measure_(r);
-    return true;
+    return false;
   }
 
   const Context& c_;

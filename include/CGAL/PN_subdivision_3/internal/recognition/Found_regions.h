@@ -163,21 +163,11 @@ inline int rank_of(Kind kind)
   return kind == Kind::cylinder ? 0 : kind == Kind::sphere ? 1 : kind == Kind::cone ? 2 : 3;
 }
 
-// Else its facets are planes later, and must not be kept from what they may be.
-inline bool may_be_round(const Context& c, const Region& r)
-{
-  if (r.shape.kind == Kind::sphere && r.patches.size() >= 24) return true;
-  const double step = r.step();
-  return (1 - 1e-4) * step * c.min_facets <= 2 * std::acos(-1.) ||
-         (r.number_of_tangent_ends() == 2 && step <= radians(61));
-}
-
 // Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
 inline std::vector<Region> choose_regions(const Context& c, Found_regions& found)
 {
   std::vector<Region> all = found.regions();
   std::stable_sort(all.begin(), all.end(), [&](const Region& a, const Region& b) {
-    if (may_be_round(c, a) != may_be_round(c, b)) return may_be_round(c, a);
     if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
     if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
       return a.number_of_tangent_ends() > b.number_of_tangent_ends();
