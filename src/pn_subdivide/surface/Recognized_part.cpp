@@ -122,7 +122,7 @@ void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
     surface, segments, PN::parameters::surface_tolerance(tolerance).min_facets(plan.min_facets));
   const std::size_t known = number_of_known_faces(found);
   if (10 * found.size() > 9 * part.surfaces.size() &&
-      9 * known < 10 * number_of_known_faces(part.surfaces))
+      9 * known <= 10 * number_of_known_faces(part.surfaces))
     return;
   part.other_tolerance = tolerance;
   part.other_segments = found.size();
