@@ -168,6 +168,8 @@ private:
   bool is_sound(const Region& r) const
   {
     if (!has_sensible_size(r) || !bends(r)) return false;
+    if (r.turn.widest > c_.greatest_smooth_angle || r.meridian.widest > c_.greatest_smooth_angle)
+      return false;
     switch (r.shape.kind) {
     case Kind::cylinder:
       return is_cylinder(r);
