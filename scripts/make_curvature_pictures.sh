@@ -25,8 +25,8 @@ draw() { # mesh, rounds, curvature at the ends of the colors, view
   refine "$1" "$2" modified modified-catmull-clark --linear
   refine "$1" "$2" PN catmull-clark
   refine "$1" "$2" PN_modified modified-catmull-clark
-  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 450 --same-view \
-                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
+  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 300 --same-view \
+                    --shading averaged --scalars gaussian_curvature --cubic --range "$3" --view="$4" \
                     --caption "linear" --caption "modified linear" --caption "PN" \
                     --caption "PN-modified" "$work"/{linear,modified,PN,PN_modified}.vtp
 }
@@ -37,7 +37,7 @@ draw_policies() { # as draw()
   refine "$1" "$2" PN_modified modified-catmull-clark
   refine "$1" "$2" first_2 modified-catmull-clark --first-round 2
   refine "$1" "$2" transfer ct-catmull-clark
-  scripts/render.py --output "$folder/curvature_transfer.png" --columns 4 --tile 450 --same-view \
+  scripts/render.py --output "$folder/curvature_transfer.png" --columns 4 --tile 300 --same-view \
                     --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
                     --caption "PN" --caption "PN-modified" --caption "first round plain" \
                     --caption "transfer" "$work"/{PN,PN_modified,first_2,transfer}.vtp
