@@ -5,12 +5,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-// How smooth `Grid_CatmullClark_scheme` is where its grid lines meet the rules of Catmull-Clark subdivision about an irregular
+// How smooth `CatmullClark_scheme::Grid` is where its grid lines meet the rules of Catmull-Clark subdivision about an irregular
 // vertex: n sectors of 4 x 4 quads, without and with noise of points and normals. Prints rows of the manual's page "Rules of the Schemes".
 //
 //   grid_seams
 
-#include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -143,13 +145,15 @@ private:
   std::vector<Point> points_;
 };
 
-template <class Refine>
-void print(const std::string& name, int n, double noise, const Refine& refine)
+template <class Scheme>
+void print(const std::string& name, int n, double noise, const Scheme& scheme)
 {
   std::printf("<tr><td>%d</td><td>%.2g</td><td>%s</td>", n, noise, name.c_str());
   for (const unsigned rounds : {2u, 4u, 6u}) {
     Mesh mesh = star(n, noise);
-    refine(mesh, mesh.add_property_map<Vertex, Vector>("v:normal").first, rounds);
+    const auto normals = mesh.add_property_map<Vertex, Vector>("v:normal").first;
+    PN::subdivide(mesh, scheme,
+                  CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals));
     double largest = 0, jump = 0;
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(Vertex(0)))) {
       const auto [l, j] = Strip(mesh, mesh.opposite(h), int(rounds)).second_differences(.5, 2.5);
@@ -168,14 +172,8 @@ int main()
   std::printf("#table grid_seams\n");
   for (const double noise : {0., .1})
     for (const int n : {4, 5}) {
-      print("grid lines", n, noise, [](Mesh& mesh, auto normals, unsigned rounds) {
-        PN::Grid_CatmullClark_subdivision(
-          mesh, CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals));
-      });
-      print("Catmull-Clark", n, noise, [](Mesh& mesh, auto normals, unsigned rounds) {
-        PN::CatmullClark_subdivision(
-          mesh, CGAL::parameters::number_of_iterations(rounds).vertex_normal_map(normals));
-      });
+      print("grid lines", n, noise, PN::CatmullClark_scheme::Grid());
+      print("Catmull-Clark", n, noise, PN::CatmullClark_scheme());
     }
   return 0;
 }
