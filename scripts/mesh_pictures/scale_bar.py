@@ -35,7 +35,8 @@ def add_scale_bar(renderer: vtkRenderer, size: tuple[int, int], name: str, limit
         x = left + length * (tick + 1) / 2
         renderer.AddActor2D(_line(x, 0.34 * height, low))
         value = limit * (tick**3 if cubic else tick)
-        renderer.AddActor2D(_text(f"{value:.3g}".replace("-", "\u2212"), x, 0.02 * height,
+        number = f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+        renderer.AddActor2D(_text(number.replace("-", "\u2212"), x, 0.02 * height,
                                   font))
 
 
