@@ -44,7 +44,8 @@ extension=obj refine PN
 
 scripts/render.py --output "$folder/teaser.png" --columns 3 --tile 280 --shading split --view=30,30 \
                   --control "$work/cube.obj" --control "$part.obj" --control data/meshes/head.obj \
-                  --control none --control none --control none --control none --control none --control none \
+                  --control "$work/cube.obj" --control none --control none \
+                  --control "$work/cube.obj" --control none --control none \
                   --caption "control meshes" --caption "" --caption "" \
                   --caption "linear" --caption "linear" --caption "linear" \
                   --caption "point-normal: a sphere" \
