@@ -50,6 +50,12 @@ Control_mesh pillow(Control_mesh mesh)
   }
   return mesh;
 }
+Control_mesh sphere(Control_mesh mesh)
+{
+  mesh.normals.clear();
+  for (auto& p : mesh.points) mesh.normals.push_back(p = test_meshes::unit(p));
+  return mesh;
+}
 Control_mesh disturbed(Control_mesh mesh)
 {
   test_meshes::set_uneven_normals(mesh, 4);
@@ -81,6 +87,7 @@ void expect_bound(const Control_mesh& shape, const Scheme& scheme, double eps, d
 TEST(ProvenTessellation, BoundsWhatIsThereFourLevelsDeeper)
 {
   const auto cc = PN::CatmullClark_scheme();
+  expect_bound(sphere(named_shapes::cube()), cc, 0.08); // the linear limit is nearer than this one
   expect_bound(pillow(named_shapes::cube()), cc, 0.1);
   expect_bound(pillow(named_shapes::prism(5)), cc, 0.1, 0.7);
   expect_bound(disturbed(named_shapes::cube()), cc, 0.1);
@@ -105,6 +112,22 @@ TEST(ProvenTessellation, OfLinearSchemes)
       largest = (std::max)(largest, distance(control.point(v), all));
     EXPECT_LE(largest, result.bound);
     EXPECT_GE(largest, 0.15 * result.bound);
+  }
+}
+
+// \name Out of reach
+
+TEST(Tessellation, ToleranceOutOfReachGivesWhatIsInReach)
+{
+  Control_mesh flat = named_shapes::cube();
+  flat.normals.assign(flat.points.size(), {0, 0, 0});
+  for (const double eps : {1e-32, 1e-300}) {
+    Surface_mesh control = to_surface_mesh(flat), out;
+    for (auto v : control.vertices()) // all in one plane, up to rounding
+      control.point(v) = Point(control.point(v).x() / 3, control.point(v).y() / 3,
+                               0.7 + 1e-18 * control.point(v).z());
+    const auto result = PN::tessellate(control, PN::linear(PN::CatmullClark_scheme()), eps, out);
+    EXPECT_LE(result.number_of_triangles, 1000U);
   }
 }
 

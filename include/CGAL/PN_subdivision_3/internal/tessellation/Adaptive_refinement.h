@@ -145,7 +145,7 @@ private:
   };
 
   // what coordinates in double can tell, and how many triangles there are where the tolerance is out of reach
-  static constexpr double least_tolerance = 0x1p-48, triangles_out_of_reach = 0x1p20;
+  static constexpr double least_tolerance = 0x1p-48, triangles_out_of_reach = 0x1p18;
   // The sagitta of halves is a fourth; what is known badly may fall more slowly.
   static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
   // where a normal is not to be trusted, and the surface not smooth about the vertex
@@ -306,6 +306,7 @@ private:
     std::vector<Results> of_planes;
     for (std::size_t p = 0; p < next.planes.size(); ++p)
       of_planes.push_back(plane_limits(next, p, is_control ? nullptr : &vertices));
+    all_.reserve(vertices.size(), next.level.level.number_of_edges());
     connect(level, next, results, of_planes);
     level = std::move(next);
     return true;
@@ -405,7 +406,8 @@ private:
     if (estimate.knows_normals) {
       const double by_normals =
         estimate.error + (is_control ? 1 : rest_of_discrepancy) * face.discrepancy;
-      e = is_control ? (std::max)(e, by_normals) : by_normals;
+      static const double K = getenv("PN_K") ? atof(getenv("PN_K")) : 0;
+      e = is_control ? (std::max)(e, by_normals) : estimate.is_at_curve ? (std::max)(K * face.measured, by_normals) : by_normals;
     } else if (!estimate.trusts_normals)
       e *= distrust;
     else if (!is_control) // those of the control data may be off, but tell which way it goes
@@ -464,12 +466,7 @@ private:
     std::vector<Index> vertices, of_faces;
     for (Index f = 0; f < old.number_of_faces(); ++f) {
       if (!level.faces[f].is_split) continue;
-      const Index first = old.halfedge_of_face(f);
-      Index h = first;
-      do {
-        is_on_face[Level_connectivity::edge(h)] = 1;
-        h = old.next(h);
-      } while (h != first);
+      for_each_halfedge(old, f, [&](Index h) { is_on_face[Level_connectivity::edge(h)] = 1; });
       if constexpr (has_face_vertices) of_faces.push_back(host.vertex_of_face(f));
     }
     for (Index e = 0; e < is_on_face.size(); ++e)
@@ -575,13 +572,10 @@ private:
 
   void number_edges(Level& level, Index f)
   {
-    const Index first = level.level.level.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge(level.level.level, f, [&](Index h) {
       Index& e = level.edges[Level_connectivity::edge(h)];
       if (e == null) e = all_.add_edge();
-      h = level.level.level.next(h);
-    } while (h != first);
+    });
   }
 
   void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
@@ -598,9 +592,7 @@ private:
         set_plane(p, vertex, of_planes[p][new_slot]);
       return slot;
     };
-    const Index first = old.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge(old, f, [&](Index h) {
       next.slots[new_slots(split.second_half(h))] = level.slots[old_slots(h)];
       const Index e = Level_connectivity::edge(h), edge = level.edges[e];
       if (!all_.edge(edge).is_split()) {
@@ -611,8 +603,7 @@ private:
             middle[side] = add_slot(new_slots(split.first_half(2 * e + side)), vertex);
         all_.split(edge, middle);
       }
-      h = old.next(h);
-    } while (h != first);
+    });
     if constexpr (has_face_vertices) add_slot(host.vertex_of_face(f), all_.add_vertex());
   }
 
