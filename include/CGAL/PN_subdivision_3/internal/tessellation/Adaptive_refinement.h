@@ -406,8 +406,7 @@ private:
     if (estimate.knows_normals) {
       const double by_normals =
         estimate.error + (is_control ? 1 : rest_of_discrepancy) * face.discrepancy;
-      static const double K = getenv("PN_K") ? atof(getenv("PN_K")) : 0;
-      e = is_control ? (std::max)(e, by_normals) : estimate.is_at_curve ? (std::max)(K * face.measured, by_normals) : by_normals;
+      e = is_control ? (std::max)(e, by_normals) : by_normals;
     } else if (!estimate.trusts_normals)
       e *= distrust;
     else if (!is_control) // those of the control data may be off, but tell which way it goes
