@@ -87,8 +87,9 @@ void add_surface_levels(CLI::App& command, Surface_options& options)
                      "How far the limit surface may be from the triangles of the result, which are "
                      "large where it is flat: a length, or P% of the box's diagonal; with --levels "
                      "auto all faces are refined alike");
-  command.add_option("--chord-bound", options.chord_bound,
-                     "How that is known: estimated (default) or proven");
+  command.add_option(
+    "--chord-bound", options.chord_bound,
+    "How that is known: estimated (default) or proven, without creases and borders");
 }
 
 void add_linear(CLI::App& command, bool& linear)

@@ -286,6 +286,17 @@ auto to_limit(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
+whether the distance of the triangles of `tessellate()` from the surface is to be proved, by default not.
+\param yes a `bool`; what proofs need is compiled if the parameter is given
+*/
+template <class Bool>
+auto proven_bound(const Bool& yes)
+{
+  return internal::with_parameter<internal::proven_bound_t>(yes);
+}
+
+/*!
+\ingroup PkgPNSubdivision3Functions
 what interpolation makes of a vertex, by default `Limit_interpolation::Mode::slide`.
 \param mode a `Limit_interpolation::Mode`
 */

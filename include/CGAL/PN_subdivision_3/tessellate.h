@@ -34,8 +34,8 @@ namespace PN_subdivision_3 {
 /// What `tessellate()` has reached.
 struct Tessellation_result
 {
-  /// the largest estimated distance between the triangles and the limit surface, in the unit of the coordinates; it is
-  /// not a bound that is proved.
+  /// the largest distance between the triangles and the limit surface, in the unit of the coordinates: an estimate, or a
+  /// bound that is proved if `proven_bound` asks for it.
   double bound = 0;
   /// the number of the control face where `bound` is, in the order of `faces(control)`.
   std::size_t worst_face = 0;
@@ -100,6 +100,12 @@ these; a fourth is what remains of it on smooth surfaces. On the control mesh it
 Edges on creases and borders have to be as close to their curve, which the turns of the points of the level along it
 tell. All is multiplied by 1.1, and by 1.25 at borders. It is an estimate, and not a proof.
 
+<b>A proven bound.</b> With `parameters::proven_bound(true)` faces are split until a bound is within the tolerance: the limit is as near to
+that of the linear scheme as the enclosure of `Limit_surface` has it, after up to two more rounds on the face; that one lies in the hull of
+its Bezier points (next to an extraordinary vertex of control points, after up to 16 rounds); and the distances of these from the
+face's triangles and sides are known, whatever vertices neighbors put on the sides. This is for coordinates in `double`, and for what
+`Limit_surface::proven_bbox()` covers; it takes some milliseconds a face, and about twice as many triangles. Splits are not taken back.
+
 <b>What is bent one way only.</b> Faces are split both ways. In the end, a face whose triangles with the vertices on its sides alone
 are flat enough, by the same estimate and by the distances of the vertices inside, gets these triangles; and sides that are
 straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay undivided, and planes within curved
@@ -121,7 +127,7 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the control mesh: `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `control_normal_estimate`, `vertex_roundness_map` or
   `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in `subdivide()`, and
-  `number_of_iterations`, the most rounds that are done about any vertex, 12 by default. The maps are read only.
+  `number_of_iterations`, the most rounds that are done about any vertex, 12 by default, and `proven_bound`. The maps are read only.
   `attributes` of an `Attribute_table` are replaced by those of the result: numbers of vertices become their limits by the
   linear scheme; numbers of corners are linear inside the control faces, as `Corner_rule::all` has them, and no other
   rule is known; `Attribute_table::face_parents` are the control faces that the triangles lie in
@@ -130,12 +136,13 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
   creases (a map of vertices then has their mean). Where the surface has none it gets the limit of the control
   normals
 
-\returns what was reached. With as many rounds as are allowed, or more than \f$ 2^{31} \f$ triangles, faces that are not
-  flat enough stay as they are: the result is complete, and `Tessellation_result::reached` is false
+\returns what was reached. With as many rounds as are allowed faces that are not flat enough stay as they are. A tolerance
+  for which more than \f$ 2^{31} \f$ triangles are foreseen, or that is less than \f$ 2^{-48} \f$ of the box, gives what is in
+  reach with about 260,000. The result is complete, and `Tessellation_result::reached` is false
 
 \throws std::invalid_argument if `chord_error` is not positive and finite, if the scheme does not split edges, if `out` is
-  not empty, if an array of attributes does not fit, belongs to edges, or to corners by another rule, and as
-  `limit_points()` does
+  not empty, if an array of attributes does not fit, belongs to edges, or to corners by another rule, if a bound is not proven, naming
+  the first vertex for which it is not, and as `limit_points()` does
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do; `out` stays
   empty
 */

@@ -389,9 +389,9 @@ void require_chord_bound(const Surface_options& options)
     throw Usage_error("--chord-bound '" + bound + "': expected estimated or proven" +
                       did_you_mean(bound, {"estimated", "proven"}));
   if (!options.chord) throw Usage_error("--chord-bound needs --chord");
-  if (bound == "proven")
-    throw Error("--chord-bound proven: no proven bound is known to this program yet; take "
-                "--chord-bound estimated");
+  if (bound == "proven" && options.auto_levels)
+    throw Usage_error("--chord-bound proven and --levels auto exclude each other: distances of "
+                      "meshes that are refined alike are measured");
 }
 
 } // namespace

@@ -438,7 +438,8 @@ void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
                   ": beside --chord texture coordinates are linear inside the control faces, as "
                   "--texture-rule all has them");
   const Tessellation result =
-    tessellate_surface(surface, scheme, rounds.creases, chord, plan.threads, *rounds.attributes);
+    tessellate_surface(surface, scheme, rounds.creases, chord, options.chord_bound == "proven",
+                       plan.threads, *rounds.attributes);
   options.levels = result.depth;
   rounds.creases.reset(); // of the control mesh
   report_tessellation(result, chord, plan.output.title("standard output"), report);

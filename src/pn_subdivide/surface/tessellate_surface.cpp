@@ -30,23 +30,30 @@ using Tag = CGAL::Parallel_if_available_tag;
 using PN::Attribute_table;
 using Result = PN::Tessellation_result;
 
+struct Chord
+{
+  double error;
+  bool is_proven;
+};
+
 // With maps of the result's normals, of vertices or of corners.
 template <class S, class NamedParameters>
-Result with_scheme_and_maps(const Surface& surface, const S& scheme, double chord, Surface& result,
+Result with_scheme_and_maps(const Surface& surface, const S& scheme, Chord chord, Surface& result,
                             bool has_corners, const NamedParameters& np,
                             Attribute_table& attributes)
 {
   const Normal_map normals = add_normals(result);
-  const auto all = PN::parameters::join(PN::parameters::attributes(attributes), np);
+  const auto all =
+    PN::parameters::join(PN::parameters::attributes(attributes).proven_bound(chord.is_proven), np);
   if (!has_corners)
-    return PN::tessellate<Tag>(surface, scheme, chord, result, all,
+    return PN::tessellate<Tag>(surface, scheme, chord.error, result, all,
                                CGAL::parameters::vertex_normal_map(normals));
-  return PN::tessellate<Tag>(surface, scheme, chord, result, all,
+  return PN::tessellate<Tag>(surface, scheme, chord.error, result, all,
                              CGAL::parameters::vertex_normal_map(add_corner_normals(result)));
 }
 
 Result with_creases(Surface& surface, const Scheme_choice& choice, const Crease_maps& creases,
-                    double chord, Surface& result, Attribute_table& attributes)
+                    Chord chord, Surface& result, Attribute_table& attributes)
 {
   const auto sharp = PN::parameters::border(creases.border)
                        .edge_is_constrained_map(creases.edges)
@@ -67,7 +74,7 @@ Result with_creases(Surface& surface, const Scheme_choice& choice, const Crease_
   });
 }
 
-Result without_creases(Surface& surface, const Scheme_choice& choice, double chord, Surface& result,
+Result without_creases(Surface& surface, const Scheme_choice& choice, Chord chord, Surface& result,
                        Attribute_table& attributes)
 {
   const std::optional<Normal_map> normals = normals_of(surface);
@@ -113,16 +120,19 @@ void require_options_for_tessellation(const Surface_options& options, const Mesh
 
 Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
                                 const std::optional<Crease_maps>& creases, double chord,
-                                [[maybe_unused]] unsigned threads, Attribute_table& attributes)
+                                bool is_proven, [[maybe_unused]] unsigned threads,
+                                Attribute_table& attributes)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 #endif
   Surface result;
-  const Result r = creases ? with_creases(surface, scheme, *creases, chord, result, attributes)
-                           : without_creases(surface, scheme, chord, result, attributes);
+  const Chord within{chord, is_proven};
+  const Result r = creases ? with_creases(surface, scheme, *creases, within, result, attributes)
+                           : without_creases(surface, scheme, within, result, attributes);
   surface = std::move(result);
-  return {r.bound, r.reached, r.number_of_triangles, r.depth, r.worst_face, r.worst_place};
+  return {r.bound,       r.reached, r.number_of_triangles, r.depth, r.worst_face,
+          r.worst_place, is_proven};
 }
 
 void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,
@@ -133,15 +143,16 @@ void report_tessellation(const Tessellation& tessellation, double chord, const s
                            {"asked", chord},
                            {"triangles", tessellation.triangles}});
   char text[200];
-  std::snprintf(text, sizeof text, "chord: %.6g asked for, estimated error %.3g", chord,
+  const char* const what = tessellation.is_proven ? "proven bound" : "estimated error";
+  std::snprintf(text, sizeof text, "chord: %.6g asked for, %s %.3g", chord, what,
                 tessellation.bound);
   report.note(text);
   if (tessellation.reached) return;
   const auto& p = tessellation.worst_place;
   std::snprintf(text, sizeof text,
-                ": --chord %.6g is not reached: the estimated error is %.3g at control face %zu, "
+                ": --chord %.6g is not reached: the %s is %.3g at control face %zu, "
                 "near %.6g %.6g %.6g",
-                chord, tessellation.bound, tessellation.worst_face, p[0], p[1], p[2]);
+                chord, what, tessellation.bound, tessellation.worst_face, p[0], p[1], p[2]);
   report.warn(output + text);
 }
 

@@ -38,13 +38,15 @@ struct Tessellation
   unsigned depth = 0;
   std::size_t worst_face = 0;
   std::array<double, 3> worst_place{};
+  bool is_proven = false;
 };
 
-// The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`. With
+// The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`, as is estimated or
+// proved. With
 // normals of vertices, with creases of corners; without creases and control data. Passes on the library's exceptions.
 Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
                                 const std::optional<Crease_maps>& creases, double chord,
-                                unsigned threads,
+                                bool is_proven, unsigned threads,
                                 CGAL::PN_subdivision_3::Attribute_table& attributes);
 
 // Says what was reached, and warns if that is not what was asked for.

@@ -276,6 +276,15 @@ TEST_F(Pn_subdivide_chord, WhatIsNotReachedIsAWarning)
   EXPECT_EQ(surface("cone.off", "o.ply", options + " --strict").code, 4);
 }
 
+TEST_F(Pn_subdivide_chord, WhatIsOutOfReachEndsEarly)
+{
+  const Outcome outcome = surface("cube.off", "o.ply", "--chord 1e-30%" + reported());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("not reached"), std::string::npos) << outcome.err;
+  EXPECT_LT(report()["tessellation"]["bound"].get<double>(), 1e-4);
+  EXPECT_LT(read_mesh(folder.file("o.ply")).number_of_faces(), 1000000u);
+}
+
 // \name Uniform rounds
 
 TEST_F(Pn_subdivide_chord, AutoTakesTheFewestRounds)
@@ -346,9 +355,18 @@ TEST_F(Pn_subdivide_chord, WhatDoesNotGoTogether)
   refused("--chord 0.1 --chord-bound exact", "--chord-bound 'exact'");
   for (const std::string chord : {"0", "-1", "-1%", "nan", "much"})
     refused("--chord " + chord, chord);
-  expect_one_line(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound proven"), 1, "proven");
+  refused("--levels auto --chord 0.1 --chord-bound proven", "--levels auto");
+  const std::string proven = "--chord 0.1 --chord-bound proven";
+  expect_one_line(surface("cube.off", "o.ply", proven + " --sharp angle:30"), 1,
+                  "vertex number 0, which is sharp");
+  expect_one_line(surface("cube.off", "o.ply", proven + " --scheme modified-catmull-clark"), 1,
+                  "modified");
   EXPECT_EQ(Temporary_folder::content(folder.file("o.ply")), "untouched");
   EXPECT_EQ(surface("cube.off", "o.ply", "--chord 0.1 --chord-bound estimated").code, 0);
+  const std::size_t estimated = read_mesh(folder.file("o.ply")).number_of_faces();
+  EXPECT_EQ(surface("cube.off", "o.ply", proven + reported()).code, 0);
+  EXPECT_LE(report()["tessellation"]["bound"].get<double>(), 0.1);
+  EXPECT_GT(read_mesh(folder.file("o.ply")).number_of_faces(), estimated);
 }
 
 } // namespace

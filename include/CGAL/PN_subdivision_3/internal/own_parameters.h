@@ -36,6 +36,7 @@
   ADD(curvatures)                                                                                  \
   ADD(rounds_done)                                                                                 \
   ADD(to_limit)                                                                                    \
+  ADD(proven_bound)                                                                                \
   ADD(interpolation_mode)                                                                          \
   ADD(interpolation_normals)                                                                       \
   ADD(free_vertices)                                                                               \

@@ -73,18 +73,16 @@ public:
                                  const std::vector<Index>* some = nullptr)
   {
     std::vector<Result> results(level.level.number_of_vertices());
-    if (some != nullptr) {
-      std::vector<Result> of_some(some->size());
-      evaluate(level, *some, next_round, 0, of_some.data());
-      for (std::size_t i = 0; i < some->size(); ++i) results[(*some)[i]] = std::move(of_some[i]);
-    } else {
-      std::vector<Index> vertices(results.size());
-      std::iota(vertices.begin(), vertices.end(), Index(0));
-      evaluate(level, vertices, next_round, 0, results.data());
+    std::vector<Index> all;
+    if (some == nullptr) {
+      all.resize(results.size());
+      std::iota(all.begin(), all.end(), Index(0));
+      some = &all;
     }
+    evaluate(level, *some, next_round, 0, results.data(), some->data());
     // where points are not asked for, rings have oriented them
     if (demand_.surface_normals && demand_.points)
-      orient_normals(level, results, for_chunks_, some == nullptr || demand_.has_neighbors);
+      orient_normals(level, results, for_chunks_, some == &all || demand_.has_neighbors);
     return results;
   }
 
@@ -180,21 +178,20 @@ private:
   // rings of the next round that are made at once
   static constexpr Index batch = 128;
 
-  // result i is that of vertices[i]
+  // result places[i] is that of vertices[i]
   void evaluate(const Level& level, const std::vector<Index>& vertices, unsigned next_round,
-                unsigned depth, Result* results)
+                unsigned depth, Result* results, const Index* places)
   {
     const std::vector<Index> unsettled = evaluate_settled(
-      level, vertices, next_round, depth, [&](Index i) -> Result& { return results[i]; });
+      level, vertices, next_round, depth, [&](Index i) -> Result& { return results[places[i]]; });
     if (unsettled.empty()) return;
     require_depth(depth, next_round);
-    std::vector<Index> centers;
+    std::vector<Index> centers, places_of_rest;
     centers.reserve(unsettled.size());
     for (const Index i : unsettled) centers.push_back(vertices[i]);
+    for (const Index i : unsettled) places_of_rest.push_back(places[i]);
     const Level refined = refined_about(level, centers, next_round);
-    std::vector<Result> fine(centers.size());
-    evaluate(refined, centers, next_round + 1, depth + 1, fine.data());
-    for (std::size_t k = 0; k < unsettled.size(); ++k) results[unsettled[k]] = fine[k];
+    evaluate(refined, centers, next_round + 1, depth + 1, results, places_of_rest.data());
   }
 
   // calls f(towers, begin, end) for parts of [0, n), each with towers of its own

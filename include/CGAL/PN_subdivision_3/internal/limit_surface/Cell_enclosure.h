@@ -31,6 +31,86 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// The faces round the corners of a cell, on whose vertices the linear limit of its face depends.
+template <class Cells>
+class Cell_net
+{
+public:
+  using Index = Level_connectivity::Index;
+  using Cell = typename Cells::Cell;
+
+  Cell_net(const Cell& cell, unsigned degree)
+    : cell_(cell)
+    , degree_(degree)
+  {}
+
+  // calls f(half-edge) with all of the faces
+  template <class Function>
+  void for_each_halfedge(const Function& f) const
+  {
+    const Level_connectivity& level = cell_.level.level;
+    for (const Index corner : cell_.halfedges()) {
+      Index h = corner;
+      do {
+        if (!level.is_border(h)) {
+          Index g = h;
+          do {
+            f(g);
+            g = level.next(g);
+          } while (g != h);
+        }
+        h = level.next_around_target(h);
+      } while (h != corner);
+    }
+  }
+
+  bool has_uniform_faces() const
+  {
+    bool all = true;
+    for_each_halfedge([&](Index h) { all = all && cell_.level.level.has_degree(h, degree_); });
+    return all;
+  }
+
+  // the largest differences over edges, infinite where there are no normals; calls f(point)
+  template <class Function>
+  std::pair<double, double> differences(const Function& f) const
+  {
+    const typename Cells::Cell_slots slots(cell_.level.level, cell_.creases);
+    double delta = 0, d = 0;
+    for_each_halfedge([&](Index h) {
+      const auto &a = cell_.level.values[slots(h)],
+                 &b = cell_.level.values[slots(cell_.level.level.next(h))];
+      f(point_of(a));
+      d = (std::max)(d, quick_length(difference<double, 3>(point_of(a), point_of(b))));
+      if constexpr (has_normal_v<typename Cells::Value>) {
+        const bool have_normals =
+          a.normal != zero_vector<double, 3>() && b.normal != zero_vector<double, 3>();
+        delta =
+          (std::max)(delta, have_normals ? quick_length(difference<double, 3>(a.normal, b.normal))
+                                         : std::numeric_limits<double>::infinity());
+      }
+    });
+    return {delta, d};
+  }
+
+  // how far the limit is from that of the linear scheme, with such differences
+  double proven_distance(double delta, double d) const
+  {
+    Proven_bound bound(degree_);
+    for (const Index h : cell_.halfedges()) {
+      const auto valence =
+        static_cast<unsigned>(cell_.level.level.valence(cell_.level.level.target(h)));
+      if (valence >= Proven_bound::least_valence && valence <= Proven_bound::most_valence)
+        bound.include(valence);
+    }
+    return bound(delta, d);
+  }
+
+private:
+  const Cell& cell_;
+  const unsigned degree_;
+};
+
 // A box of the limit of a face, and how far the limit is at most from that of the linear scheme on the nets that were looked at.
 struct Surface_box
 {
@@ -60,7 +140,8 @@ public:
   void add(Cell&& cell)
   {
     const Level_connectivity& level = cell.level.level;
-    const bool is_known = level.has_degree(cell.base, degree_) && has_uniform_faces(cell);
+    const bool is_known =
+      level.has_degree(cell.base, degree_) && Cell_net<Cells>(cell, degree_).has_uniform_faces();
     if (is_known && cell.rounds >= rounds_ && add_box(cell)) return;
     if (cell.rounds >= rounds_ + more_rounds_)
       throw std::domain_error("PN_subdivision_3: the normals of neighbors differ so much that no "
@@ -74,55 +155,19 @@ public:
   const Surface_box& result() const { return result_; }
 
 private:
-  // calls f(half-edge) with all of the faces round the corners
-  template <class Function>
-  static void for_each_halfedge(const Cell& cell, const Function& f)
-  {
-    const Level_connectivity& level = cell.level.level;
-    for (const Index corner : cell.halfedges()) {
-      Index h = corner;
-      do {
-        if (!level.is_border(h)) {
-          Index g = h;
-          do {
-            f(g);
-            g = level.next(g);
-          } while (g != h);
-        }
-        h = level.next_around_target(h);
-      } while (h != corner);
-    }
-  }
-
-  bool has_uniform_faces(const Cell& cell) const
-  {
-    bool all = true;
-    for_each_halfedge(cell, [&](Index h) { all = all && cell.level.level.has_degree(h, degree_); });
-    return all;
-  }
-
   // false if there is no finite bound
   bool add_box(const Cell& cell)
   {
-    const Level_connectivity& level = cell.level.level;
-    const typename Cells::Cell_slots slots(level, cell.creases);
+    const Cell_net<Cells> net(cell, degree_);
     Bbox_3 box;
-    double delta = 0, d = 0, largest = 0;
-    for_each_halfedge(cell, [&](Index h) {
-      const auto &a = cell.level.values[slots(h)], &b = cell.level.values[slots(level.next(h))];
-      const auto &p = point_of(a), &q = point_of(b);
+    double largest = 0;
+    const auto [delta, d] = net.differences([&](const auto& p) {
       box += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
-      d = (std::max)(d, quick_length(difference<double, 3>(p, q)));
-      if constexpr (has_normal_v<typename Cells::Value>) {
-        const bool have_normals =
-          a.normal != zero_vector<double, 3>() && b.normal != zero_vector<double, 3>();
-        delta =
-          (std::max)(delta, have_normals ? quick_length(difference<double, 3>(a.normal, b.normal))
-                                         : std::numeric_limits<double>::infinity());
-      }
       for (const double x : p) largest = (std::max)(largest, std::abs(x));
     });
-    const double distance = is_pn_ ? this->distance(cell, delta, d) : 0;
+    double distance = is_pn_ ? net.proven_distance(delta, d) : 0;
+    if (is_pn_ && !is_proven_)
+      distance = (std::min)(distance, estimated_part() * (std::min)(delta, 2.) * d);
     if (!std::isfinite(distance)) return false;
     const double growth = distance + 64 * std::numeric_limits<double>::epsilon() * largest;
     result_.box += Bbox_3(box.xmin() - growth, box.ymin() - growth, box.zmin() - growth,
@@ -131,24 +176,9 @@ private:
     return true;
   }
 
-  // of the limit from that of the linear scheme
-  double distance(const Cell& cell, double delta, double d) const
-  {
-    Proven_bound bound(degree_);
-    for (const Index h : cell.halfedges()) include(bound, cell.level.level, h);
-    const double proven = bound(delta, d);
-    return is_proven_ ? proven : (std::min)(proven, estimated_part() * (std::min)(delta, 2.) * d);
-  }
   // Of a surface with two equal curvatures a round raises points by 1/4 of delta d, or 3/16 in triangles, and all rounds by 4/3 of
   // this.
   double estimated_part() const { return degree_ == 4 ? 0.4 : 0.3; }
-
-  static void include(Proven_bound& bound, const Level_connectivity& level, Index h)
-  {
-    const auto valence = static_cast<unsigned>(level.valence(level.target(h)));
-    if (valence >= Proven_bound::least_valence && valence <= Proven_bound::most_valence)
-      bound.include(valence);
-  }
 
   const Cells& cells_;
   const unsigned degree_;
@@ -170,16 +200,13 @@ bool has_proven_bound(const Scheme& scheme)
            name_in_message(scheme) == name_in_message(Loop_scheme());
 }
 
-// Refuses what the proof does not cover, naming the first vertex of the face.
-template <class Cells>
-void require_proof(const Cells& cells, Level_connectivity::Index face, unsigned degree)
+// Calls f(vertex, what) with what the proof does not cover about a face.
+template <class Cells, class Function>
+void for_each_unproven(const Cells& cells, Level_connectivity::Index face, unsigned degree,
+                       const Function& f)
 {
   using Index = Level_connectivity::Index;
   const Level_connectivity& level = cells.control().level;
-  const auto refuse = [](Index v, const std::string& what) {
-    throw std::invalid_argument("PN_subdivision_3: no enclosure is proven at vertex number " +
-                                std::to_string(v) + ", " + what + ": use bbox()");
-  };
   const auto is_covered = [](Index n) {
     return n >= Proven_bound::least_valence && n <= Proven_bound::most_valence;
   };
@@ -187,20 +214,57 @@ void require_proof(const Cells& cells, Level_connectivity::Index face, unsigned 
   Index h = first;
   do {
     const Index v = level.target(h);
-    if (level.is_border_vertex(v)) refuse(v, "which is on the border");
+    if (level.is_border_vertex(v)) f(v, std::string("which is on the border"));
     if (!is_covered(level.valence(v)))
-      refuse(v, "whose valence is " + std::to_string(level.valence(v)) + ", not from 3 to 12");
+      f(v, "whose valence is " + std::to_string(level.valence(v)) + ", not from 3 to 12");
     if constexpr (are_creases_v<std::decay_t<decltype(cells.creases())>>)
       for (const Crease_star& star : cells.creases().stars)
-        if (star.vertex == v) refuse(v, "which is sharp");
+        if (star.vertex == v) f(v, std::string("which is sharp"));
+    if constexpr (has_roundness_v<typename Cells::Value>) {
+      const double w = cells.control().values[v].roundness;
+      if (!(w >= 0 && w <= 1)) f(v, std::string("whose roundness is not from 0 to 1"));
+    }
     Index g = h;
     do {
       if (degree == 4 && !is_covered(level.degree(g)))
-        refuse(v, "which has a face with more than 12 corners");
+        f(v, std::string("which has a face with more than 12 corners"));
       g = level.next_around_target(g);
     } while (g != h);
     h = level.next(h);
   } while (h != first);
+}
+
+// Refuses that, naming the first vertex of the face.
+template <class Cells>
+void require_proof(const Cells& cells, Level_connectivity::Index face, unsigned degree)
+{
+  for_each_unproven(cells, face, degree, [](Level_connectivity::Index v, const std::string& what) {
+    throw std::invalid_argument("PN_subdivision_3: no enclosure is proven at vertex number " +
+                                std::to_string(v) + ", " + what + ": use bbox()");
+  });
+}
+
+// Refuses what distances of tessellations are not proven for, naming the first vertex of all.
+template <class Cells>
+void require_proof_of_all(const Cells& cells)
+{
+  using Index = Level_connectivity::Index;
+  const std::string rest = ": take the estimated one";
+  if (!has_proven_bound(cells.scheme()))
+    throw std::invalid_argument("PN_subdivision_3: no distance is proven for " +
+                                name_in_message(cells.scheme()) +
+                                ", but for Catmull-Clark and Loop" + rest);
+  Index first = Level_connectivity::null;
+  std::string why;
+  for (Index f = 0; f < cells.control().level.number_of_faces(); ++f)
+    for_each_unproven(cells, f, Cells::degree, [&](Index v, const std::string& what) {
+      if (first != Level_connectivity::null && v >= first) return;
+      first = v;
+      why = what;
+    });
+  if (first != Level_connectivity::null)
+    throw std::invalid_argument("PN_subdivision_3: no distance is proven at vertex number " +
+                                std::to_string(first) + ", " + why + rest);
 }
 
 } // namespace internal

@@ -71,6 +71,8 @@ class Limit_cells
 public:
   using Index = Level_connectivity::Index;
   using FT = double;
+  using Scheme_type = Scheme;
+  static constexpr Index degree = Scheme::Host::refined_degree;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Cell = Limit_cell<Value, Level_creases>;

@@ -11,6 +11,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Jet.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -68,8 +69,48 @@ public:
     return result;
   }
 
+  // calls f(point, sides) with the Bezier points, whose convex hull contains the piece, and bit i for that of the side from corner
+  // i on; point(v): of a vertex. \pre no vertex is extrapolated
+  template <class Point_of, class Function>
+  void for_each_bezier_point(const Point_of& point, const Function& f) const
+  {
+    const auto sum = [&](const auto& weight) {
+      std::array<double, 3> p{};
+      for (std::size_t i = 0; i < controls_.size(); ++i)
+        if (const double w = weight(static_cast<int>(i)); w != 0) {
+          const auto q = point(controls_[i].front().first);
+          for (std::size_t c = 0; c < 3; ++c) p[c] += w * q[c];
+        }
+      return p;
+    };
+    if (degree_ == 4) {
+      constexpr double part[4][4] = {{1, 4, 1, 0}, {0, 4, 2, 0}, {0, 2, 4, 0}, {0, 1, 4, 1}};
+      for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+          f(sum([&](int i) { return part[x][i % 4] * part[y][i / 4] / 36; }),
+            (y == 0 ? 1u : 0u) | (x == 3 ? 2u : 0u) | (y == 3 ? 4u : 0u) | (x == 0 ? 8u : 0u));
+    } else
+      for (int x = 0; x <= 4; ++x)
+        for (int y = 0; x + y <= 4; ++y) {
+          const std::array<int, 3> e{x, y, 4 - x - y};
+          f(sum([&](int i) {
+              return bezier_weight(i / 3, e[i % 3], e[(i + 1) % 3], e[(i + 2) % 3]) / 12;
+            }),
+            (e[2] == 0 ? 1u : 0u) | (e[0] == 0 ? 2u : 0u) | (e[1] == 0 ? 4u : 0u));
+        }
+  }
+
 private:
   using Sum = std::vector<std::pair<Index, double>>;
+
+  // 12 times the coefficient of the Bezier polynomial a^p b^q c^r in the weights below
+  static double bezier_weight(int kind, int p, int q, int r)
+  {
+    const int least = (std::min)(q, r);
+    if (kind == 0) return p >= 3 ? 6 : p == 2 ? 4 + least : p == 1 ? 2 + least : 1 + 0.5 * least;
+    if (kind == 1) return r == 0 ? 1 + 0.5 * (std::min)(p, q) : r == 1 ? 0.5 : 0;
+    return p == 4 ? 1 : p == 3 && (kind == 2 ? q : r) == 1 ? 0.5 : 0;
+  }
 
   static Index opposite(Index h) { return Level_connectivity::opposite(h); }
   Index corner(Index i) const { return level_.target(h_[i % degree_]); }

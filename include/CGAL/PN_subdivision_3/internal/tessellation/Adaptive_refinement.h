@@ -23,6 +23,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Adaptive_level.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Face_flatness.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Proven_distance.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
 #include <CGAL/assertions.h>
 
@@ -32,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -48,12 +50,13 @@ struct Tessellation_demand
   unsigned most_rounds; // at least one is done where faces are not triangles or quadrilaterals
   std::uint64_t most_triangles;
   Limit_demand limits;
+  bool is_proven = false;
 };
 
 // Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
 // its limit when it is new, so that the cost is that of the vertices of the result. The first round is done
 // everywhere, so that something has been seen of every face.
-template <class Scheme, class FT, class Level_creases>
+template <class Scheme, class FT, class Level_creases, bool may_be_proven = false>
 class Adaptive_refinement
 {
 public:
@@ -66,6 +69,7 @@ public:
                       const For_chunks& for_chunks)
     : scheme_(scheme)
     , demand_(demand)
+    , tolerance_((std::max)(demand.tolerance, least_tolerance))
     , for_chunks_(for_chunks)
     , plane_demand_{demand.limits.tolerance, 0, demand.limits.max_depth}
     , limits_(scheme, demand_.limits, for_chunks)
@@ -90,6 +94,8 @@ public:
   }
 
   const Tessellation_demand& demand() const { return demand_; }
+  // that of the demand, or a larger one that is in reach
+  double tolerance() const { return tolerance_; }
   Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
   std::vector<Tessellation_node>& nodes() { return nodes_; }
@@ -126,6 +132,10 @@ private:
   using Results = std::vector<Result>;
   using Flatness = Face_flatness<FT, Level>;
   using Slots = Slots_of_corners<Level_creases>;
+  struct No_cells
+  {};
+  using Cells = std::conditional_t<may_be_proven, Limit_cells<Scheme, Level_creases>, No_cells>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr Index null = Level_connectivity::null;
 
   struct Face_error
@@ -134,6 +144,8 @@ private:
     std::array<double, 2> over_diagonals{};
   };
 
+  // what coordinates in double can tell, and how many triangles there are where the tolerance is out of reach
+  static constexpr double least_tolerance = 0x1p-48, triangles_out_of_reach = 0x1p18;
   // The sagitta of halves is a fourth; what is known badly may fall more slowly.
   static constexpr double rest_of_discrepancy = 0.5, rest_of_distance = 0.45, least_rest = 0.27;
   // where a normal is not to be trusted, and the surface not smooth about the vertex
@@ -294,6 +306,7 @@ private:
     std::vector<Results> of_planes;
     for (std::size_t p = 0; p < next.planes.size(); ++p)
       of_planes.push_back(plane_limits(next, p, is_control ? nullptr : &vertices));
+    all_.reserve(vertices.size(), next.level.level.number_of_edges());
     connect(level, next, results, of_planes);
     level = std::move(next);
     return true;
@@ -305,16 +318,22 @@ private:
   {
     const Flatness flatness(level, all_);
     std::vector<Face_error> errors(level.faces.size());
+    if constexpr (may_be_proven)
+      if (demand_.is_proven)
+        cells_.emplace(scheme_, Valued_level<Value>(level.level), Level_creases(level.creases));
     for_chunks_(static_cast<Index>(level.faces.size()), [&](Index begin, Index end) {
       for (Index f = begin; f < end; ++f)
         if (level.faces[f].is_wanted) errors[f] = error(level, flatness, f, is_control);
     });
-    std::uint64_t number = 0;
-    for (Index f = 0; f < level.faces.size(); ++f) {
-      level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f].error <= demand_.tolerance);
-      number += level.faces[f].is_split ? 1 : 0;
-    }
     constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
+    relax(level, errors, triangles / 4);
+    std::uint64_t number = 0, wanted = 0;
+    for (Index f = 0; f < level.faces.size(); ++f) {
+      level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f].error <= tolerance_);
+      number += level.faces[f].is_split ? 1 : 0;
+      wanted += level.faces[f].is_wanted ? 1 : 0;
+    }
+    nodes_.reserve(nodes_.size() + wanted);
     const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds ||
                          number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
     for (Index f = 0; f < level.faces.size(); ++f) {
@@ -323,10 +342,32 @@ private:
         is_reached_ = false;
         face.is_split = false;
         --number;
+        if (demand_.is_proven) errors[f].error = proven(flatness, f, infinity);
       }
       if (face.is_wanted) add_node(level, flatness, f, errors[f]);
     }
     return number != 0;
+  }
+
+  // Where the number of triangles, which is inverse to the tolerance, is beyond what is allowed, the tolerance becomes one that
+  // is in reach.
+  void relax(const Level& level, const std::vector<Face_error>& errors, unsigned triangles)
+  {
+    double expected = 0;
+    for (Index f = 0; f < level.faces.size(); ++f)
+      if (level.faces[f].is_wanted && errors[f].error > tolerance_ && errors[f].error < infinity)
+        expected += triangles * (errors[f].error / tolerance_);
+    if (expected > double(demand_.most_triangles)) tolerance_ *= expected / triangles_out_of_reach;
+  }
+
+  // infinite beyond the tolerance
+  double proven([[maybe_unused]] const Flatness& flatness, [[maybe_unused]] Index f,
+                [[maybe_unused]] double tolerance) const
+  {
+    if constexpr (may_be_proven)
+      return Proven_distance<Cells>(*cells_, demand_.exponent, tolerance)(f, flatness.places(f));
+    else
+      return infinity;
   }
 
   void add_node(Level& level, const Flatness& flatness, Index f, const Face_error& error)
@@ -358,7 +399,7 @@ private:
 
   Face_error error(const Level& level, const Flatness& flatness, Index f, bool is_control) const
   {
-    if (!is_leaf(level, f)) return {std::numeric_limits<double>::infinity(), {}};
+    if (!is_leaf(level, f)) return {infinity, {}};
     const auto estimate = flatness.estimate(f);
     const Adaptive_face& face = level.faces[f];
     double e = (is_control ? 1 : rest_of_distance) * face.measured;
@@ -371,9 +412,10 @@ private:
     else if (!is_control) // those of the control data may be off, but tell which way it goes
       e = (std::max)(least_rest * face.measured,
                      (std::min)(e, estimate.error + rest_of_discrepancy * face.discrepancy));
-    return {(estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
-              (std::max)(e, estimate.along_curves),
-            estimate.over_diagonals};
+    e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
+        (std::max)(e, estimate.along_curves);
+    if (demand_.is_proven && e <= tolerance_) e = proven(flatness, f, tolerance_);
+    return {e, estimate.over_diagonals};
   }
 
   void cut(Level& level) const
@@ -391,16 +433,19 @@ private:
     return rings + (level.creases.empty() ? 0 : is_pn_v<Scheme> ? 2 : 1);
   }
 
-  Level refined(const Level& level) const
+  Level refined(Level& level) const
   {
-    Refiner refiner(scheme_, Level_connectivity(level.level.level), Level_creases(level.creases),
+    Refiner refiner(scheme_, std::move(level.level.level), std::move(level.creases),
                     {level.level.values.begin(), level.level.values.end()}, for_chunks_, rounds_);
-    refiner.refine();
-    Level next{{refiner.take_level(), {refiner.values().begin(), refiner.values().end()}},
-               refiner.take_creases(),
+    auto round = refiner.next_round();
+    const auto values = refiner.refined_values(round);
+    Level next{{refiner.child(round, round.refined_creases()), {values.begin(), values.end()}},
+               std::move(round.refined_creases()),
                {},
                {},
                {}};
+    level.creases = refiner.take_creases();
+    level.level.level = refiner.take_level();
     for (const auto& plane : level.planes) {
       Refiner of_plane(scheme_, Level_connectivity(level.level.level),
                        without_tangents(level.creases), {plane.begin(), plane.end()}, for_chunks_,
@@ -420,12 +465,7 @@ private:
     std::vector<Index> vertices, of_faces;
     for (Index f = 0; f < old.number_of_faces(); ++f) {
       if (!level.faces[f].is_split) continue;
-      const Index first = old.halfedge_of_face(f);
-      Index h = first;
-      do {
-        is_on_face[Level_connectivity::edge(h)] = 1;
-        h = old.next(h);
-      } while (h != first);
+      for_each_halfedge(old, f, [&](Index h) { is_on_face[Level_connectivity::edge(h)] = 1; });
       if constexpr (has_face_vertices) of_faces.push_back(host.vertex_of_face(f));
     }
     for (Index e = 0; e < is_on_face.size(); ++e)
@@ -531,13 +571,10 @@ private:
 
   void number_edges(Level& level, Index f)
   {
-    const Index first = level.level.level.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge(level.level.level, f, [&](Index h) {
       Index& e = level.edges[Level_connectivity::edge(h)];
       if (e == null) e = all_.add_edge();
-      h = level.level.level.next(h);
-    } while (h != first);
+    });
   }
 
   void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
@@ -554,9 +591,7 @@ private:
         set_plane(p, vertex, of_planes[p][new_slot]);
       return slot;
     };
-    const Index first = old.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge(old, f, [&](Index h) {
       next.slots[new_slots(split.second_half(h))] = level.slots[old_slots(h)];
       const Index e = Level_connectivity::edge(h), edge = level.edges[e];
       if (!all_.edge(edge).is_split()) {
@@ -567,8 +602,7 @@ private:
             middle[side] = add_slot(new_slots(split.first_half(2 * e + side)), vertex);
         all_.split(edge, middle);
       }
-      h = old.next(h);
-    } while (h != first);
+    });
     if constexpr (has_face_vertices) add_slot(host.vertex_of_face(f), all_.add_vertex());
   }
 
@@ -576,6 +610,7 @@ private:
 
   const Scheme& scheme_;
   const Tessellation_demand demand_;
+  double tolerance_;
   For_chunks for_chunks_;
   const Limit_demand plane_demand_;
   Evaluation limits_, of_planes_;
@@ -584,6 +619,7 @@ private:
   std::size_t of_corners_ = 0;
   std::vector<std::vector<double>> corners_of_nodes_;
   Split_edges<FT> all_;
+  std::optional<Cells> cells_; // of the level, for proofs
   std::vector<Tessellation_node> nodes_;
   std::uint64_t number_of_leaves_ = 0;
   std::ptrdiff_t number_of_control_vertices_ = 0;

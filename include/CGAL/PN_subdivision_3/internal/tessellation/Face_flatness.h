@@ -84,6 +84,12 @@ public:
     return leaf;
   }
 
+  std::array<Vector, 4> places(Index f) const
+  {
+    const Corners c = corners(f);
+    return {c[0].point, c[1].point, c[2].point, c[3].point};
+  }
+
   // \pre the face has three or four corners
   Estimate estimate(Index f) const
   {

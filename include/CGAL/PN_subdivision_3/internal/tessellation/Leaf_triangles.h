@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -41,36 +42,38 @@ class Leaf_triangles
 public:
   using Index = Level_connectivity::Index;
 
-  // `tolerance` is that of the triangles
-  Leaf_triangles(const Split_edges<FT>& all, double tolerance, std::size_t dimension = 0)
+  // `tolerance` is that of the triangles; is_proven: whether the errors of leaves are bounds
+  Leaf_triangles(const Split_edges<FT>& all, double tolerance, std::size_t dimension = 0,
+                 bool is_proven = false)
     : all_(all)
     , tolerance_(tolerance)
     , dimension_(dimension)
+    , is_proven_(is_proven)
     , edge_(all.number_of_edges(), Level_connectivity::null)
   {}
 
   // corner_values: `dimension` numbers for each corner
   void add(const Tessellation_leaf& leaf, const double* corner_values = nullptr)
   {
-    polygon_.clear();
-    corners_ = corner_values;
-    degree_ = leaf.degree;
-    for (Index i = 0; i < leaf.degree; ++i) {
-      const auto side = side_bit(i), last_side = side_bit(i == 0 ? leaf.degree - 1 : i - 1);
-      auto sides = static_cast<unsigned char>(side | last_side);
-      all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index h, double t) {
-        polygon_.push_back({slot, result_halfedge(h), sides, i + t, all_.corner(slot)});
-        sides = side;
-      });
-    }
-    note_error(leaf.origin, leaf.error, 0, polygon_.size() / 2);
-    if (polygon_.size() == 4 && leaf.degree == 4)
-      add_quadrilateral(leaf);
-    else
-      clip(leaf.origin);
+    take(leaf, corner_values);
+    for (Place& p : polygon_) p.halfedge = result_halfedge(p.halfedge);
+    note_error(leaf.origin, leaf.error + (is_proven_ ? way_back(leaf) : 0), 0, polygon_.size() / 2);
+    add_triangles(leaf);
   }
 
-  void clear() { triangles_.clear(); }
+  // The triangles of this leaf alone, for a trial; false if it is known that one of them is farther than tolerance - reserve, or
+  // turned over.
+  bool try_alone(const Tessellation_leaf& leaf, double reserve)
+  {
+    triangles_.clear();
+    take(leaf, nullptr);
+    for (const Place& p : polygon_)
+      if (p.corner.normal == flatness::Vector{}) return false;
+    if (!may_be_flat(reserve)) return false;
+    is_trial_ = true;
+    return add_triangles(leaf);
+  }
+
   const std::vector<Tessellation_triangle>& triangles() const { return triangles_; }
   // `dimension` for each corner of each triangle
   const std::vector<double>& corner_values() const { return corner_values_; }
@@ -82,6 +85,61 @@ public:
   const flatness::Vector& worst_place() const { return worst_.place; }
 
 private:
+  void take(const Tessellation_leaf& leaf, const double* corner_values)
+  {
+    polygon_.clear();
+    corners_ = corner_values;
+    degree_ = leaf.degree;
+    for (Index i = 0; i < leaf.degree; ++i) {
+      const auto side = side_bit(i), last_side = side_bit(i == 0 ? leaf.degree - 1 : i - 1);
+      auto sides = static_cast<unsigned char>(side | last_side);
+      all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index h, double t) {
+        polygon_.push_back({slot, h, sides, i + t, all_.corner(slot)});
+        sides = side;
+      });
+    }
+  }
+
+  // The bound is for vertices that come one after the other along the sides: how far they go back at most.
+  double way_back(const Tessellation_leaf& leaf) const
+  {
+    double way = 0, before = 0;
+    for (const Place& p : polygon_) {
+      const auto i = static_cast<std::size_t>(p.at);
+      if (p.at == double(i)) before = 0;
+      const flatness::Vector a = all_.corner(leaf.slots[i]).point,
+                             side =
+                               flatness::minus(all_.corner(leaf.slots[(i + 1) % degree_]).point, a);
+      const double length = flatness::length(side);
+      const double along =
+        length > 0 ? flatness::product(flatness::minus(p.corner.point, a), side) / length : 0;
+      way = (std::max)(way, before - along);
+      before = (std::max)(before, along);
+    }
+    return way;
+  }
+
+  bool add_triangles(const Tessellation_leaf& leaf)
+  {
+    if (polygon_.size() != 4 || leaf.degree != 4) return clip(leaf.origin);
+    add_quadrilateral(leaf);
+    return true;
+  }
+
+  // Each division has a triangle about the middle of the polygon, none of whose sides has more than half of the places
+  // beyond it, and one of them a third.
+  bool may_be_flat(double reserve) const
+  {
+    const std::size_t n = polygon_.size();
+    if (n < 4) return true;
+    for (std::size_t step = n / 2; step >= (n + 2) / 3; --step)
+      for (std::size_t i = 0; i < (2 * step == n ? step : n); ++i) {
+        const flatness::Section section(polygon_[i].corner, polygon_[(i + step) % n].corner);
+        if (section.bulge() + reserve <= tolerance_) return true;
+      }
+    return false;
+  }
+
   // a vertex of a leaf, with the half-edge that comes from it, and the sides on which it is
   struct Place
   {
@@ -159,7 +217,7 @@ private:
 
   // A triangle has no three corners on one side, and what is left after it neither. Ears, the flattest and shortest
   // first, until there are few places; then the best of all divisions.
-  void clip(Index origin)
+  bool clip(Index origin)
   {
     while (polygon_.size() > most_places) {
       std::size_t best = polygon_.size();
@@ -174,7 +232,7 @@ private:
       }
       clip_corner(origin, best);
     }
-    divide(origin);
+    return divide(origin);
   }
 
   // of each side, how many places are not on it
@@ -206,8 +264,9 @@ private:
             section.bulge() + tie * flatness::distance(before->corner, after->corner)};
   }
 
-  // The division of least cost, part by part: of the places from i to k the best apex of the triangle at i, k.
-  void divide(Index origin)
+  // The division of least cost, part by part: of the places from i to k the best apex of the triangle at i, k. False if a
+  // trial finds none.
+  bool divide(Index origin)
   {
     const std::size_t n = polygon_.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -219,28 +278,37 @@ private:
     for (std::size_t step = 1; step < n; ++step)
       for (std::size_t i = 0, k = step; k < n; ++i, ++k) {
         Part& part = parts_[i][k];
-        part = {step == 1 ? 0 : std::numeric_limits<double>::infinity(), i};
+        part = {step == 1 ? 0 : infinity, i};
         for (std::size_t j = i + 1; j < k; ++j) {
-          const double cost = parts_[i][j].cost + parts_[j][k].cost + cost_of(i, j, k);
+          const double of_parts = parts_[i][j].cost + parts_[j][k].cost;
+          if (!(of_parts < part.cost)) continue;
+          const double cost = of_parts + cost_of(i, j, k, part.cost - of_parts);
           if (cost < part.cost) part = {cost, j};
         }
       }
+    if (n > 2 && !(parts_[0][n - 1].cost < infinity)) {
+      CGAL_assertion(is_trial_);
+      return false;
+    }
     add_part(origin, 0, n - 1, polygon_[n - 1].halfedge);
+    return true;
   }
 
-  double cost_of(std::size_t i, std::size_t j, std::size_t k) const
+  // some number that is not less than `most` if the cost is not
+  double cost_of(std::size_t i, std::size_t j, std::size_t k, double most) const
   {
     const Place &a = polygon_[i], &b = polygon_[j], &c = polygon_[k];
-    if ((a.sides & b.sides & c.sides) != 0) return std::numeric_limits<double>::infinity();
+    if ((a.sides & b.sides & c.sides) != 0) return infinity;
     const Chord &ab = chords_[i][j], &bc = chords_[j][k], &ac = chords_[i][k];
     const double error = flatness::over_triangle(ab.height, bc.height, ac.height) / tolerance_;
+    if (is_trial_ && error > 1) return infinity;
     constexpr double cost_of_turn = 1024, cost_of_excess = 64, cost_of_length = 1. / 256;
     const double around = ab.length + bc.length + ac.length;
     const double longest = (std::max)({ab.length, bc.length, ac.length});
     const double shape = around > longest ? longest / (around - longest) : 1; // 1/2 to 1
     const double fourth = error * error * error * error;
-    return fourth * (error > 1 ? cost_of_excess : 1) + cost_of_length * shape +
-           cost_of_turn * turns(a, b, c);
+    const double cost = fourth * (error > 1 ? cost_of_excess : 1) + cost_of_length * shape;
+    return cost > 2 * most ? cost : cost + cost_of_turn * turns(a, b, c);
   }
 
   // what lies between the places i to k and the half-edge that leads from k to i
@@ -255,7 +323,7 @@ private:
     triangles_.push_back(
       {origin, {polygon_[i].slot, polygon_[j].slot, polygon_[k].slot}, {first, second, back}});
     add_corner_values(polygon_[i], polygon_[j], polygon_[k]);
-    if (is_known(i) && is_known(j) && is_known(k))
+    if (!is_trial_ && !is_proven_ && is_known(i) && is_known(j) && is_known(k))
       note_error(origin,
                  tessellation_safety * flatness::over_triangle(polygon_[i].corner,
                                                                polygon_[j].corner,
@@ -284,6 +352,7 @@ private:
     std::size_t apex;
   };
   static constexpr std::size_t most_places = 16;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // what the length of a diagonal counts where heights over it are about equal
   static constexpr double tie = 1. / 1024;
@@ -294,8 +363,10 @@ private:
   const Split_edges<FT>& all_;
   const double tolerance_;
   const std::size_t dimension_;
+  const bool is_proven_;
   const double* corners_ = nullptr;
   std::size_t degree_ = 0;
+  bool is_trial_ = false;
   std::vector<double> corner_values_;
   Table<Chord> chords_;
   Table<Part> parts_;

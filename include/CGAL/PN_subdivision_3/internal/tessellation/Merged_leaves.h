@@ -18,9 +18,9 @@
 #include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -71,10 +71,12 @@ private:
 
   void merge(Tessellation_node& node)
   {
-    std::vector<Index> straight_edges;
+    if (!(node.discrepancy <= tolerance_)) return;
+    std::array<Index, 4> straight_edges;
+    std::size_t number = 0;
     for (Index i = 0; i < node.leaf.degree; ++i)
-      if (is_straight(node.leaf, i)) straight_edges.push_back(node.leaf.halfedges[i] / 2);
-    for (const Index e : straight_edges) all_.hide(e, true);
+      if (is_straight(node.leaf, i)) straight_edges[number++] = node.leaf.halfedges[i] / 2;
+    for (std::size_t i = 0; i < number; ++i) all_.hide(straight_edges[i], true);
     const double error = error_of(node) + node.discrepancy;
     const bool is_flat = error <= tolerance_;
     if (is_flat) {
@@ -84,7 +86,8 @@ private:
         if (c != null) nodes_[c].is_leaf = false;
       for (Index i = 0; i < node.leaf.degree; ++i) --users_[node.leaf.halfedges[i] / 2];
     }
-    for (const Index e : straight_edges) all_.hide(e, is_flat && users_[e] == 0);
+    for (std::size_t i = 0; i < number; ++i)
+      all_.hide(straight_edges[i], is_flat && users_[straight_edges[i]] == 0);
   }
 
   bool is_straight(const Tessellation_leaf& leaf, Index i) const
@@ -103,30 +106,36 @@ private:
   double error_of(const Tessellation_node& node)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    trial_.clear();
-    trial_.add(node.leaf);
+    if (!trial_.try_alone(node.leaf, node.discrepancy)) return infinity;
     double error = 0;
     for (const Tessellation_triangle& t : trial_.triangles()) {
       const auto a = all_.corner(t.slots[0]), b = all_.corner(t.slots[1]),
                  c = all_.corner(t.slots[2]);
-      for (const auto& corner : {a, b, c})
-        if (corner.normal == flatness::Vector{}) return infinity;
       if (flatness::is_turned(a, b, c) || flatness::is_thin(a, b, c, 1e-4)) return infinity;
       error = (std::max)(error, flatness::over_triangle(a, b, c));
       if (error > tolerance_) return infinity;
     }
-    std::set<Index> seen;
+    seen_.clear();
     for (const Tessellation_triangle& t : trial_.triangles())
-      for (const Index s : t.slots) seen.insert(all_.slot(s).vertex);
+      for (const Index s : t.slots) note(s);
     for (const Index child : node.children)
       if (child != null)
         for (Index i = 0; i < nodes_[child].leaf.degree; ++i)
           all_.for_each_part(nodes_[child].leaf.slots[i], nodes_[child].leaf.halfedges[i],
                              [&](Index slot, Index, double) {
-                               if (seen.insert(all_.slot(slot).vertex).second)
+                               if (note(slot))
                                  error = (std::max)(error, distance(all_.corner(slot).point));
                              });
     return error;
+  }
+
+  // whether its vertex is new
+  bool note(Index slot)
+  {
+    const Index v = all_.slot(slot).vertex;
+    if (std::find(seen_.begin(), seen_.end(), v) != seen_.end()) return false;
+    seen_.push_back(v);
+    return true;
   }
 
   // from the triangles on trial
@@ -148,6 +157,7 @@ private:
   std::vector<Tessellation_node>& nodes_;
   const double tolerance_;
   std::vector<unsigned char> users_; // faces that are split, of each edge
+  std::vector<Index> seen_;
   Leaf_triangles<FT> trial_;
 };
 

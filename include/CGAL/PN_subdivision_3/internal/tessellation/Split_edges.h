@@ -50,6 +50,15 @@ public:
   Index number_of_slots() const { return static_cast<Index>(slots_.size()); }
   Index number_of_edges() const { return static_cast<Index>(edges_.size()); }
 
+  // for so many more
+  void reserve(std::size_t vertices, std::size_t edges)
+  {
+    points_.reserve(points_.size() + vertices);
+    places_.reserve(places_.size() + vertices);
+    slots_.reserve(slots_.size() + vertices);
+    edges_.reserve(edges_.size() + edges);
+  }
+
   Index add_vertex()
   {
     points_.emplace_back();

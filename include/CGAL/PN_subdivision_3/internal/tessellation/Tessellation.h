@@ -61,9 +61,10 @@ public:
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
       refine(access, s, Parameters::const_point_map(control, np_), [&](auto& refinement) {
         const Tessellation_demand& demand = refinement.demand();
-        const double tolerance = demand.tolerance / tessellation_safety;
-        Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
-        Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners());
+        const double tolerance = refinement.tolerance() / tessellation_safety;
+        if (!demand.is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
+        Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners(),
+                                     demand.is_proven);
         const auto& corners = refinement.corners_of_nodes();
         for (std::size_t i = 0; i < refinement.nodes().size(); ++i)
           if (refinement.nodes()[i].is_leaf)
@@ -121,7 +122,13 @@ private:
       of_mesh.read_tangents(creases);
       control.values = of_mesh.values(control.level, points, normals, creases);
       const Tessellation_demand demand = this->demand(box_size(control));
-      using Refinement = Adaptive_refinement<Scheme, FT, decltype(creases)>;
+      constexpr bool may_be_proven =
+        is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
+      if constexpr (may_be_proven)
+        if (demand.is_proven)
+          require_proof_of_all(Limit_cells<Scheme, decltype(creases)>(
+            scheme, decltype(control)(control), decltype(creases)(creases)));
+      using Refinement = Adaptive_refinement<Scheme, FT, decltype(creases), may_be_proven>;
       const auto attributes = read_attributes<typename Refinement::Attributes>(control.level);
       Refinement refinement(scheme, demand, for_chunks_);
       refinement(std::move(control), std::move(creases), attributes);
@@ -154,7 +161,13 @@ private:
     options.surface_normals = true;
     options.normal_tolerance = 1e-4;
     demand.limits = limit_demand<FT>(options, box);
-    demand.limits.tolerance = (std::min)(demand.limits.tolerance, chord_error_ / 1024);
+    demand.limits.tolerance =
+      (std::min)(demand.limits.tolerance, (std::max)(chord_error_ / 1024, std::ldexp(box, -50)));
+    demand.is_proven = parameter_or<proven_bound_t>(np_, false);
+    if (demand.is_proven && !std::is_same_v<FT, double>)
+      throw std::invalid_argument(
+        "PN_subdivision_3: distances are proven of coordinates in double only: "
+        "leave proven_bound out");
     return demand;
   }
 
