@@ -52,6 +52,11 @@ struct Vertex_attribute
     c.vertices.push_back(
       std::make_unique<Values>(access, map, first_indices(level.number_of_vertices())));
   }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.vertices;
+  }
   Map map;
 };
 
@@ -78,6 +83,11 @@ struct Corner_attribute
     using Values = Row_map<Access, Map, Keys, FT>;
     c.corners.push_back({std::make_unique<Values>(access, map, corners_of(level)), rule});
   }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.corners;
+  }
   Map map;
   Corner_rule rule;
 };
@@ -95,6 +105,11 @@ struct Edge_attribute
     using Values = Copied_map<Access, Map, Keys>;
     c.edges.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
   }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.edges;
+  }
   Map map;
 };
 
@@ -110,6 +125,11 @@ struct Face_attribute
   {
     using Values = Copied_map<Access, Map, Keys>;
     c.faces.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
+  }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.faces;
   }
   Map map;
 };
@@ -127,6 +147,11 @@ struct Face_parents
     using Values = Origin_map<Access, Map, Keys>;
     c.face_origins.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
   }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.face_origins;
+  }
   Map map;
 };
 
@@ -143,6 +168,11 @@ struct Vertex_parents
     using Values = Origin_map<Access, Map, Keys>;
     c.vertex_origins.push_back(std::make_unique<Values>(access, map, level.number_of_vertices()));
   }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.vertex_origins;
+  }
   Map map;
 };
 
@@ -158,6 +188,11 @@ struct Edge_parents
   {
     using Values = Origin_map<Access, Map, Keys>;
     c.edge_origins.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
+  }
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.edge_origins;
   }
   Map map;
 };
@@ -181,6 +216,17 @@ struct Is_attributes<No_attributes> : std::true_type
 template <>
 struct Is_attributes<Attribute_table> : std::true_type
 {};
+
+template <class... Items>
+bool is_empty(const Attributes<Items...>&)
+{
+  return sizeof...(Items) == 0;
+}
+inline bool is_empty(const Attribute_table& table)
+{
+  return table.vertices.empty() && table.corners.empty() && table.edges.empty() &&
+         !table.has_face_parents;
+}
 
 template <class FT, class Access>
 Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity&,

@@ -41,10 +41,11 @@ struct Limits_of_call
 };
 
 // Refines pieces, and puts their vertices on the limit surface.
-template <class Scheme, class Average, class Level_creases>
-class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases>
+template <class Scheme, class Average, class Level_creases, bool carries>
+class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, carries>
 {
-  using Base = Piece_refiner<Scheme, Average, Level_creases>;
+  using Base = Piece_refiner<Scheme, Average, Level_creases, carries>;
+  using typename Base::Carried;
   using typename Base::FT;
   using typename Base::Index;
   using typename Base::Kept;
@@ -56,10 +57,10 @@ class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases>
 
 public:
   Piece_limits(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-               Values&& values, unsigned rounds, std::size_t number_of_pieces, unsigned rings,
-               const For_chunks& for_chunks)
-    : Base(scheme, std::move(control), std::move(creases), std::move(values), rounds,
-           number_of_pieces, rings, for_chunks, cut_rings(scheme) + more_rings)
+               Values&& values, Carried&& attributes, unsigned rounds,
+               std::size_t number_of_pieces, unsigned rings, const For_chunks& for_chunks)
+    : Base(scheme, std::move(control), std::move(creases), std::move(values), std::move(attributes),
+           rounds, number_of_pieces, rings, for_chunks, cut_rings(scheme) + more_rings)
   {}
 
   Limit_report refine_to_limit(std::size_t piece, unsigned rings, const Limit_demand& demand,
@@ -76,7 +77,8 @@ public:
     const With_roundness<Scheme, FT> scheme{{this->scheme()}};
     auto limits = limits_at_slots<FT>(scheme, here, this->for_chunks(), level, part.creases,
                                       this->rounds() + 1, &some);
-    const Kept kept(level.level, part.elements, part.creases, has_isolated, rings, out);
+    const Kept kept(level.level, part.elements, part.creases, has_isolated, rings, part.attributes,
+                    out);
     kept.for_each_corner(
       [&](Index h, Index wedge, Index slot) { out.put_corner(h, wedge, limits[slot]); });
     put_mean_normals<Scheme>(part.creases, limits);
