@@ -8,10 +8,7 @@
 
 #include "io/Scalar_type.h"
 
-#include "io/Output_file.h"
-
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 
 namespace pn_subdivide {
@@ -47,29 +44,6 @@ double nearest(Scalar_type type, double x)
   const Scalar_traits& t = traits(type);
   if (!(x > t.lowest)) return t.lowest;
   return x < t.highest ? std::floor(x + 0.5) : t.highest;
-}
-
-void write_little_endian(Output_file& out, Scalar_type type, double x)
-{
-  switch (type) {
-  case Scalar_type::int8:
-    return out.little_endian(static_cast<std::int8_t>(x));
-  case Scalar_type::uint8:
-    return out.little_endian(static_cast<std::uint8_t>(x));
-  case Scalar_type::int16:
-    return out.little_endian(static_cast<std::int16_t>(x));
-  case Scalar_type::uint16:
-    return out.little_endian(static_cast<std::uint16_t>(x));
-  case Scalar_type::int32:
-    return out.little_endian(static_cast<std::int32_t>(x));
-  case Scalar_type::uint32:
-    return out.little_endian(static_cast<std::uint32_t>(x));
-  case Scalar_type::float32:
-    return out.little_endian(static_cast<float>(x));
-  case Scalar_type::float64:
-    break;
-  }
-  out.little_endian(x);
 }
 
 } // namespace pn_subdivide
