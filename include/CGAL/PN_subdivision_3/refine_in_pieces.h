@@ -448,8 +448,8 @@ private:
       if (has_normals) piece.corners_.back().normal = normal(limit);
     };
     const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
-    piece.limit_report_ = refiner_->refine_to_limit(i, rings, demand,
-                                                     {begin, put, put_corner, put_attributes});
+    piece.limit_report_ =
+      refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner, put_attributes});
     return piece;
   }
 
@@ -537,10 +537,10 @@ private:
       }
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
-      refiner_ = std::make_unique<Made>(scheme, std::move(level), std::move(creases),
-                                        typename Refiner::Values(values.begin(), values.end()),
-                                        std::move(carried), rounds_, number_of_pieces_, ghost_rings_,
-                                        internal::For_chunks::with(Concurrency_tag()));
+      refiner_ = std::make_unique<Made>(
+        scheme, std::move(level), std::move(creases),
+        typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
+        number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
     };
     if constexpr (may_be_limits) {
       if (limits_ && !Host::keeps_vertices)

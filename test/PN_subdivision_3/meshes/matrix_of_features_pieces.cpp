@@ -35,7 +35,8 @@ struct Whole
 {
   std::vector<double> points, normals, corner_normals; // of corners: face by face
   std::vector<std::size_t> faces;
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> edges; // the values of edges, by their ends
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>
+    edges;                   // the values of edges, by their ends
   PN::Attribute_table table; // corners face by face; edges are apart
   PN::Limit_report report;
 
@@ -97,8 +98,8 @@ Whole whole(const Case& c, bool of_corners, bool has_normals)
     add_rows(w.table.vertices, v.idx(), c.table.vertices, v.idx());
   }
   for (auto e : c.mesh.edges())
-    w.edges.insert(edge_values(c.mesh.vertex(e, 0).idx(), c.mesh.vertex(e, 1).idx(), c.table,
-                               e.idx()));
+    w.edges.insert(
+      edge_values(c.mesh.vertex(e, 0).idx(), c.mesh.vertex(e, 1).idx(), c.table, e.idx()));
   for (auto f : c.mesh.faces())
     for (auto h : halfedges_around_face(c.mesh.halfedge(f), c.mesh)) {
       if (has_normals && of_corners) w.add(w.corner_normals, w.faces.size(), c.corner_normals[h]);
@@ -203,8 +204,7 @@ auto with_limits(const Limits& limits, const Np& np)
 template <class Normals>
 void compare_pieces(const std::string& name, Crease_kind creases, const Normals& normals,
                     const Limits& limits, const mesh_cases::Soup& soup,
-                    std::size_t number_of_pieces,
-                    Attribute_kind attributes = Attribute_kind::all)
+                    std::size_t number_of_pieces, Attribute_kind attributes = Attribute_kind::all)
 {
   if (!is_known(name, creases, normals, attributes)) attributes = Attribute_kind::vertices;
   if (!is_known(name, creases, normals, attributes)) attributes = Attribute_kind::none;
@@ -232,10 +232,9 @@ void compare_pieces(const std::string& name, Crease_kind creases, const Normals&
       c.mesh, scheme,
       with_limits(
         limits,
-        PN::parameters::join(PN::parameters::attributes(c.table)
-                               .number_of_pieces(number_of_pieces)
-                               .to_limit(is_limit),
-                             np)));
+        PN::parameters::join(
+          PN::parameters::attributes(c.table).number_of_pieces(number_of_pieces).to_limit(is_limit),
+          np)));
     b = collected(pieces, of_corners, c.table);
     if (!has_map) b.normals.clear();
   });

@@ -116,7 +116,8 @@ public:
     Level_part part(extraction, bool(attributes));
     if constexpr (!std::is_empty_v<Carried>)
       if (attributes)
-        out.put_attributes(attributes.part(part, slots(part, level, creases), level)->put_part(part));
+        out.put_attributes(
+          attributes.part(part, slots(part, level, creases), level)->put_part(part));
     out.begin(part.level, vertices, faces);
     vertices_ = std::move(part.vertices);
     if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);

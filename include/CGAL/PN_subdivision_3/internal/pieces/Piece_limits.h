@@ -57,8 +57,8 @@ class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, 
 
 public:
   Piece_limits(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-               Values&& values, Carried&& attributes, unsigned rounds,
-               std::size_t number_of_pieces, unsigned rings, const For_chunks& for_chunks)
+               Values&& values, Carried&& attributes, unsigned rounds, std::size_t number_of_pieces,
+               unsigned rings, const For_chunks& for_chunks)
     : Base(scheme, std::move(control), std::move(creases), std::move(values), std::move(attributes),
            rounds, number_of_pieces, rings, for_chunks, cut_rings(scheme) + more_rings)
   {}

@@ -258,7 +258,8 @@ private:
     Chart_slots chart_slots;
     if constexpr (carries)
       if (attributes) chart_slots = attributes->slots_of_charts(level.level());
-    return part_of(level, attributes, extraction, extraction.elements(elements), slots, chart_slots);
+    return part_of(level, attributes, extraction, extraction.elements(elements), slots,
+                   chart_slots);
   }
 
   void close_rim_before(unsigned round, Part& part) const
