@@ -132,8 +132,8 @@ double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, uns
   // beside those of points, normals and connectivity
   constexpr double bytes_of_vertex = 200;
   return (1 + of_vertex / bytes_of_vertex) *
-         PN::memory_of_pieces<Kernel>(make_scheme("--scheme", choice.scheme, choice), size, levels,
-                                      number);
+         PN::Surface_pieces<Scheme, Kernel>::memory(
+           make_scheme("--scheme", choice.scheme, choice), size, levels, number);
 }
 
 } // namespace pn_subdivide
