@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <boost/container/vector.hpp>
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <any>
@@ -32,6 +33,8 @@ namespace internal {
 // The kinds of elements that a map may have as keys.
 struct Vertex_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   static std::size_t number(const Level_size& size)
   {
     return static_cast<std::size_t>(size.vertices);
@@ -44,6 +47,8 @@ struct Vertex_keys
 };
 struct Corner_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   static std::size_t number(const Level_size& size)
   {
     return static_cast<std::size_t>(size.halfedges());
@@ -56,6 +61,8 @@ struct Corner_keys
 };
 struct Edge_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
   static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
@@ -65,6 +72,8 @@ struct Edge_keys
 };
 struct Face_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
   static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
