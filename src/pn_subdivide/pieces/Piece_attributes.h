@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_PIECE_ATTRIBUTES_H
 #define PN_SUBDIVIDE_PIECE_ATTRIBUTES_H
 
-#include "io/types_of_format.h"
+#include "io/formats.h"
 #include "pieces/Any_pieces.h"
 #include "surface/attributes.h"
 

@@ -7,8 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "pieces/Any_pieces.h"
-#include "surface/Control_corner_normals.h"
 #include "surface/Scheme.h"
+#include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3.h>
 
@@ -132,8 +132,8 @@ double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, uns
   // beside those of points, normals and connectivity
   constexpr double bytes_of_vertex = 200;
   return (1 + of_vertex / bytes_of_vertex) *
-         PN::Surface_pieces<Scheme, Kernel>::memory(
-           make_scheme("--scheme", choice.scheme, choice), size, levels, number);
+         PN::Surface_pieces<Scheme, Kernel>::memory(make_scheme("--scheme", choice.scheme, choice),
+                                                    size, levels, number);
 }
 
 } // namespace pn_subdivide

@@ -9,7 +9,7 @@
 #include "pieces/pieces_command.h"
 
 #include "io/Error.h"
-#include "io/file_references.h"
+#include "io/formats.h"
 #include "pieces/Checksum.h"
 #include "pieces/Piece_count.h"
 #include "pieces/Ranks.h"
