@@ -27,9 +27,10 @@ refine() { # part, output, options
 draw() { # part, view
   refine "$1" "$work/linear.off" --linear
   refine "$1" "$work/PN.obj"
-  scripts/render.py --output "$folder/creases_$1.png" --columns 2 --tile 320 --same-view \
-                    --shading split --view="$2" --control "$parts/$1.obj" --caption linear \
-                    --caption PN "$work/linear.off" "$work/PN.obj"
+  scripts/render.py --output "$folder/creases_$1.png" --columns 3 --tile 220 --same-view \
+                    --shading split --view="$2" --control "$parts/$1.obj" --control none --control none \
+                    --caption "control mesh" --caption linear --caption PN \
+                    "$parts/$1.obj" "$work/linear.off" "$work/PN.obj"
 }
 
 draw capped_cylinder 30,30

@@ -20,13 +20,13 @@ refine() { # mesh, rounds, output, scheme, options
              --scheme "${@:4}"
 }
 
-draw() { # mesh, rounds, curvature at the ends of the colors, view
+draw() { # mesh, rounds, curvature at the ends of the colors, view, options of the picture
   refine "$1" "$2" linear catmull-clark --linear
   refine "$1" "$2" modified modified-catmull-clark --linear
   refine "$1" "$2" PN catmull-clark
   refine "$1" "$2" PN_modified modified-catmull-clark
-  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 450 --same-view \
-                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
+  scripts/render.py --output "$folder/curvature_${1%.*}.png" --columns 4 --tile 300 --same-view \
+                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" "${@:5}" \
                     --caption "linear" --caption "modified linear" --caption "PN" \
                     --caption "PN-modified" "$work"/{linear,modified,PN,PN_modified}.vtp
 }
@@ -37,7 +37,7 @@ draw_policies() { # as draw()
   refine "$1" "$2" PN_modified modified-catmull-clark
   refine "$1" "$2" first_2 modified-catmull-clark --first-round 2
   refine "$1" "$2" transfer ct-catmull-clark
-  scripts/render.py --output "$folder/curvature_transfer.png" --columns 4 --tile 450 --same-view \
+  scripts/render.py --output "$folder/curvature_transfer.png" --columns 4 --tile 300 --same-view \
                     --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
                     --caption "PN" --caption "PN-modified" --caption "first round plain" \
                     --caption "transfer" "$work"/{PN,PN_modified,first_2,transfer}.vtp
@@ -45,4 +45,4 @@ draw_policies() { # as draw()
 
 draw_policies cylinder_cap_8.ply 5 0.02 35,50
 draw spoon.obj 4 4 -40,60
-draw head.obj 4 8 -35,10
+draw head.obj 4 1000 -35,10 --cubic

@@ -18,5 +18,4 @@ source "$(dirname "$0")/figure_setup.sh"
 scripts/render.py --output "$folder/quick_start.png" --control data/meshes/creature.obj "$work/smooth.ply"
 
 "$command" surface data/meshes/head.obj "$work/head.ply" --levels 4 --quiet
-scripts/render.py --output "$folder/package.png" --tile 170 --view=35,20 --caption "" \
-                  --control data/meshes/head.obj "$work/head.ply"
+scripts/render.py --output "$folder/package.png" --tile 170 --view=35,20 --caption "" "$work/head.ply"

@@ -7,8 +7,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
 #
-# Draws doc/PN_subdivision_3/fig/teaser.png: a cube, a bolt and a head, linear subdivision
-# above and point-normal subdivision below, under their control meshes.
+# Draws doc/PN_subdivision_3/fig/teaser.png: the control meshes of a cube, a bolt and a head, and what linear and
+# point-normal subdivision make of them.
 #
 #   scripts/make_teaser_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -31,8 +31,6 @@ f 3 4 8 7
 f 4 1 5 8
 CUBE
 part=data/meshes/parts/bolt
-# the edges of a fine control mesh would be scratches on the surface
-printf 'OFF\n1 0 0\n0 0 0\n' > "$work/none.off"
 
 refine() { # name, options of the part, options of all
   "$command" surface "$work/cube.obj" "$work/cube_$1.ply" --scheme catmull-clark --levels 5 --quiet "${@:2}"
@@ -44,11 +42,14 @@ refine() { # name, options of the part, options of all
 extension=off refine linear --linear
 extension=obj refine PN
 
-scripts/render.py --output "$folder/teaser.png" --columns 3 --tile 300 --shading split --view=30,30 \
-                  --control "$work/cube.obj" --control "$part.obj" --control "$work/none.off" \
-                  --control "$work/cube.obj" --control "$part.obj" --control "$work/none.off" \
+scripts/render.py --output "$folder/teaser.png" --columns 3 --tile 280 --shading split --view=30,30 \
+                  --control "$work/cube.obj" --control "$part.obj" --control data/meshes/head.obj \
+                  --control "$work/cube.obj" --control none --control none \
+                  --control "$work/cube.obj" --control none --control none \
+                  --caption "control meshes" --caption "" --caption "" \
                   --caption "linear" --caption "linear" --caption "linear" \
                   --caption "point-normal: a sphere" \
                   --caption "point-normal: cylinder, ball, planes" --caption "point-normal" \
+                  "$work/cube.obj" "$part.obj" data/meshes/head.obj \
                   "$work/cube_linear.ply" "$work/part_linear.off" "$work/head_linear.ply" \
                   "$work/cube_PN.ply" "$work/part_PN.obj" "$work/head_PN.ply"

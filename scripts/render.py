@@ -55,6 +55,8 @@ def parse_arguments() -> argparse.Namespace:
                              "without it stay plain")
     parser.add_argument("--range", type=float, metavar="MAX",
                         help="the scalar at the ends of the colors (default: 90th percentile)")
+    parser.add_argument("--cubic", action="store_true",
+                        help="colors go by the cube root of the scalar")
     parser.add_argument("--checker", type=int, metavar="N",
                         help="draw a checker of N x N squares on the texture coordinates of OBJ files")
     parser.add_argument("--caption", action="append", default=[], metavar="TEXT",

@@ -22,7 +22,7 @@ const url = options.includes("--url") ? new URL(options[options.indexOf("--url")
 const isSeparate = options.includes("--separate");
 const here = path.dirname(fileURLToPath(import.meta.url));
 
-/** The module's code, and its binary compressed. */
+/** The module's code, its binary compressed, and the worker as text. */
 const modeler = {
   name: "modeler",
   setup({ onResolve, onLoad }) {
@@ -32,22 +32,28 @@ const modeler = {
       contents: gzipSync(await readFile(path.resolve(modelerFolder, "modeler.wasm")), { level: 9 }),
       loader: "binary",
     }));
+    onResolve({ filter: /^surface-worker-code$/ }, () => ({ path: "code", namespace: "worker" }));
+    onLoad({ filter: /.*/, namespace: "worker" }, async () => ({
+      contents: (await build({ ...common, entryPoints: [path.join(here, "page/surface_worker.ts")], format: "iife" })).outputFiles[0].text,
+      loader: "text",
+    }));
   },
 };
 
-const script = await build({
-  entryPoints: [path.join(here, "page/main.ts")],
+const common = {
   bundle: true,
   minify: true,
-  format: "esm",
   target: "es2022",
   legalComments: "inline",
   loader: { ".ply": "text", ".off": "text", ".obj": "text", ".txt": "text", ".webp": "dataurl" },
   // the module's loader has branches for Node.js, which a browser never takes
   external: ["module", "fs", "path", "url"],
+  // a classic worker has no address
+  logOverride: { "empty-import-meta": "silent" },
   plugins: [modeler],
   write: false,
-});
+};
+const script = await build({ ...common, entryPoints: [path.join(here, "page/main.ts")], format: "esm" });
 const style = await build({
   entryPoints: [path.join(here, "page/style.css")],
   minify: true,
@@ -89,7 +95,8 @@ const html = (await readFile(path.join(here, "page/index.html"), "utf8"))
 await writeFile(output, html);
 
 const size = Buffer.byteLength(html);
-console.log(`${output}: ${size} bytes`);
+const compressed = gzipSync(html, { level: 9 }).length;
+console.log(`${output}: ${size} bytes, compressed ${compressed}`);
 if (size > 2.2e6) {
   console.error("The page is larger than 2.2 MB.");
   process.exit(1);

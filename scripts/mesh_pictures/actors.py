@@ -31,13 +31,13 @@ BLUE, WHITE, RED = ((r / 255, g / 255, b / 255)
 
 
 def surface(mesh: vtkPolyData, shading: str, edges: bool, scalars: str | None,
-            limit: float) -> vtkActor:
+            limit: float, cubic: bool) -> vtkActor:
     mapper = vtkPolyDataMapper()
     shown = _with_normals(mesh, shading)
     mapper.SetInputData(shown)
     colored = scalars is not None and mesh.GetPointData().HasArray(scalars)
     if colored:
-        mapper.SetLookupTable(colors(limit))
+        mapper.SetLookupTable(colors(limit, cubic))
         mapper.SetScalarModeToUsePointFieldData()
         mapper.SelectColorArray(scalars)
         mapper.InterpolateScalarsBeforeMappingOff()
@@ -172,9 +172,15 @@ def scalar_limit(meshes: list[vtkPolyData], name: str, wanted: float | None) -> 
     return wanted or float(np.percentile(every, 90)) or 1.0
 
 
-def colors(limit: float) -> vtkColorTransferFunction:
+def colors(limit: float, cubic: bool = False) -> vtkColorTransferFunction:
+    """Cubic: by the cube root of the scalar, so that large and small ones have colors of their own."""
     table = vtkColorTransferFunction()
     table.SetColorSpaceToLab()
-    for value, color in ((-limit, BLUE), (0.0, WHITE), (limit, RED)):
-        table.AddRGBPoint(value, *color)
+    if not cubic:
+        for value, color in ((-limit, BLUE), (0.0, WHITE), (limit, RED)):
+            table.AddRGBPoint(value, *color)
+        return table
+    even = colors(1.0)
+    for t in np.linspace(-1, 1, 41):
+        table.AddRGBPoint(limit * t**3, *even.GetColor(t))
     return table

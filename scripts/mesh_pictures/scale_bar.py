@@ -21,31 +21,34 @@ TICKS = (-1.0, -0.5, 0.0, 0.5, 1.0)
 INK = (0.1, 0.1, 0.1)
 
 
-def add_scale_bar(renderer: vtkRenderer, size: tuple[int, int], name: str, limit: float) -> None:
+def add_scale_bar(renderer: vtkRenderer, size: tuple[int, int], name: str, limit: float,
+                  cubic: bool) -> None:
     """From -limit to limit across the middle of the strip, with a title above and ticks below."""
     width, height = size
     length = min(0.6 * width, 12 * height)
     left, low, high = (width - length) / 2, 0.42 * height, 0.62 * height
     font = round(0.3 * height)
-    renderer.AddActor2D(_band(left, length, low, high, limit))
+    renderer.AddActor2D(_band(left, length, low, high))
     title = name.replace("_", " ").capitalize()
     renderer.AddActor2D(_text(title, width / 2, 0.66 * height, font))
     for tick in TICKS:
         x = left + length * (tick + 1) / 2
         renderer.AddActor2D(_line(x, 0.34 * height, low))
-        renderer.AddActor2D(_text(f"{tick * limit:.3g}".replace("-", "\u2212"), x, 0.02 * height,
+        value = limit * (tick**3 if cubic else tick)
+        number = f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+        renderer.AddActor2D(_text(number.replace("-", "\u2212"), x, 0.02 * height,
                                   font))
 
 
-def _band(left: float, length: float, low: float, high: float, limit: float) -> vtkActor2D:
-    table = colors(limit)
+def _band(left: float, length: float, low: float, high: float) -> vtkActor2D:
+    table = colors(1.0)
     corners, cells = [], vtkCellArray()
     shades = np.empty((STEPS, 3), np.uint8)
     for i in range(STEPS):
         x, following = (left + length * k / STEPS for k in (i, i + 1))
         cells.InsertNextCell(4, range(len(corners), len(corners) + 4))
         corners += [(x, low, 0), (following, low, 0), (following, high, 0), (x, high, 0)]
-        shades[i] = [round(255 * c) for c in table.GetColor(limit * (2 * (i + 0.5) / STEPS - 1))]
+        shades[i] = [round(255 * c) for c in table.GetColor(2 * (i + 0.5) / STEPS - 1)]
     data = _data(corners)
     data.SetPolys(cells)
     data.GetCellData().SetScalars(numpy_to_vtk(shades, deep=True))

@@ -69,7 +69,7 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
         strip = vtkRenderer()
         strip.SetViewport(0, 0, 1, bar / height)
         strip.SetBackground(1.0, 1.0, 1.0)
-        add_scale_bar(strip, (width, bar), options.scalars, limit)
+        add_scale_bar(strip, (width, bar), options.scalars, limit, options.cubic)
         window.AddRenderer(strip)
     save(window, options.output)
 
@@ -103,7 +103,8 @@ def new_tile(i: int, columns: int, rows: int, below: float) -> vtkRenderer:
 
 
 def add_mesh(renderer: vtkRenderer, mesh: vtkPolyData, options: Namespace, limit: float) -> None:
-    surface = actors.surface(mesh, options.shading, options.edges, options.scalars, limit)
+    surface = actors.surface(mesh, options.shading, options.edges, options.scalars, limit,
+                              options.cubic)
     if options.checker:
         surface.SetTexture(actors.checker(mesh, options.checker))
     renderer.AddActor(surface)

@@ -26,6 +26,9 @@ export interface Mesh {
   creases?: ArrayLike<number>;
   /** Of each vertex, from 0 (linear) to 1 (point-normal). */
   roundness?: ArrayLike<number>;
+  /** Texture coordinates: u, v of each vertex, or of each corner of each face; where those of a vertex differ there is a
+   * seam. They follow the scheme as points of a linear surface do. */
+  uv?: ArrayLike<number>;
 }
 
 export interface Options {
@@ -48,8 +51,10 @@ export interface Refined {
   /** Of each vertex, for further rounds; of no length where it is 1. */
   roundness: Float64Array;
   faces: Faces;
-  /** To be drawn: vertices along creases are there once for each side. Relative to the origin that was given. */
-  geometry: { positions: Float32Array; normals: Float32Array; triangles: Uint32Array };
+  /** Of each corner of the faces; of no length where none were given. */
+  uv: Float64Array;
+  /** To be drawn: vertices along creases and seams are there once for each side. `uv` has no length where none were given. */
+  geometry: { positions: Float32Array; normals: Float32Array; triangles: Uint32Array; uv: Float32Array };
 }
 
 export interface PointNormalSubdivision {
@@ -98,17 +103,46 @@ function subdivide(modeler: Modeler, mesh: Mesh, options: Options): Refined {
 }
 
 function resultOf(surface: RefinedSurface, control: ControlMesh, isLimit: boolean): Refined {
+  const faces = surface.faces();
+  const uv = surface.uv();
+  const triangles = surface.triangles();
+  const drawn = { positions: surface.positionsView().slice(), normals: surface.normalsView().slice(), triangles };
   return {
     positions: surface.points(),
     normals: surface.controlNormals(),
     roundness: isLimit ? new Float64Array(0) : surface.roundness(control),
-    faces: surface.faces(),
-    geometry: {
-      positions: surface.positionsView().slice(),
-      normals: surface.normalsView().slice(),
-      triangles: surface.triangles(),
-    },
+    faces,
+    uv,
+    geometry: uv.length > 0 ? cutAtSeams(drawn, faces.degrees, uv) : { ...drawn, uv: new Float32Array(0) },
   };
+}
+
+/** Triangles are fans about the first corners of the faces. */
+function cutAtSeams(drawn: Omit<Refined["geometry"], "uv">, degrees: Uint32Array, uv: Float64Array): Refined["geometry"] {
+  const places = new Map<string, number>(); // of vertices with texture coordinates
+  const sources: number[] = [];
+  const coordinates: number[] = [];
+  const triangles = new Uint32Array(drawn.triangles.length);
+  let [first, t] = [0, 0];
+  for (const degree of degrees) {
+    for (let c = 2; c < degree; ++c)
+      for (const corner of [first, first + c - 1, first + c]) {
+        const vertex = drawn.triangles[t];
+        const [u, v] = [uv[2 * corner], uv[2 * corner + 1]];
+        const key = `${vertex} ${u} ${v}`;
+        let place = places.get(key);
+        if (place === undefined) {
+          places.set(key, (place = sources.length));
+          sources.push(vertex);
+          coordinates.push(u, v);
+        }
+        triangles[t++] = place;
+      }
+    first += degree;
+  }
+  const copied = (of: Float32Array): Float32Array =>
+    Float32Array.from({ length: 3 * sources.length }, (_, i) => of[3 * sources[Math.floor(i / 3)] + (i % 3)]);
+  return { positions: copied(drawn.positions), normals: copied(drawn.normals), triangles, uv: Float32Array.from(coordinates) };
 }
 
 function flatFaces(faces: Mesh["faces"]): Faces {
@@ -123,29 +157,37 @@ function indices(list: ArrayLike<number>): Uint32Array {
   return Uint32Array.from(list);
 }
 
+/** What has no length is not given, as in results. */
+function given(values: ArrayLike<number> | undefined): ArrayLike<number> | undefined {
+  return values?.length === 0 ? undefined : values;
+}
+
 function stateOf(mesh: Mesh): MeshState {
+  const [normals, roundness, uv] = [given(mesh.normals), given(mesh.roundness), given(mesh.uv)];
   const { degrees, corners } = flatFaces(mesh.faces);
   if (mesh.positions.length % 3 !== 0) throw new RangeError("positions must be three numbers for each vertex");
   const vertices = mesh.positions.length / 3;
-  if (mesh.roundness && mesh.roundness.length !== vertices)
-    throw new RangeError(`there are ${vertices} vertices, and the roundness of ${mesh.roundness.length}`);
+  if (roundness && roundness.length !== vertices)
+    throw new RangeError(`there are ${vertices} vertices, and the roundness of ${roundness.length}`);
   return {
     points: Float64Array.from(mesh.positions),
     degrees,
     corners,
-    cornerNormals: mesh.normals && normalsOfCorners(mesh.normals, vertices, corners),
+    cornerNormals: normals && ofCorners("normals", normals, 3, vertices, corners),
     sharpEdges: indices(mesh.creases ?? []),
-    roundness: mesh.roundness && Float64Array.from(mesh.roundness),
+    roundness: roundness && Float64Array.from(roundness),
+    uv: uv && ofCorners("uv", uv, 2, vertices, corners),
   };
 }
 
-function normalsOfCorners(normals: ArrayLike<number>, vertices: number, corners: Uint32Array): Float64Array {
-  if (normals.length === 3 * corners.length && normals.length !== 3 * vertices) return Float64Array.from(normals);
-  if (normals.length !== 3 * vertices)
-    throw new RangeError(`normals must be three numbers for each of ${vertices} vertices or ${corners.length} corners`);
-  const result = new Float64Array(3 * corners.length);
+/** What is given for each vertex or for each corner. */
+function ofCorners(name: string, values: ArrayLike<number>, n: 2 | 3, vertices: number, corners: Uint32Array): Float64Array {
+  if (values.length === n * corners.length && values.length !== n * vertices) return Float64Array.from(values);
+  if (values.length !== n * vertices)
+    throw new RangeError(`${name} must be ${n === 3 ? "three" : "two"} numbers for each of ${vertices} vertices or ${corners.length} corners`);
+  const result = new Float64Array(n * corners.length);
   corners.forEach((v, c) => {
-    if (v < vertices) for (let k = 0; k < 3; ++k) result[3 * c + k] = normals[3 * v + k];
+    if (v < vertices) for (let k = 0; k < n; ++k) result[n * c + k] = values[n * v + k];
   });
   return result;
 }

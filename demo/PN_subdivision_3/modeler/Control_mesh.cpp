@@ -145,6 +145,7 @@ Control_mesh::Control_mesh(const Mesh_state& state)
         {state.corner_normals[i], state.corner_normals[i + 1], state.corner_normals[i + 2]});
   require_manifold(mesh);
   fill(mesh);
+  if (!state.uv.empty()) put_uv(mesh, state.uv);
   for (std::size_t i = 0; i + 1 < state.sharp_edges.size(); i += 2) {
     if ((std::max)(state.sharp_edges[i], state.sharp_edges[i + 1]) >= mesh.points.size()) continue;
     const Halfedge h = surface_.halfedge(Surface::Vertex_index(state.sharp_edges[i]),
@@ -166,6 +167,22 @@ void Control_mesh::fill(const Mesh_data& mesh)
   if (!mesh.has_corner_normals() && mesh.has_normals())
     for (const Halfedge h : surface_.halfedges())
       normals_[h] = pn_subdivide::to_vector(mesh.normals[surface_.target(h)]);
+}
+
+void Control_mesh::put_uv(const Mesh_data& mesh, const std::vector<double>& of_corners)
+{
+  uv_.assign(2 * surface_.number_of_halfedges(), 0);
+  std::size_t first = 0;
+  for (const auto f : surface_.faces()) {
+    const auto corners = mesh.face(std::size_t(f));
+    for (const Halfedge h : halfedges_around_face(surface_.halfedge(f), surface_)) {
+      const auto place =
+        std::find(corners.begin(), corners.end(), Mesh_data::Index(surface_.target(h)));
+      const std::size_t c = first + std::size_t(place - corners.begin());
+      for (std::size_t k = 0; k < 2; ++k) uv_[2 * h + k] = of_corners.at(2 * c + k);
+    }
+    first += surface_.degree(f);
+  }
 }
 
 // As the command does without --sharp.
@@ -193,6 +210,7 @@ Mesh_state Control_mesh::state() const
     for (const Halfedge h : halfedges_around_face(surface_.halfedge(f), surface_)) {
       s.corners.push_back(std::uint32_t(surface_.target(h)));
       for (int k = 0; k < 3; ++k) s.corner_normals.push_back(normals_[h][k]);
+      if (!uv_.empty()) s.uv.insert(s.uv.end(), {uv_[2 * h], uv_[2 * h + 1]});
     }
   }
   for (const Edge e : surface_.edges())
@@ -228,6 +246,8 @@ Control_mesh Control_mesh::triangulated() const
       const auto place = std::find(begin, begin + degree, split.corners[c]) - old.corners.begin();
       for (std::ptrdiff_t k = 0; k < 3; ++k)
         split.corner_normals.push_back(old.corner_normals[std::size_t(3 * place + k)]);
+      for (std::ptrdiff_t k = 0; k < 2 && !old.uv.empty(); ++k)
+        split.uv.push_back(old.uv[std::size_t(2 * place + k)]);
     }
     first += degree;
   }

@@ -42,6 +42,7 @@ struct Mesh_state
   std::vector<double> corner_normals;     // x y z, or empty: to be estimated
   std::vector<std::uint32_t> sharp_edges; // pairs of vertices
   std::vector<double> roundness; // of the vertices, or empty: 1, or as normals are estimated
+  std::vector<double> uv;        // texture coordinates of the corners, or empty
 };
 
 // A control mesh with creases, and with a normal for each wedge of each vertex. Without creases that is
@@ -85,9 +86,13 @@ public:
   void set_roundness(double w);
   void estimate_roundness();
 
+  // Texture coordinates, two of each half-edge at its target; empty: none.
+  const std::vector<double>& uv() const { return uv_; }
+
 private:
   Control_mesh() = default;
   void fill(const Mesh_data& mesh);
+  void put_uv(const Mesh_data& mesh, const std::vector<double>& of_corners);
   void mark_edges_where_normals_differ();
   void replace_wedges();
   struct Estimate
@@ -102,6 +107,7 @@ private:
   Corner_normal_map normals_;
   Edge_sharpness sharpness_;
   Roundness_map roundness_;
+  std::vector<double> uv_;
   std::unique_ptr<Wedges> wedges_;
 };
 

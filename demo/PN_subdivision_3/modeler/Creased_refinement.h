@@ -27,14 +27,18 @@ public:
     : scheme_(scheme)
     , rounds_(rounds)
   {
-    const Surface refined = subdivide(mesh);
-    const auto is_sharp = sharpness_of(refined);
-    const Wedges wedges(refined, [&](Surface::Edge_index e) { return is_sharp[e] > 0; });
+    CGAL::PN_subdivision_3::Attribute_table carried;
+    const Surface refined = subdivide(mesh, carried);
+    const Wedges wedges(refined, [&](Surface::Edge_index e) {
+      return !carried.edges.empty() && carried.edges[0].values[e] > 0;
+    });
     for (const auto v : wedges.vertex) cut_vertices_.push_back(Index(v));
     for (const auto f : refined.faces()) {
       for (const auto h : halfedges_around_face(refined.halfedge(f), refined)) {
         faces_.corners.push_back(Index(refined.target(h)));
         cut_faces_.corners.push_back(Index(wedges.of_corner[h]));
+        for (std::size_t k = 0; k < 2 && !carried.corners.empty(); ++k)
+          uv_.push_back(carried.corners[0].values[2 * h + k]);
       }
       faces_.end.push_back(Index(faces_.corners.size()));
     }
@@ -47,7 +51,8 @@ public:
 
   const std::vector<Index>& update(const Control_mesh& mesh) override
   {
-    subdivide(mesh);
+    CGAL::PN_subdivision_3::Attribute_table carried;
+    subdivide(mesh, carried);
     return all_;
   }
 
@@ -60,6 +65,7 @@ public:
   Faces faces() const override { return faces_; }
   const Faces* cut_faces() const override { return &cut_faces_; }
   const std::vector<Index>& cut_vertices() const override { return cut_vertices_; }
+  const std::vector<double>& uv() const override { return uv_; }
 
 private:
   static auto sharpness_of(const Surface& surface)
@@ -69,15 +75,25 @@ private:
       .value();
   }
 
-  Surface subdivide(const Control_mesh& mesh)
+  // `carried` gets the sharpness of the refined edges and the texture coordinates of the corners.
+  Surface subdivide(const Control_mesh& mesh, CGAL::PN_subdivision_3::Attribute_table& carried)
   {
     namespace PN = CGAL::PN_subdivision_3;
     using Halfedge = Surface::Halfedge_index;
     Surface surface = mesh.surface();
     const auto sharpness = sharpness_of(surface);
-    const auto np = PN::parameters::attributes(PN::parameters::edge_attribute(sharpness))
-                      .number_of_iterations(rounds_)
-                      .edge_is_constrained_map(sharpness);
+    if (mesh.number_of_sharp_edges() > 0) {
+      carried.edges.emplace_back();
+      for (const auto e : surface.edges()) carried.edges[0].values.push_back(sharpness[e]);
+    }
+    if (!mesh.uv().empty()) {
+      carried.corners.emplace_back();
+      carried.corners[0].dimension = 2;
+      carried.corners[0].values = mesh.uv();
+    }
+    const auto np =
+      PN::parameters::attributes(carried).number_of_iterations(rounds_).edge_is_constrained_map(
+        sharpness);
     if constexpr (is_linear)
       PN::subdivide(surface, scheme_, np);
     else {
@@ -101,7 +117,7 @@ private:
   unsigned rounds_;
   std::vector<Point_3> points_;
   std::vector<Vector_3> normals_;
-  std::vector<double> roundness_;
+  std::vector<double> roundness_, uv_;
   Faces faces_, cut_faces_;
   std::vector<Index> cut_vertices_, all_;
 };

@@ -50,6 +50,8 @@ public:
   const std::vector<Point_3>& points() const;
   const std::vector<Vector_3>& normals() const;
   Faces faces() const { return refinement_->faces(); }
+  // Of the corners of faces().
+  const std::vector<double>& uv() const { return refinement_->uv(); }
   // Beside the control normals; empty: 1.
   std::vector<double> roundness(const Control_mesh& mesh) const
   {

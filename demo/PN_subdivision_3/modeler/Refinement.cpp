@@ -19,12 +19,16 @@ std::unique_ptr<Refinement> make_refinement(const Control_mesh& mesh, const Sche
   using Linear = CGAL::PN_subdivision_3::Linear_scheme<Scheme>;
   const Linear linear = CGAL::PN_subdivision_3::linear(scheme);
   const bool is_creased = mesh.number_of_sharp_edges() > 0;
+  const bool is_carrying = is_creased || !mesh.uv().empty();
   if (is_creased && !scheme.has_crease_rules())
     throw pn_subdivide::Error(scheme.name() + " subdivision has no rules for creases");
-  if (is_linear && is_creased)
+  if (is_carrying && !is_linear && !scheme.has_crease_rules())
+    throw pn_subdivide::Error(
+      scheme.name() + " subdivision takes no texture coordinates here, but if it is linear");
+  if (is_linear && is_carrying)
     return std::make_unique<Creased_refinement<Linear, true>>(mesh, linear, rounds);
   if (is_linear) return std::make_unique<Refiner_refinement<Linear, true>>(mesh, linear, rounds);
-  if (is_creased || scheme.transfers_curvature())
+  if (is_carrying || scheme.transfers_curvature())
     return std::make_unique<Creased_refinement<Scheme, false>>(mesh, scheme, rounds);
   return std::make_unique<Refiner_refinement<Scheme, false>>(mesh, scheme, rounds);
 }

@@ -51,6 +51,12 @@ public:
   // vertices its number in points(). Empty: no creases.
   virtual const Faces* cut_faces() const { return nullptr; }
   virtual const std::vector<Index>& cut_vertices() const = 0;
+  // Texture coordinates, two of each corner of faces(); empty: the control mesh has none.
+  virtual const std::vector<double>& uv() const
+  {
+    static const std::vector<double> none;
+    return none;
+  }
 };
 
 // Throws if the mesh has creases and the scheme no rules for them.

@@ -109,6 +109,7 @@ Control_mesh restore_mesh(const val& state)
     s.corner_normals = vector_of<double>(state["cornerNormals"]);
     s.sharp_edges = vector_of<std::uint32_t>(state["sharpEdges"]);
     s.roundness = vector_of<double>(state["roundness"]);
+    s.uv = vector_of<double>(state["uv"]);
     return Control_mesh(s);
   });
 }
@@ -123,6 +124,7 @@ val state_of(const Control_mesh& mesh)
   result.set("cornerNormals", copy_of(s.corner_normals));
   result.set("sharpEdges", copy_of(s.sharp_edges));
   if (!s.roundness.empty()) result.set("roundness", copy_of(s.roundness));
+  if (!s.uv.empty()) result.set("uv", copy_of(s.uv));
   return result;
 }
 
@@ -255,6 +257,10 @@ val roundness_of(const Refined_surface& surface, const Control_mesh& mesh)
 {
   return guarded([&] { return copy_of(surface.roundness(mesh)); });
 }
+val uv_of(const Refined_surface& surface)
+{
+  return copy_of(surface.uv());
+}
 val faces_of(const Refined_surface& surface)
 {
   return to_page(surface.faces());
@@ -317,6 +323,7 @@ EMSCRIPTEN_BINDINGS(pn_subdivision_3)
     .function("points", points_of)
     .function("controlNormals", control_normals_of)
     .function("roundness", roundness_of)
+    .function("uv", uv_of)
     .function("faces", faces_of);
   function("readMesh", read_mesh);
   function("restoreMesh", restore_mesh);

@@ -10,12 +10,22 @@
 
 declare module "modeler-code" {
   import type { Modeler } from "./modeler";
-  const create: (options: { wasmBinary: Uint8Array }) => Promise<Modeler>;
+  const create: (options: {
+    locateFile(name: string): string;
+    instantiateWasm(
+      imports: WebAssembly.Imports,
+      done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+    ): object;
+  }) => Promise<Modeler>;
   export default create;
 }
 declare module "modeler-wasm" {
   const bytes: Uint8Array;
   export default bytes;
+}
+declare module "surface-worker-code" {
+  const text: string;
+  export default text;
 }
 declare module "*.ply" {
   const text: string;

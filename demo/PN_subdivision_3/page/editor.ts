@@ -9,11 +9,14 @@
 // The surface that is shown: its control mesh, what is made of it, and every change of it.
 
 import { shortRoundness } from "./address";
+import { FrozenMesh, isTooLargeToEdit } from "./frozen_mesh";
 import { History } from "./history";
-import type { ControlMesh, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
-import { bestSphere, deviation, roundShapeThrough } from "./round_shapes";
+import type { ControlMesh, Faces, Handles, MeshState, Modeler, RefinedSurface, SchemeTraits } from "./modeler";
+import { RemoteSurfaces } from "./remote_surfaces";
+import { roundShapeThrough } from "./round_shapes";
 import { withCreases } from "./selection";
-import { endOfColors, endOfRelative, relativeToMean, type Shading } from "./shading";
+import type { Shading } from "./shading";
+import { Surfaces, type Content, type Drawings, type Shown } from "./surfaces";
 import type { Layout, Selection, Viewer } from "./viewer";
 
 export interface Settings {
@@ -33,8 +36,8 @@ export type Say = (text: string, kind: "error" | "note") => void;
 
 /** More faces than this would be slow to draw. */
 const greatestNumberOfFaces = 600_000;
-/** What takes no longer than this many milliseconds is done while the mouse moves. */
-const whileDragging = 25;
+/** Surfaces with more faces together are made by the worker, so that the page does not stand still. */
+const mostFacesHere = 14_000;
 
 /** Settings from an address, of which anyone may be the author: what is no setting is left out. */
 export function checkedSettings(given: Partial<Record<keyof Settings, unknown>>): Partial<Settings> {
@@ -91,10 +94,16 @@ export class Editor {
   /** Called when anything has changed that the panel or the address tells of. */
   onChange: ((isFinal: boolean) => void) | undefined;
 
-  private surfaces = new Map<boolean, RefinedSurface>(); // by whether they are linear
+  /** Those that are made on the page: all of them or, while the worker makes the real ones, with fewer rounds. */
+  private readonly surfaces: Surfaces;
+  private readonly remote: RemoteSurfaces;
+  private isRemote = false;
+  private roundsHere = 0; // with which nothing is left to the worker, if the mesh itself is not too large
+  private positions: Float32Array = new Float32Array(); // of the surface on the screen, or the one before
+  private lastShown: { version: Version; settings: Settings } | undefined; // if it is of the worker
+  private faces: Faces | undefined; // of the mesh
   private size = 1;
-  private cost = { limit: 0, curvature: 0 };
-  private dragged = new Set<number>();
+  private dragged = { points: new Set<number>(), wedges: new Set<number>() };
   private frame = 0;
   private beforeDrag: Version | undefined; // until something is dragged
   private hasDragged = false;
@@ -104,17 +113,36 @@ export class Editor {
     private readonly modeler: Modeler,
     private readonly viewer: Viewer,
     private readonly say: Say,
+    module: WebAssembly.Module,
+    onProgress: (share: number | undefined) => void,
   ) {
     this.schemes = new Map(modeler.schemes().map((s) => [s.name, s]));
+    this.surfaces = new Surfaces(modeler);
+    this.remote = new RemoteSurfaces(module, {
+      onDrawn: (drawn, isLast) => {
+        if (drawn.drawings[0]?.triangles) this.lastShown = { version: this.version(), settings: this.settings };
+        this.draw(drawn, isLast, drawn.milliseconds);
+      },
+      onFailure: (message) => this.goBack(message),
+      onProgress,
+    });
   }
 
   get scheme(): SchemeTraits {
     return this.schemes.get(this.settings.scheme)!;
   }
 
-  /** The surface on the screen; where there are two, the point-normal one. */
+  /** The surface on the screen; where there are two, the point-normal one. That of the worker is elsewhere. */
   get shownSurface(): RefinedSurface {
     return this.surfaces.get(this.settings.layout === "linear")!;
+  }
+  /** All of a surface, once it is made. */
+  async content(isLinear = this.settings.layout === "linear"): Promise<Content> {
+    await this.settled();
+    return this.isRemote ? this.remote.content(isLinear) : this.surfaces.content(this.mesh, isLinear);
+  }
+  settled(): Promise<void> {
+    return this.remote.settled();
   }
   surface(isLinear: boolean): RefinedSurface | undefined {
     return this.surfaces.get(isLinear);
@@ -164,9 +192,25 @@ export class Editor {
     );
   }
 
+  /** The same in the worker, for what is read slowly. */
+  async openLarge(content: Uint8Array, fileName: string, selection?: string): Promise<void> {
+    const format = fileName.split(".").pop()!.toLowerCase();
+    try {
+      const { state, hasOnlyTriangles } = await this.remote.read({ content, format, selection });
+      this.load(() => this.restored(state, hasOnlyTriangles), fileName, { scheme: hasOnlyTriangles ? "loop" : "catmull-clark" });
+    } catch (error) {
+      this.say(`${fileName}: ${messageOf(error)}`, "error");
+    }
+  }
+
+  private restored(state: MeshState, hasOnlyTriangles = state.degrees.every((degree) => degree === 3)): ControlMesh {
+    return isTooLargeToEdit(state) ? new FrozenMesh(state, hasOnlyTriangles) : this.modeler.restoreMesh(state);
+  }
+
   /** The edges of a selection file become the creases of the mesh that is shown. */
   openSelection(selection: string, fileName: string): void {
     try {
+      this.requireEditable();
       const copy = this.modeler.restoreMesh(this.mesh.state());
       const mesh = withCreases(this.modeler, copy, selection);
       const before = this.version();
@@ -186,14 +230,16 @@ export class Editor {
       const next = { ...this.settings, ...change };
       const needsSurfaces = ["scheme", "rounds", "layout"].some((key) => key in change);
       if (needsSurfaces) this.replace(this.mesh, next);
-      this.settings = next;
+      else {
+        this.settings = next;
+        this.show(true);
+      }
       if (change.scheme !== undefined && change.scheme !== before.scheme) this.history.remember(before);
       if (!hadOnlyTriangles && this.mesh.hasOnlyTriangles())
         this.say("The faces were split into triangles, which is what this scheme takes. Undo brings them back.", "note");
     } catch (error) {
       this.say(messageOf(error), "error");
     }
-    this.show(true);
     this.changed();
   }
 
@@ -206,13 +252,18 @@ export class Editor {
 
   /** From the usual direction, or from another one. */
   frameAll(direction?: Triple): void {
-    this.viewer.frameAll([this.shownHandles.points, this.shownSurface.positionsView()], direction);
+    this.viewer.frameAll([this.shownHandles.points, this.positions], direction);
   }
 
   // --- changes of the mesh ---
 
+  private requireEditable(): void {
+    if (this.mesh instanceof FrozenMesh) this.mesh.refuse();
+  }
+
   /** While a slider moves it is one change. */
   slideRoundness(w: number, isLast: boolean): void {
+    if (this.mesh instanceof FrozenMesh) return this.change((mesh) => mesh.setRoundness(w));
     if (!this.beforeSlide) this.history.remember((this.beforeSlide = this.version()));
     this.mesh.setRoundness(w);
     this.replace(this.mesh, this.settings);
@@ -223,13 +274,18 @@ export class Editor {
 
   /** A change that is done at once. */
   change(change: (mesh: ControlMesh) => void): void {
+    try {
+      this.requireEditable();
+    } catch (error) {
+      return this.say(messageOf(error), "error");
+    }
     this.history.remember(this.version());
     try {
       change(this.mesh);
       this.replace(this.mesh, this.settings);
     } catch (error) {
       const before = this.history.undo(this.version())!;
-      this.replace(this.modeler.restoreMesh(before.mesh), { ...this.settings, scheme: before.scheme });
+      this.replace(this.restored(before.mesh), { ...this.settings, scheme: before.scheme });
       this.say(messageOf(error), "error");
     }
     this.changed();
@@ -245,21 +301,22 @@ export class Editor {
     this.mesh.setPoint(vertex, x, y, z);
     this.handles.points.set([x, y, z], 3 * vertex);
     this.shownHandles.points.set([x, y, z].map((c, k) => c - this.origin[k]), 3 * vertex);
-    this.drag(vertex);
+    this.dragged.points.add(vertex);
+    this.drag();
   }
 
   dragNormal(wedge: number, x: number, y: number, z: number): void {
     this.mesh.setNormal(wedge, x, y, z);
     this.handles.normals.set([x, y, z], 3 * wedge);
-    this.drag(this.handles.vertices[wedge]);
+    this.dragged.wedges.add(wedge);
+    this.drag();
   }
 
-  private drag(vertex: number): void {
+  private drag(): void {
     if (this.beforeDrag) this.history.remember(this.beforeDrag);
     this.beforeDrag = undefined;
     this.hasDragged = true;
     ++this.meshNumber;
-    this.dragged.add(vertex);
     if (this.frame === 0)
       this.frame = requestAnimationFrame(() => {
         this.frame = 0;
@@ -301,7 +358,7 @@ export class Editor {
   private go(version: Version | undefined): void {
     if (!version) return;
     const isOther = version.name !== this.name;
-    this.replace(this.modeler.restoreMesh(version.mesh), { ...this.settings, scheme: version.scheme });
+    this.replace(this.restored(version.mesh), { ...this.settings, scheme: version.scheme });
     this.name = version.name;
     if (isOther) {
       this.selection = {};
@@ -335,30 +392,61 @@ export class Editor {
     const state = split.state();
     const most = this.mostRounds(state, wanted.scheme);
     const rounds = Math.min(wanted.rounds, most);
-    const made = new Map<boolean, RefinedSurface>();
     const origin = this.originFor(state.points);
+    const kinds = [false, true].filter((isLinear) => hasTwoSurfaces(wanted.layout) || (wanted.layout === "linear") === isLinear);
+    const here = this.roundsWithin(state, wanted.scheme, mostFacesHere / kinds.length);
+    const isRemote = here < rounds;
     try {
-      for (const isLinear of [false, true])
-        if (hasTwoSurfaces(wanted.layout) || (wanted.layout === "linear") === isLinear)
-          made.set(isLinear, this.modeler.refine(split, wanted.scheme, rounds, isLinear, ...origin));
+      // with fewer rounds it tells what the scheme has against the mesh
+      if (here >= 0) this.surfaces.make(split, { scheme: wanted.scheme, rounds: Math.min(here, rounds), kinds, origin });
+      else this.surfaces.clear();
     } catch (error) {
-      for (const surface of made.values()) surface.delete();
       if (split !== mesh) split.delete();
       throw error;
     }
+    const keepsPicture = isRemote && this.isRemote && isSameMesh(state, this.faces);
+    this.faces = { degrees: state.degrees, corners: state.corners };
+    this.isRemote = isRemote;
+    this.roundsHere = Math.max(0, Math.min(here, rounds));
+    if (!isRemote) this.remote.cancel();
     if (rounds < wanted.rounds)
       this.say(`${rounds} ${rounds === 1 ? "round" : "rounds"}: ${wanted.rounds} would make more than ${greatestNumberOfFaces} faces.`, "note");
-    for (const surface of this.surfaces.values()) surface.delete();
     if (this.mesh !== undefined && this.mesh !== split) this.mesh.delete();
     if (split !== mesh && mesh !== this.mesh) mesh.delete();
-    this.surfaces = made;
     this.mesh = split;
     this.origin = origin;
     this.settings = { ...wanted, rounds };
     this.greatestRounds = most;
     this.readHandles(state);
-    for (const [isLinear, surface] of made) this.viewer.pane(isLinear).setTriangles(surface.triangles());
-    this.show(true, performance.now() - started);
+    const milliseconds = performance.now() - started;
+    if (!isRemote) return this.show(true, milliseconds);
+    if (here < 0) this.positions = thinnedOut(state.points, origin);
+    if (!keepsPicture && here >= 0) this.draw(this.surfaces.draw(this.mesh, this.shown(true)), true);
+    this.showOverlays();
+    this.remote.make({ state, scheme: wanted.scheme, rounds, kinds, origin }, this.shown(true));
+    this.onChange?.(false);
+  }
+
+  /** The worker has failed, or is to stop: what it showed before is shown again, or fewer rounds. */
+  private goBack(message: string): void {
+    this.say(message, "error");
+    const last = this.lastShown;
+    this.lastShown = undefined;
+    if (!last && this.roundsHere === this.settings.rounds) return;
+    const settings = last?.settings ?? { ...this.settings, rounds: this.roundsHere };
+    if (last) this.name = last.version.name;
+    try {
+      this.replace(last ? this.restored(last.version.mesh) : this.mesh, settings);
+    } catch (error) {
+      this.say(messageOf(error), "error");
+    }
+    this.changed();
+  }
+
+  /** Nothing is waited for. */
+  cancel(): void {
+    this.remote.cancel();
+    this.goBack("Stopped.");
   }
 
   /** 0 for what is near it; otherwise the center, which stays while the mesh does not go far away. */
@@ -368,13 +456,18 @@ export class Editor {
     return ([[0, 0, 0], this.origin] as Triple[]).find(isNear) ?? center;
   }
 
-  private mostRounds({ corners, degrees }: MeshState, scheme: string): number {
+  private mostRounds(state: MeshState, scheme: string): number {
+    return Math.max(0, Math.min(7, this.roundsWithin(state, scheme, greatestNumberOfFaces)));
+  }
+
+  /** The most rounds with so many faces; -1 where there are more already. */
+  private roundsWithin({ corners, degrees }: MeshState, scheme: string, most: number): number {
     const traits = this.schemes.get(scheme)!;
     const inFirst = traits.takesTriangles ? (scheme === "sqrt3" ? 3 : 4) * degrees.length : corners.length;
     const perRound = scheme === "sqrt3" ? 3 : 4;
-    let rounds = 0;
-    for (let faces = inFirst; faces <= greatestNumberOfFaces; faces *= perRound) ++rounds;
-    return Math.min(rounds, 7);
+    let rounds = degrees.length <= most ? 0 : -1;
+    for (let faces = inFirst; faces <= most; faces *= perRound) ++rounds;
+    return rounds;
   }
 
   private readHandles(state: MeshState): void {
@@ -389,7 +482,7 @@ export class Editor {
       length += Math.hypot(points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]);
     }
     this.shownHandles = { ...this.handles, points: points.map((x, i) => x - this.origin[i % 3]) };
-    this.size = boxOf(points).size || 1;
+    this.size = boxOf(state.points).size || 1;
     this.viewer.setClosed(!this.handles.border.includes(1));
     this.normalLength = Math.min((0.5 * length) / Math.max(1, sharp.length), 0.14 * this.size);
     const { wedge, vertex } = this.selection;
@@ -399,62 +492,73 @@ export class Editor {
 
   private follow(isLast: boolean): void {
     const started = performance.now();
+    const { points, wedges } = this.dragged;
+    this.dragged = { points: new Set(), wedges: new Set() };
+    const { handles } = this;
+    if (this.isRemote) return this.followRemotely(points, wedges, isLast);
     try {
-      for (const surface of this.surfaces.values()) {
-        for (const v of this.dragged) surface.follow(this.mesh, v);
-        surface.update(this.mesh);
-      }
+      this.surfaces.follow(this.mesh, new Set([...points, ...[...wedges].map((w) => handles.vertices[w])]));
     } catch (error) {
       this.say(messageOf(error), "error");
     }
-    this.dragged.clear();
     this.show(isLast, performance.now() - started);
   }
 
-  /** Limit points and curvatures are left for the end of a drag where they take long. */
-  private show(isLast: boolean, milliseconds?: number): void {
-    const { limit, shading } = this.settings;
-    const curved = isCurvature(shading);
-    for (const [isLinear, surface] of this.surfaces) {
-      const pane = this.viewer.pane(isLinear);
-      if (limit && this.canShowLimit && (isLast || this.cost.limit < whileDragging))
-        this.cost.limit = timeOf(() => surface.showLimit(this.mesh));
-      else if (!limit || !this.canShowLimit) surface.hideLimit();
-      pane.setVertices(surface.positionsView(), surface.normalsView());
-    }
-    if (curved && (isLast || this.cost.curvature < whileDragging)) {
-      const values = new Map<boolean, Float32Array>();
-      this.cost.curvature = timeOf(() => {
-        for (const [isLinear, surface] of this.surfaces)
-          values.set(isLinear, surface.curvature(shading !== "mean"));
-      });
-      // the colors are those of the surface that is looked at, so that both views can be compared
-      const pn = values.get(false) ?? values.get(true)!;
-      this.colorEnd = shading === "relative" ? endOfRelative : endOfColors([pn], this.size, shading);
-      for (const [isLinear, array] of values)
-        this.viewer.pane(isLinear).setValues(shading === "relative" ? relativeToMean(array) : array);
-    }
-    this.viewer.setLayout(this.settings.layout, this.settings.split);
-    this.viewer.setShading(shading, this.colorEnd);
-    this.viewer.setVisible(this.settings.showControl, this.settings.showNormals);
-    this.viewer.setSize(this.size / 2);
-    this.showControlMesh();
-    if (milliseconds !== undefined) {
-      const vertices = this.shownSurface.positionsView().length / 3;
-      this.status = `${format(vertices)} vertices · ${milliseconds.toFixed(1)} ms${this.deviations(isLast)}`;
-    }
+  private followRemotely(points: Set<number>, wedges: Set<number>, isLast: boolean): void {
+    const { handles, settings } = this;
+    const at = (values: Float64Array, i: number): Triple => [values[3 * i], values[3 * i + 1], values[3 * i + 2]];
+    this.showOverlays();
+    // with creases vertices have several normals, which the worker's mesh may number in another order
+    if (handles.sharp.includes(1)) {
+      const kinds = [false, true].filter((isLinear) => hasTwoSurfaces(settings.layout) || (settings.layout === "linear") === isLinear);
+      const { scheme, rounds } = settings;
+      this.remote.make({ state: this.mesh.state(), scheme, rounds, kinds, origin: this.origin }, this.shown(isLast));
+    } else
+      this.remote.edit(
+        Array.from(points, (v) => [v, ...at(handles.points, v)]),
+        Array.from(wedges, (w) => [handles.vertices[w], ...at(handles.normals, w)]),
+        this.shown(isLast),
+      );
     this.onChange?.(false);
   }
 
-  /** How much the radii of each surface differ, about the sphere that fits it best, if the control points are on one. */
-  private deviations(isLast: boolean): string {
-    if (!isLast || !roundShapeThrough(this.handles.points, 3)) return "";
-    const parts = [...this.surfaces].reverse().map(([isLinear, surface]) => {
-      const points = surface.points();
-      const { center, radius } = bestSphere(points);
-      return `${isLinear ? "linear" : "point-normal"} ±${share(deviation(points, center, radius))}`;
-    });
-    return ` · radii about the best sphere: ${parts.join(", ")}`;
+  private shown(isLast: boolean): Shown {
+    return {
+      limit: this.showsLimit,
+      shading: this.settings.shading,
+      size: this.size,
+      isLast,
+      deviations: isLast && roundShapeThrough(this.handles.points, 3) !== undefined,
+    };
+  }
+
+  private show(isLast: boolean, milliseconds?: number): void {
+    this.showOverlays();
+    if (this.isRemote) this.remote.show(this.shown(isLast));
+    else this.draw(this.surfaces.draw(this.mesh, this.shown(isLast)), isLast, milliseconds);
+  }
+
+  private draw({ drawings, colorEnd }: Drawings, isLast: boolean, milliseconds?: number): void {
+    const { shading, layout, split } = this.settings;
+    for (const { isLinear, positions, normals, triangles, values } of drawings) {
+      const pane = this.viewer.pane(isLinear);
+      if (triangles) pane.setTriangles(triangles);
+      pane.setVertices(positions, normals);
+      if (values) pane.setValues(values);
+      if (isLinear === (layout === "linear")) this.positions = positions.slice();
+    }
+    if (colorEnd !== undefined) this.colorEnd = colorEnd;
+    this.viewer.setLayout(layout, split);
+    this.viewer.setShading(shading, this.colorEnd);
+    if (milliseconds !== undefined)
+      this.status = `${format(this.positions.length / 3)} vertices · ${milliseconds.toFixed(1)} ms${isLast ? deviations(drawings) : ""}`;
+    this.onChange?.(false);
+  }
+
+  private showOverlays(): void {
+    this.viewer.setVisible(this.settings.showControl, this.settings.showNormals);
+    this.viewer.setSize(this.size / 2);
+    this.viewer.showControlMesh(this.shownHandles, this.normalLength, this.selection);
   }
 
   get showsLimit(): boolean {
@@ -463,10 +567,18 @@ export class Editor {
   get canShowLimit(): boolean {
     return this.scheme.hasLimitPoints && this.mesh.numberOfSharpEdges() === 0;
   }
+}
 
-  private showControlMesh(): void {
-    this.viewer.showControlMesh(this.shownHandles, this.normalLength, this.selection);
-  }
+/** How much the radii of each surface differ, about the sphere that fits it best, if the control points are on one. */
+function deviations(drawings: Drawings["drawings"]): string {
+  const parts = [...drawings].reverse().filter(({ deviation }) => deviation !== undefined).map(({ isLinear, deviation }) =>
+    `${isLinear ? "linear" : "point-normal"} ±${share(deviation!)}`);
+  return parts.length === 0 ? "" : ` · radii about the best sphere: ${parts.join(", ")}`;
+}
+
+function isSameMesh(a: Faces, b: Faces | undefined): boolean {
+  const same = (x: Uint32Array, y: Uint32Array): boolean => x.length === y.length && x.every((v, i) => v === y[i]);
+  return b !== undefined && same(a.degrees, b.degrees) && same(a.corners, b.corners);
 }
 
 function boxOf(points: Float64Array): { center: Triple; size: number } {
@@ -480,6 +592,13 @@ function boxOf(points: Float64Array): { center: Triple; size: number } {
   return { center: low.map((x, k) => x + (high[k] - x) / 2) as Triple, size: Math.hypot(...low.map((x, k) => high[k] - x)) };
 }
 
+/** Some of many points, relative to the origin: to look at all of them. */
+function thinnedOut(points: Float64Array, origin: Triple): Float32Array {
+  const step = Math.ceil(points.length / 3 / 20_000);
+  const n = Math.floor(points.length / 3 / step);
+  return Float32Array.from({ length: 3 * n }, (_, i) => points[3 * step * Math.floor(i / 3) + (i % 3)] - origin[i % 3]);
+}
+
 function isTriple(values: Float64Array, i: number, triple: number[]): boolean {
   return triple.every((x, k) => values[3 * i + k] === x);
 }
@@ -487,19 +606,9 @@ function isTriple(values: Float64Array, i: number, triple: number[]): boolean {
 function hasTwoSurfaces(layout: Layout): boolean {
   return layout === "both" || layout === "split";
 }
-function isCurvature(shading: Shading): boolean {
-  return shading === "gaussian" || shading === "mean" || shading === "relative";
-}
-
 /** A small number in hundredths, one that is rounding with its power of ten. */
 function share(x: number): string {
   return x < 1e-6 ? x.toExponential(0) : `${(100 * x).toPrecision(2)} %`;
-}
-
-function timeOf(work: () => void): number {
-  const started = performance.now();
-  work();
-  return performance.now() - started;
 }
 
 export function messageOf(error: unknown): string {

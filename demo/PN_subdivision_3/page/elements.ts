@@ -44,6 +44,18 @@ export function silence(text?: string): void {
   if (text === undefined || box.querySelector("span")!.textContent === text) box.hidden = true;
 }
 
+let progressTimer = 0;
+/** What has taken a while already is shown to go on. */
+export function showProgress(share: number | undefined): void {
+  const box = element("progress");
+  if (share !== undefined) box.querySelector("progress")!.value = share;
+  if (share !== undefined && progressTimer === 0) progressTimer = window.setTimeout(() => (box.hidden = false), 200);
+  if (share !== undefined) return;
+  clearTimeout(progressTimer);
+  progressTimer = 0;
+  box.hidden = true;
+}
+
 /** For screen readers. */
 export function announce(text: string): void {
   element("announcement").textContent = text;

@@ -169,7 +169,7 @@ export class FormulaView {
     this.ends.forEach((end, j) => {
       const tip = along(q, h[j], n);
       parts.push(this.line(arcTo(end, tip, n), `arc arc-${j}`), this.dot(tip, `height height-${j}`, 5));
-      parts.push(this.text(tip, j === 0 ? "q + h₀ n" : "q + h₁ n", j === 0 ? -74 : 12, 5));
+      parts.push(this.text(tip, j === 0 ? "q + h₀ n" : "q + h₁ n", j === 0 ? -74 : 12, j === 0 ? -10 : 20));
     });
     return [...parts, this.dot(q, "point", 4), this.text(q, "q", 9, 18)];
   }

@@ -12,8 +12,9 @@ import { applyEdits, editsOf, pack, unpack, type Edits } from "./address";
 import { CurvePanel } from "./curve_panel";
 import { checkedCurve, CurveEditor, type CurveState } from "./curves";
 import { checkedSettings, Editor, messageOf, type Settings } from "./editor";
-import { announce, button, element, say, silence } from "./elements";
+import { announce, button, element, say, showProgress, silence } from "./elements";
 import { curveExamples, examples } from "./examples";
+import { FrozenMesh } from "./frozen_mesh";
 import { FormulaView } from "./formula_view";
 import { exampleOf, fillGallery, markPicture, pictures } from "./gallery";
 import { Handles } from "./handles";
@@ -58,8 +59,11 @@ class Page {
   private readonly exampleStates = new Map<string, MeshState | undefined>();
   private isReady = false; // before, the address is what is to be shown
 
-  constructor(readonly modeler: Modeler) {
-    this.editor = new Editor(modeler, this.viewer, say);
+  constructor(
+    readonly modeler: Modeler,
+    module: WebAssembly.Module,
+  ) {
+    this.editor = new Editor(modeler, this.viewer, say, module, showProgress);
     this.curve = new CurveEditor(element<SVGSVGElement>("drawing"), modeler, say, announce);
     const link = (): void => void this.copyLink();
     const handles = new Handles(this.viewer, this.editor, announce);
@@ -95,6 +99,7 @@ class Page {
       say("This browser shows no pictures in three dimensions (WebGL is missing or off). Curves work without.", "error");
       this.show("curve");
     }
+    await this.editor.settled();
     element("loading").remove();
     this.viewer.draw();
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
@@ -105,6 +110,7 @@ class Page {
   private wire(): void {
     button("undo").addEventListener("click", () => this.undo());
     button("redo").addEventListener("click", () => this.redo());
+    button("stop").addEventListener("click", () => this.editor.cancel());
     button("help").addEventListener("click", () => element<HTMLDialogElement>("help-dialog").showModal());
     element("message").querySelector("button")!.addEventListener("click", () => silence());
     for (const tab of tabs)
@@ -228,6 +234,7 @@ class Page {
     if (this.tab === "curve") return `#curve=${await pack({ version: linkVersion, ...this.curve.state })}`;
     const { editor } = this;
     const { handles } = editor;
+    if (editor.mesh instanceof FrozenMesh) return undefined;
     if (!examples[editor.name] && handles.points.length + 3 * handles.vertices.length + handles.edges.length > mostNumbers)
       return undefined;
     const { origin } = editor;
@@ -349,7 +356,8 @@ function requireVersion(shared: Shared): void {
 }
 
 try {
-  const page = new Page(await loadModeler());
+  const { modeler, module } = await loadModeler();
+  const page = new Page(modeler, module);
   await page.start();
   Object.assign(window, { page }); // for the tests
 } catch (error) {

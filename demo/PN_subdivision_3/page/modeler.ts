@@ -8,8 +8,8 @@
 
 // The package as WebAssembly: how the module is loaded from the page itself.
 
-import createModule from "modeler-code";
 import compressedModule from "modeler-wasm";
+import { instantiate } from "./instantiate";
 import type { Modeler } from "./modeler_types";
 
 export type * from "./modeler_types";
@@ -19,7 +19,9 @@ export async function inflate(bytes: Uint8Array, format: CompressionFormat): Pro
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-export async function loadModeler(): Promise<Modeler> {
-  const wasmBinary = await inflate(compressedModule, "gzip");
-  return createModule({ wasmBinary });
+/** It is compiled while it is inflated. */
+export async function loadModeler(): Promise<{ modeler: Modeler; module: WebAssembly.Module }> {
+  const stream = new Blob([compressedModule as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const module = await WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
+  return { modeler: await instantiate(module), module };
 }

@@ -19,6 +19,8 @@ export interface MeshState {
   sharpEdges: Uint32Array;
   /** Of each vertex; without it 1, or as the normals are estimated. */
   roundness?: Float64Array;
+  /** Texture coordinates of each corner. */
+  uv?: Float64Array;
 }
 
 /** What a user takes hold of. A wedge is a run of faces at a vertex between sharp edges, with a normal of its own. */
@@ -75,6 +77,8 @@ export interface RefinedSurface {
   /** Beside the control normals; of no length where it is 1. */
   roundness(mesh: ControlMesh): Float64Array;
   faces(): Faces;
+  /** Of the corners of the faces; of no length where the control mesh has none. */
+  uv(): Float64Array;
   delete(): void;
 }
 

@@ -42,16 +42,23 @@ uniform float scale;
 uniform vec3 surface;
 uniform vec3 inside;
 uniform bool isClosed;
+uniform bool isDark;
 varying vec3 vNormal;
 varying vec3 vPosition;
 varying float vValue;
 
-// blue, white and red with even steps of lightness
+// blue, white and red with even steps of lightness; in the dark from gray to light blue and light red, so that light lines
+// over the surface are seen
 vec3 diverging(float t) {
   vec3 low = vec3(0.085, 0.125, 0.565), middle = vec3(0.88), high = vec3(0.50, 0.012, 0.035);
+  vec3 half_low = vec3(0.33, 0.48, 0.90), half_high = vec3(0.90, 0.33, 0.24);
+  if (isDark) {
+    low = vec3(0.60, 0.75, 1.0), middle = vec3(0.13), high = vec3(1.0, 0.66, 0.55);
+    half_low = vec3(0.16, 0.27, 0.68), half_high = vec3(0.65, 0.17, 0.11);
+  }
   float s = clamp(abs(t), 0.0, 1.0);
   vec3 end = t < 0.0 ? low : high;
-  vec3 half_way = t < 0.0 ? vec3(0.33, 0.48, 0.90) : vec3(0.90, 0.33, 0.24);
+  vec3 half_way = t < 0.0 ? half_low : half_high;
   return s < 0.5 ? mix(middle, half_way, 2.0 * s) : mix(half_way, end, 2.0 * s - 1.0);
 }
 
@@ -98,6 +105,7 @@ export function makeMaterial(): THREE.ShaderMaterial {
       surface: { value: new THREE.Color() },
       inside: { value: new THREE.Color() },
       isClosed: { value: false },
+      isDark: { value: false },
     },
   });
 }
@@ -110,21 +118,6 @@ export function setShading(material: THREE.ShaderMaterial, shading: Shading, sca
 export function setTheme(material: THREE.ShaderMaterial, theme: Theme): void {
   material.uniforms.surface.value.set(theme.surface);
   material.uniforms.inside.value.set(theme.inside);
-}
-
-/** The end of the colors of curvatures relative to their mean: this much less and more. */
-export const endOfRelative = 0.4;
-
-/** How much each value differs from the mean of all, as a share of it. */
-export function relativeToMean(values: Float32Array): Float32Array {
-  const mean = values.reduce((sum, x) => sum + x, 0) / Math.max(1, values.length);
-  return values.map((x) => x / mean - 1);
-}
-
-/** The value at the end of the colors: nine tenths of the vertices are within. What is flat but for rounding stays so. */
-export function endOfColors(values: Float32Array[], size: number, shading: Shading): number {
-  const sizes = values.flatMap((array) => Array.from(array, Math.abs)).sort((a, b) => a - b);
-  const least = shading === "mean" ? 1e-4 / size : 1e-4 / size ** 2;
-  const end = sizes.length === 0 ? 1 : sizes[Math.floor(0.9 * (sizes.length - 1))];
-  return Math.max(end, least);
+  const { r, g, b } = new THREE.Color(theme.background);
+  material.uniforms.isDark.value = r + g + b < 1.5;
 }

@@ -17,6 +17,7 @@ import type { Modeler } from "./modeler";
 import { commandFor, controlFiles, programFor } from "./recipe";
 import { selectionFile, withCreases } from "./selection";
 import type { Shading } from "./shading";
+import type { Content } from "./surfaces";
 import type { Layout, Viewer } from "./viewer";
 
 const titles: Record<string, string> = {
@@ -34,14 +35,8 @@ const titles: Record<string, string> = {
   bilinear: "Bilinear",
 };
 
-/** Files of more bytes are read so slowly that it is said before. */
-const large = 2e6;
-
-/** The page stands still afterwards. */
-async function sayAndShow(text: string): Promise<void> {
-  say(text, "note");
-  for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
-}
+/** Files of more bytes are read by the worker. */
+const large = 200_000;
 
 export class SurfacePanel {
   constructor(
@@ -94,10 +89,12 @@ export class SurfacePanel {
     const file = mesh ?? creases;
     if (!file) return;
     try {
-      if (file.size > large) await sayAndShow(`Reading ${file.name} …`);
       const selection = await creases?.text();
-      if (mesh) this.editor.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name, selection);
-      else this.editor.openSelection(selection!, file.name);
+      if (!mesh) return this.editor.openSelection(selection!, file.name);
+      const content = new Uint8Array(await mesh.arrayBuffer());
+      if (mesh.size <= large) return void this.editor.open(content, mesh.name, selection);
+      say(`Reading ${file.name} …`, "note");
+      await this.editor.openLarge(content, mesh.name, selection);
       silence(`Reading ${file.name} …`);
     } catch {
       say(`${file.name}: the file cannot be read`, "error");
@@ -201,7 +198,7 @@ export class SurfacePanel {
 
   private wireExport(): void {
     const name = (): string => this.editor.name.replace(/\.[^.]*$/, "") || "mesh";
-    button("save-surface").addEventListener("click", () => this.saveSurface(name()));
+    button("save-surface").addEventListener("click", () => void this.saveSurface(name()));
     button("save-control").addEventListener("click", () => this.saveControlMesh());
     button("save-png").addEventListener("click", async () => save(await this.viewer.png(), "image/png", `${name()}.png`));
     button("copy-link").addEventListener("click", this.onLink);
@@ -209,24 +206,24 @@ export class SurfacePanel {
   }
 
   /** PLY has all digits; the others are what is drawn. */
-  private saveSurface(name: string): void {
+  private async saveSurface(name: string): Promise<void> {
     const format = select("surface-format").value;
     const stem = `${name}_${this.editor.settings.scheme}`;
-    if (format === "ply") return this.savePly(`${stem}.ply`);
-    const { shownSurface: surface, origin } = this.editor;
-    const drawn = { positions: surface.positionsView().map((x, i) => x + origin[i % 3]), normals: surface.normalsView().slice(),
-      triangles: surface.triangles() };
+    const content = await this.editor.content();
+    if (format === "ply") return this.savePly(content, `${stem}.ply`);
+    const { origin } = this.editor;
+    const drawn = { positions: content.positions.map((x, i) => x + origin[i % 3]), normals: content.drawnNormals,
+      triangles: content.triangles };
     if (format === "stl") return save(stlFile(drawn) as BlobPart, "model/stl", `${stem}.stl`);
     if (format === "glb") return save(glbFile(drawn) as BlobPart, "model/gltf-binary", `${stem}.glb`);
-    save(objOfVertices(surface.points(), surface.controlNormals(), surface.faces()), "model/obj", `${stem}.obj`);
+    save(objOfVertices(content.points, content.normals, content.faces), "model/obj", `${stem}.obj`);
   }
 
-  private savePly(fileName: string): void {
-    const { mesh, showsLimit, shownSurface: surface } = this.editor;
-    const roundness = showsLimit ? undefined : surface.roundness(mesh);
-    const vertices = { points: surface.points(), normals: surface.controlNormals(), roundness };
+  private savePly({ points, normals, roundness, faces }: Content, fileName: string): void {
+    const { showsLimit } = this.editor;
+    const vertices = { points, normals, roundness: showsLimit ? undefined : roundness };
     const kind = showsLimit ? "normals of the surface" : "control normals";
-    save(plyFile(vertices, surface.faces(), kind) as BlobPart, "model/ply", fileName);
+    save(plyFile(vertices, faces, kind) as BlobPart, "model/ply", fileName);
   }
 
   private showRecipe(): void {
@@ -238,7 +235,7 @@ export class SurfacePanel {
   /** PLY holds one normal for each vertex: with creases it is OBJ, and a selection file for creases of which normals
    * do not tell. */
   private saveControlMesh(): void {
-    const { mesh, handles } = this.editor;
+    const { mesh } = this.editor;
     const state = mesh.state();
     const files = controlFiles(this.editor);
     if (files.creases) {
@@ -247,7 +244,7 @@ export class SurfacePanel {
       return save(selectionFile(state), "text/plain", files.creases);
     }
     const normals = new Float64Array(state.points.length);
-    handles.vertices.forEach((v, w) => normals.set(handles.normals.subarray(3 * w, 3 * w + 3), 3 * v));
+    state.corners.forEach((v, c) => normals.set(state.cornerNormals!.subarray(3 * c, 3 * c + 3), 3 * v));
     save(plyFile({ points: state.points, normals, roundness: state.roundness }, state, "control normals") as BlobPart, "model/ply", files.mesh);
   }
 

@@ -41,7 +41,8 @@ export function largestDifference(a, b) {
   return a.reduce((most, x, i) => Math.max(most, Math.abs(x - b[i])), 0);
 }
 
-export const points = (page) => page.evaluate(() => Array.from(window.page.editor.shownSurface.points()));
+/** Of the surface on the screen, once it is made. */
+export const points = (page) => page.evaluate(async () => Array.from((await window.page.editor.content()).points));
 
 /** Where the tip of a normal is on the screen. */
 export function tipOf(page, wedge) {

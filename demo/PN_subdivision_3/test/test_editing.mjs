@@ -367,7 +367,7 @@ test("a link of a newer page is refused, and a large mesh has no address", async
 test("curvature is computed once for a surface", async () => {
   await withPage(file, { hash: "#head" }, async (page) => {
     await page.check("input[name=layout][value=pn]");
-    await page.fill("#rounds", "3");
+    await page.fill("#rounds", "2");
     const times = await page.evaluate(() => {
       const surface = window.page.editor.shownSurface;
       const timeOf = (isGaussian) => {

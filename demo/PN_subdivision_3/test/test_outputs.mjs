@@ -227,25 +227,3 @@ test("licences are there in full, and the package's address if it is given", asy
     assert.equal(await page.locator("#help-dialog a[href*=example]").count(), 0);
   });
 });
-
-test("a million faces are shown as they are", async () => {
-  await withPage(file, { hash: "#ring" }, async (page) => {
-    await page.evaluate(() => {
-      const n = 1000;
-      const lines = [`OFF\n${(n + 1) ** 2} ${n * n} 0`];
-      for (let i = 0; i <= n; ++i) for (let j = 0; j <= n; ++j) lines.push(`${i / n} ${j / n} ${Math.sin(i / 90) * 0.1}`);
-      for (let i = 0; i < n; ++i)
-        for (let j = 0; j < n; ++j) lines.push(`4 ${i * (n + 1) + j} ${(i + 1) * (n + 1) + j} ${(i + 1) * (n + 1) + j + 1} ${i * (n + 1) + j + 1}`);
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([lines.join("\n")], "million.off"));
-      window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true }));
-    });
-    await page.waitForFunction(() => window.page.editor.name === "million.off");
-    assert.equal(await page.getAttribute("#rounds", "max"), "0");
-    assert.match(await message(page), /^0 rounds: \d would make more than 600000 faces\.$/);
-    assert.equal(await page.evaluate(() => window.page.editor.shownSurface.faces().degrees.length), 1_000_000);
-    assert.match(await page.textContent("#about"), /1.000.000 faces/);
-    await page.selectOption("#example", "ring");
-    assert.ok(Number(await page.getAttribute("#rounds", "max")) > 3);
-  });
-});

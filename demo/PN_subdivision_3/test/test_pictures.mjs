@@ -197,7 +197,7 @@ test("the surface has the roundness of the slider, as the command has it", async
       near(await points(page), (await native([given, "--levels", "3", "--roundness", w])).points);
       assert.equal(await page.textContent("#roundness-value"), Number(w).toFixed(2));
     }
-    const linear = await page.evaluate(() => Array.from(window.page.editor.surface(true).points()));
+    const linear = await page.evaluate(() => window.page.editor.content(true).then(({ points }) => Array.from(points)));
     assert.equal(largestDifference(await points(page), linear), 0, "roundness 0 is linear subdivision, bit for bit");
     for (let i = 0; i < 2; ++i) await page.click("#undo");
     assert.equal(largestDifference(await points(page), round), 0);

@@ -14,8 +14,8 @@
 #include <CGAL/PN_subdivision_3/internal/limit_surface/In_double.h>
 #include <CGAL/PN_subdivision_3/internal/limit_surface/Surface_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 
@@ -49,7 +49,7 @@ The limit surface of a control mesh as a surface with parameters: points, normal
   \f$ u=2i+1, v=1 \f$ the middle of the face.
 
 <b>How.</b> Where a face of a level and the faces around it are regular, and the scheme refines regular meshes to splines (Catmull-Clark and Loop, and
-their modified forms), the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the bicubic B-splines or the quartic box splines \f$ a_j \f$; at borders and creases
+their tuned forms), the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the bicubic B-splines or the quartic box splines \f$ a_j \f$; at borders and creases
 the rows beyond are extrapolated, which gives the rule of the border. Linear schemes are so evaluated exactly, with exact derivatives of
 second order. The point-normal average \f$ L_k(u,v) \f$ (`PN_average`) of these weights over the net of round \f$ k \f$ converges to the limit of a point-normal scheme: the
 functions \f$ a_j \f$ have the same second moments everywhere and no third ones, so that \f$ |L_{k+1}-L_k| \f$ falls by 1/16 a round; it is exact on spheres and cylinders. The

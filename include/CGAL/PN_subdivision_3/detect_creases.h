@@ -105,7 +105,7 @@ without area do not count as sharp. Choose the angle between that of the true ed
 those of its approximation: the sides of a prism of n sides, which may stand for a cylinder, differ by
 360/n degrees.
 
-Angles are computed in `double` from area vectors of the number type.
+Angles are computed in `double` from area vectors of polygons; `Polygon_mesh_processing::detect_sharp_edges()` takes three corners of each, and all border edges.
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam EdgeMap a model of `WritablePropertyMap` with

@@ -130,7 +130,7 @@ inline void set_faces(Curvature_data& data, Face_neighbors& faces, const For_chu
 
 estimates the curvatures of the surface that a mesh samples, at each vertex, by fitting a cubic to the
 vertices around it (Cazals and Pouget, <em>Estimating differential quantities using polynomial
-fitting of osculating jets</em>, 2005).
+fitting of osculating jets</em>, 2005). \cgal 6's `interpolated_corrected_curvatures()` measures the mesh with its normals; a fit needs none, and has the order below.
 
 <b>The fit.</b> The surface is a graph over the plane normal to the vertex normal, a cubic polynomial
 through the vertex. It is fitted by weighted least squares to rings of vertices around it, where a

@@ -215,7 +215,7 @@ of the border ring tell of a plane. They do not at other valences, where the sur
 border, nor where the neighborhood collapses to a line. There the control normal stands in.
 
 <b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
-modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
+tuned forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
 estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
 
 <b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on

@@ -263,7 +263,7 @@ auto curvatures(const Bool& yes)
 /*!
 \ingroup PkgPNSubdivision3Functions
 how many rounds the call has done that made the mesh, by default 0: the borders of \f$ \sqrt{3} \f$ depend on
-whether that is even, and modified schemes on whether it is before their first round; others do not.
+whether that is even, and tuned schemes on whether it is before their first round; others do not.
 \param n an `unsigned`
 */
 template <class Number>

@@ -12,9 +12,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/read_part.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/recognize_part.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 

@@ -12,12 +12,15 @@
 #include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Fallback.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/recognize_surfaces.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace pn_subdivide {
 namespace {
@@ -89,6 +92,42 @@ void fill(Recognized_part& part, const Surface& surface, Patch_map segments, Cre
   for (const Halfedge h : surface.halfedges()) part.normals.push_back(normals[h]);
 }
 
+std::size_t number_of_known_faces(const std::vector<Recognized_surface>& surfaces)
+{
+  std::size_t result = 0;
+  for (const Recognized_surface& s : surfaces)
+    if (s.kind != Kind::unknown) result += s.number_of_faces;
+  return result;
+}
+
+// A file of six digits that another program has scaled or moved has coordinates of all digits, and is taken for exact.
+void try_tolerance_of_six_digits(Recognized_part& part, Surface& surface,
+                                 const Recognition_plan& plan)
+{
+  std::vector<double> x;
+  double largest = 0;
+  CGAL::Bbox_3 box;
+  for (const Vertex v : surface.vertices()) {
+    const Point_3& p = surface.point(v);
+    box += p.bbox();
+    for (int i = 0; i < 3; ++i) {
+      x.push_back(p[i]);
+      largest = (std::max)(largest, std::abs(p[i]));
+    }
+  }
+  if (PN::internal::recognition::file_rounding(x) > std::ldexp(largest, -40)) return;
+  const double tolerance = 2e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const auto segments = surface.add_property_map<Face, std::size_t>("f:other_segment", 0).first;
+  const std::vector<Recognized_surface> found = PN::recognize_surfaces(
+    surface, segments, PN::parameters::surface_tolerance(tolerance).min_facets(plan.min_facets));
+  const std::size_t known = number_of_known_faces(found);
+  if (10 * found.size() > 9 * part.surfaces.size() &&
+      9 * known <= 10 * number_of_known_faces(part.surfaces))
+    return;
+  part.other_tolerance = tolerance;
+  part.other_segments = found.size();
+}
+
 } // namespace
 
 bool Recognized_part::knows_any() const
@@ -108,6 +147,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   const Roundness_map roundness = add_roundness(surface);
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
+    if (!plan.tolerance) try_tolerance_of_six_digits(part, surface, plan);
     // creases, and normals for all corners
     PN::internal::Surface_fallback fallback = PN::internal::never_worse_than_linear(
       surface, segments, part.surfaces, creases, normals,

@@ -263,6 +263,12 @@ void Surface_table::warn(const std::string& input, Report& report) const
     report.warn(input + ": " + std::to_string(std::lround(100 * part_.unknown_area / part_.area)) +
                 " % of the area is on no recognized surface: this is no tessellation of a CAD part "
                 "(decimated, remeshed or free-form)");
+  if (part_.other_segments > 0)
+    report.warn(input + ": with --surface-tolerance " + digits(part_.other_tolerance) +
+                " there are " + std::to_string(part_.other_segments) +
+                " segments in the place of " + std::to_string(part_.surfaces.size()) +
+                ": its coordinates have all digits, as those of a file of fewer that has been "
+                "moved or scaled");
   report.set_high_faces(part_.high_faces);
   if (part_.high_faces.empty()) return;
   constexpr std::size_t most = 10;

@@ -184,8 +184,8 @@ std::optional<PN::Control_normal_estimate> estimate_of_all(const Mesh_data& mesh
   return std::nullopt;
 }
 
-// Those of wedges if there are creases.
-void smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Report& report)
+// Those of wedges if there are creases; returns whether any has changed.
+bool smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Report& report)
 {
   Surface surface = make_surface(mesh);
   const PN::Normal_smoothing_report done =
@@ -208,6 +208,7 @@ void smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Re
     mesh.corner_normals = std::move(smoothed.corner_normals);
   }
   report.remark(name + text + change);
+  return done.changed_normals > 0;
 }
 
 void drop_normals(Mesh_data& mesh)
@@ -306,13 +307,12 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
   for (Triple& n : mesh.normals) n = to_triple(unit_normal(to_vector(n)));
 }
 
-void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+bool set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
                          const std::string& name, Report& report)
 {
   if (!creases.any()) {
     set_control_normals(mesh, option);
-    if (option.smooths) smooth(mesh, creases, name, report);
-    return;
+    return option.smooths && smooth(mesh, creases, name, report);
   }
   std::vector<Triple> corner_normals;
   corner_normals.swap(mesh.corner_normals);
@@ -320,7 +320,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
     option.source == Source::file || (option.source == Source::automatic && mesh.has_normals());
   const std::optional<PN::Control_normal_estimate> of_all = estimate_of_all(mesh, option);
   set_control_normals(mesh, option);
-  if (!mesh.has_normals() || (from_file && are_all_zero(mesh))) return;
+  if (!mesh.has_normals() || (from_file && are_all_zero(mesh))) return false;
   if (from_file && !corner_normals.empty()) {
     mesh.corner_normals.swap(corner_normals);
     normalize_corners(mesh, creases, name, report);
@@ -328,7 +328,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
     estimate_between_creases(mesh, of_all, creases);
     if (from_file) report_estimated_wedges(mesh, creases, name, report);
   }
-  if (option.smooths) smooth(mesh, creases, name, report);
+  return option.smooths && smooth(mesh, creases, name, report);
 }
 
 std::vector<double> estimated_roundness(const Mesh_data& mesh, const Creases& creases)

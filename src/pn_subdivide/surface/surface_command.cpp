@@ -268,13 +268,12 @@ std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& crease
                 " several normals; their normalized sum is taken");
   const bool has_other_normals = mesh.normal_kind != Normal_kind::control;
   std::vector<double> roundness_of_file = std::exchange(mesh.roundness, {});
-  set_control_normals(mesh, plan.normals, creases, input, report);
+  const bool are_smoothed = set_control_normals(mesh, plan.normals, creases, input, report);
   if (source != Source::none)
     set_roundness(mesh, plan.roundness, std::move(roundness_of_file),
                   from_file && !has_other_normals, creases);
   const std::string round = roundness_description(mesh.roundness);
-  const std::string of_file =
-    plan.normals.smooths ? "smoothed normals of the file" : "normals of the file";
+  const std::string of_file = are_smoothed ? "smoothed normals of the file" : "normals of the file";
   if (from_file) {
     if (are_all_zero(mesh)) return "no normals, those of the file are zero";
     warn_of_opposing_normals(opposing, input, report);

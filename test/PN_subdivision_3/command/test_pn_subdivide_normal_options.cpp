@@ -104,6 +104,7 @@ TEST_F(Normal_options, SmoothLeavesExactNormals)
   const Outcome outcome = run("surface '" + folder.write("in.off", torus(0)) + "' '" +
                               folder.file("out.ply") + "' --normals smooth");
   EXPECT_NE(outcome.err.find("left as they are"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("smoothed normals"), std::string::npos) << outcome.err;
 }
 
 // wedge by wedge: those of the flat side stay

@@ -333,6 +333,20 @@ TEST_F(Pn_subdivide_surfaces, AnStlIsRoundAgain)
       EXPECT_NEAR(mesh.points[v][2], mesh.points[*vertices.begin()][2], 1e-6);
 }
 
+// A file of six digits that has been scaled has all digits.
+TEST_F(Pn_subdivide_surfaces, AScaledFileIsTold)
+{
+  for (const double scale : {1., 1. / 3}) {
+    Part part = drilled_plate();
+    for (Triple& p : part.points)
+      for (double& x : p) x = scale * (std::round(1e5 * x) / 1e5);
+    folder.write("scaled.ply", part.ply());
+    const auto outcome = surface("scaled.ply", "o.ply", "--sharp surfaces");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(contains(outcome.err, "with --surface-tolerance"), scale < 1) << outcome.err;
+  }
+}
+
 // Where planes touch cylinders, edges of 15 degrees part them.
 TEST_F(Pn_subdivide_surfaces, TangentPlanesStayFlat)
 {

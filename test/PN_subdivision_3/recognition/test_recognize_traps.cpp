@@ -8,6 +8,21 @@
 
 // Parts that look like what they are not.
 
+// Parts that one rule each is there for. Rules without such a part, and a file of others that comes out differently without
+// them (*.off of Debian's package libcgal-demo, *.stl of cura and prusa-slicer, *.obj of data/meshes/parts):
+//   growing     less tolerance again (part.off), fewest points to fit (handle.off), tangent to the next one (BIQU_SSS.stl)
+//   evidence    sizes, what is left of a region (STREAM20PRO_platform.STL), bend against residual (mk3_bed.stl) and tolerance
+//               (pbr3d_g1_buildplate.stl), inner vertices of spheres (u.off) and tori (handle.off), three positions
+//               between tangent ends (gmax2_bed.stl)
+//   cuts        dropped (pinion.off), but for what has inner vertices (nozzle.stl), ends (ender3_bed.stl), is continued by
+//               half a patch (part.off) or touches a plane (Jubilee_bed.stl)
+//   rounds      small tori (couplingdown.off), contradicted by what is smaller (bearing_housing.obj), not by spheres (lens.obj)
+//   borders     cut facets (helper_disk.stl), four corners (lens.obj), slivers to their own surface (ender3_bed.stl)
+//   planes      four times as large (anchor.off), six faces (handle.off), fitted (nozzle.stl), about an apex (tripod.off),
+//               joined (mini_bed.stl), patches grown again from their widest face (STREAM20PRO_platform.STL)
+//   guesses     by rulings (dragknob.off), by fits of spheres (ender3_bed.stl), cylinders over rings (part.off), cones
+//               among facets of one size (couplingdown.off)
+
 #include "Part_marks.h"
 #include "Random_parts.h"
 #include "Trap_parts.h"

@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/curves/curve_corners.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Arc_finder.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Plane_of_polygon.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/read_part.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/recognize_part.h>
 
 #include <array>
 #include <cmath>

@@ -191,9 +191,8 @@ Point-normal Catmull-Clark subdivision of quad meshes as a tensor product of cur
 all surfaces of revolution, exactly. In both directions of the grid a vertex has a normal of its own, that of the grid line. Point-normal
 subdivision with one normal a vertex keeps spheres and cylinders only.
 
-At irregular vertices, and at edges and faces beside them, the rule is that of `CatmullClark_scheme`. Since this is
-decided anew in every round, the part of the surface in which it holds shrinks to the irregular vertices, and there is
-no seam between the two.
+At irregular vertices, and at edges and faces beside them, the rule is that of `CatmullClark_scheme`. Near them, and on rough
+data, the surface is less smooth than by that scheme (\ref PNSubdivision_grid_lines).
 
 With equal or absent normals the result is not that of the linear scheme, since grid lines have curve normals anyway:
 `linear()` is the linear scheme. Accepts quads only, and has no rules for creases, pieces, limits,

@@ -306,7 +306,7 @@ private:
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Modified Catmull-Clark subdivision: `Tuned_CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
+Tuned Catmull-Clark subdivision: `Tuned_CatmullClark_mask` on `PQQ_host`. Accepts any polygons.
 On a mesh without separated extraordinary vertices a round gives the same as one of `CatmullClark_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
@@ -331,7 +331,7 @@ public:
   static constexpr bool has_crease_rules = true;
 
   /*!
-  The rules of the modified scheme hold from round `first_round` of a call on, those of `CatmullClark_scheme`
+  The rules of the tuned scheme hold from round `first_round` of a call on, those of `CatmullClark_scheme`
   before; the rounds of every call are counted from 1. They hold at `valences`.
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
@@ -347,9 +347,9 @@ public:
     return CatmullClark_scheme::Tuned(cap, 2, Tuned_valences::diverging);
   }
 
-  /// the first round with modified weights.
+  /// the first round with tuned weights.
   unsigned first_round() const { return tuning_.first_round; }
-  /// the valences with modified weights.
+  /// the valences with tuned weights.
   Tuned_valences valences() const { return tuning_.valences; }
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.

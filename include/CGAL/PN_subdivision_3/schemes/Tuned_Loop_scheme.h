@@ -150,7 +150,7 @@ private:
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Modified Loop subdivision: `Tuned_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
+Tuned Loop subdivision: `Tuned_Loop_mask` on `PTQ_host`. Accepts triangles only. On a mesh
 without separated extraordinary vertices a round gives the same as one of `Loop_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
@@ -175,7 +175,7 @@ public:
   static constexpr bool has_crease_rules = true;
 
   /*!
-  The rules of the modified scheme hold from round `first_round` of a call on, those of `Loop_scheme`
+  The rules of the tuned scheme hold from round `first_round` of a call on, those of `Loop_scheme`
   before; the rounds of every call are counted from 1. They hold at `valences`.
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
@@ -191,9 +191,9 @@ public:
     return Loop_scheme::Tuned(cap, 2, Tuned_valences::diverging);
   }
 
-  /// the first round with modified weights.
+  /// the first round with tuned weights.
   unsigned first_round() const { return tuning_.first_round; }
-  /// the valences with modified weights.
+  /// the valences with tuned weights.
   Tuned_valences valences() const { return tuning_.valences; }
 
   /// the mask of a round; see `PNSubdivisionScheme_3`.

@@ -8,7 +8,7 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_GROWTH_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_ARC_GROWTH_H
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Least_squares.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANE_OF_POLYGON_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_CURVES_PLANE_OF_POLYGON_H
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_EVIDENCE_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_EVIDENCE_H
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Grower.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,125 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
+
+// Collects the facets that are on a shape.
+class Grower
+{
+public:
+  explicit Grower(const Context& context)
+    : c_(context)
+    , cosine_(std::cos(context.greatest_smooth_angle / 2 + radians(1.1)))
+    , stamp_(context.patches.size(), 0)
+  {}
+
+  // all vertices of a facet within t of the shape, its normal near that of the shape at each
+  bool is_on(const Shape& s, Index p, double t, int side) const
+  {
+    const Patches::Patch& patch = c_.patches[p];
+    if ((s.kind == Kind::sphere || s.kind == Kind::torus) && patch.vertices.size() > 4)
+      return false;
+    for (const Index v : patch.vertices) {
+      const Vec3& x = c_.point(v);
+      if (!(std::abs(s.distance(x)) <= t)) return false;
+      const Vec3 n = s.normal(x);
+      const bool is_apex = s.kind == Kind::cone && norm(x - s.apex()) <= 10 * t;
+      if (!is_apex && !(side * dot(n, patch.normal) >= cosine_)) return false;
+    }
+    return true;
+  }
+  // on which side a facet is
+  int side_of(const Shape& s, Index p) const
+  {
+    const Patches::Patch& patch = c_.patches[p];
+    return dot(s.normal(patch.mean), patch.normal) < 0 ? -1 : 1;
+  }
+
+  std::vector<Index> grow(const Shape& s, const std::vector<Index>& seeds, double t, int side)
+  {
+    begin();
+    std::vector<Index> result;
+    for (const Index p : seeds)
+      if (stamp_[p] != now_ && is_on(s, p, t, side)) take(p, result);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (const Index number : c_.patches[result[i]].joints) {
+        const Joint& j = c_.patches.joints[number];
+        if (!j.is_smooth) continue;
+        const Index q = j.other(result[i]);
+        if (stamp_[q] == now_) continue;
+        if (is_on(s, q, t, side))
+          take(q, result);
+        else
+          stamp_[q] = now_;
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Grows and fits by turns until nothing changes; whether there is a region. What was taken on a generous tolerance may
+  // have been too much, so that the fit leaves the seeds: then less of it.
+  bool settle(Region& r, const std::vector<Index>& seeds, double t)
+  {
+    if (seeds.empty()) return false;
+    const Shape guess = r.shape;
+    r.side = side_of(guess, seeds[0]);
+    for (; t >= c_.tolerance(); t /= 8) {
+      r.shape = guess;
+      std::size_t first_size = 0;
+      if (settle_from(r, seeds, t, first_size)) return true;
+      if (first_size < 5) return false;
+    }
+    return false;
+  }
+
+  // what must not be taken, for flats
+  void ban(Index p) { banned_.push_back(p); }
+  void lift_bans() { banned_.clear(); }
+
+  void refit(Region& r) const
+  {
+    const std::vector<Vec3> points = c_.points_of(c_.vertices_of(r.patches));
+    const Kind k = r.shape.kind;
+    const std::size_t least = k == Kind::sphere     ? 5
+                              : k == Kind::cylinder ? 6
+                              : k == Kind::cone     ? 7
+                                                    : 9;
+    if (points.size() < least) return;
+    Shape_fit(points, 3)(r.shape);
+  }
+
+private:
+  bool settle_from(Region& r, const std::vector<Index>& seeds, double t, std::size_t& first_size)
+  {
+    std::vector<Index> before;
+    for (int k = 0; k < 8; ++k) {
+      r.patches = grow(r.shape, seeds, t, r.side);
+      if (k == 0) first_size = r.patches.size();
+      if (r.patches.empty()) return false;
+      if (t <= c_.tolerance() && r.patches == before) break;
+      before = r.patches;
+      refit(r);
+      t = (std::max)(t / 10, c_.tolerance());
+    }
+    return true;
+  }
+
+  void begin()
+  {
+    ++now_;
+    for (const Index p : banned_) stamp_[p] = now_;
+  }
+  void take(Index p, std::vector<Index>& result)
+  {
+    stamp_[p] = now_;
+    result.push_back(p);
+  }
+
+  const Context& c_;
+  double cosine_;
+  std::vector<unsigned> stamp_;
+  std::vector<Index> banned_;
+  unsigned now_ = 0;
+};
 
 // Whether a region has more vertices on its shape than any facets would have, so that it is no accident.
 class Evidence
@@ -48,7 +167,7 @@ public:
 private:
   bool is_sound(const Region& r) const
   {
-    if (!(r.residual <= 1.01 * c_.tolerance()) || !has_sensible_size(r) || !bends(r)) return false;
+    if (!has_sensible_size(r) || !bends(r)) return false;
     if (r.turn.widest > c_.greatest_smooth_angle || r.meridian.widest > c_.greatest_smooth_angle)
       return false;
     switch (r.shape.kind) {
@@ -69,7 +188,6 @@ private:
   {
     const Shape& s = r.shape;
     if (s.kind == Kind::cone) return s.angle > radians(0.5) && s.angle < radians(89.5);
-    if (s.kind == Kind::torus && s.radius < 0.02 * s.tube) return false; // a sphere
     return s.radius <= (s.kind == Kind::torus ? 20 : 50) * c_.part.size;
   }
 
@@ -95,11 +213,6 @@ private:
            is_bend_visible(r, sagitta(s.tube, r.meridian.widest), r.meridian.positions.size());
   }
 
-  static bool are_spans_within(const Turn& turn, double factor)
-  {
-    return turn.widest <= factor * turn.least;
-  }
-
   // a facet alone may have its vertices at many angles
   static std::size_t number_of_positions(const Region& r)
   {
@@ -110,9 +223,9 @@ private:
   {
     const std::size_t n = number_of_positions(r);
     const int ends = r.number_of_tangent_ends();
-    if (n <= 5 && ends == 0 && !are_spans_within(r.turn, 1.75)) return false;
     if (n >= 5) return true;
-    if (n == 4) return ends > 0 || (are_spans_within(r.turn, 1.02) && r.turn.widest <= radians(31));
+    if (n == 4)
+      return ends > 0 || (r.turn.widest <= 1.02 * r.turn.least && r.turn.widest <= radians(31));
     return n == 3 && ends == 2;
   }
   // a circle and a point are on a sphere anyway
@@ -191,23 +304,17 @@ private:
     return true;
   }
 
-  // again from the rest, the largest connected part of it
+  // again from the rest
   bool grow_rest(Region& r, const std::vector<Index>& rest)
   {
-    Region best;
-    std::vector<Index> seen;
     for (const Index p : rest) {
-      if (std::binary_search(seen.begin(), seen.end(), p)) continue;
       Region next = r;
       if (!grower_.settle(next, {p}, c_.tolerance())) continue;
-      seen.insert(seen.end(), next.patches.begin(), next.patches.end());
-      std::sort(seen.begin(), seen.end());
-      if (next.patches.size() > best.patches.size()) best = next;
+      r = next;
+      measure_(r);
+      return true;
     }
-    if (best.patches.empty()) return false;
-    r = best;
-    measure_(r);
-    return true;
+    return false;
   }
 
   const Context& c_;

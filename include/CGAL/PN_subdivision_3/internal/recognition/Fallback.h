@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Linear_guard.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/read_part.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/recognize_part.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/recognize_surfaces.h>
 

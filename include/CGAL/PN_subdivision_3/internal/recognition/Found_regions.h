@@ -9,12 +9,13 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_FOUND_REGIONS_H
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Evidence.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Grower.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/fit_shape.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -156,6 +157,39 @@ private:
   std::vector<bool> has_region_, is_settled_;
   Index number_ = 0;
 };
+
+inline int rank_of(Kind kind)
+{
+  return kind == Kind::cylinder ? 0 : kind == Kind::sphere ? 1 : kind == Kind::cone ? 2 : 3;
+}
+
+// Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
+inline std::vector<Region> choose_regions(const Context& c, Found_regions& found)
+{
+  std::vector<Region> all = found.regions();
+  std::stable_sort(all.begin(), all.end(), [&](const Region& a, const Region& b) {
+    if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
+    if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
+      return a.number_of_tangent_ends() > b.number_of_tangent_ends();
+    if (a.shape.kind != b.shape.kind) return rank_of(a.shape.kind) < rank_of(b.shape.kind);
+    return a.patches < b.patches; // patches are numbered in the order of their vertices
+  });
+  std::vector<bool> is_taken(c.patches.size(), false);
+  std::vector<Region> result;
+  for (Region& r : all) {
+    std::vector<Index> rest;
+    for (const Index p : r.patches)
+      if (!is_taken[p]) rest.push_back(p);
+    if (rest.size() < r.patches.size()) {
+      if (5 * rest.size() < 3 * r.patches.size()) continue;
+      r.patches = rest;
+      if (!found.evidence().still_holds(r)) continue;
+    }
+    for (const Index p : r.patches) is_taken[p] = true;
+    result.push_back(std::move(r));
+  }
+  return result;
+}
 
 } // namespace recognition
 } // namespace internal

@@ -207,7 +207,14 @@ private:
         bent.push_back(patch_[f]);
       if (k >= 2 && make_corners(f)) has_changed = true;
     }
-    if (has_given_up_planes_ || !give_up(bent)) return has_changed;
+    if (!has_given_up_planes_ && give_up(bent)) return set_back_after_giving_up();
+    if (!has_changed)
+      for (const Index f : high_)
+        if (tags_->is_round(f) && set_back(f, true)) has_changed = true;
+    return has_changed;
+  }
+  bool set_back_after_giving_up()
+  {
     has_given_up_planes_ = true;
     for (const Index f : high_)
       if (!is_known(f)) set_back(f);
@@ -223,16 +230,16 @@ private:
     if (tags_->is_round(f)) return changes.deviation[f] > 1.25 * linear_.deviation[f] + margin;
     return changes.height[f] > linear_.height[f] + margin;
   }
-  // the wedges of an unknown face, the unknown ones round another one
-  bool set_back(Index f)
+  // the wedges of an unknown face, the unknown ones round another one; as the last resort its own
+  bool set_back(Index f, bool is_last_resort = false)
   {
     bool has_changed = false;
     const auto zero = [&](Index h) {
-      if (is_known(level_.face(h)) || is_zero_[h]) return;
+      if (is_zero_[h] || (is_known(level_.face(h)) && !is_last_resort)) return;
       is_zero_[h] = true;
       has_changed = true;
     };
-    if (is_known(f))
+    if (is_known(f) && !is_last_resort)
       for_each_corner_around(f, zero);
     else
       for_each_corner_of(f, zero);

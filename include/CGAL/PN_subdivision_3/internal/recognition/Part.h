@@ -9,8 +9,8 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_PART_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
 #include <algorithm>
 #include <array>

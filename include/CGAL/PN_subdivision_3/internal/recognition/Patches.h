@@ -9,7 +9,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_PATCHES_H
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,41 +112,49 @@ private:
     return faces;
   }
 
+  // through the means of corners, across the sum of area vectors
+  class Running_plane
+  {
+  public:
+    explicit Running_plane(const Part& part)
+      : part_(part)
+    {}
+    void add(Index f)
+    {
+      area_ += part_.area[f];
+      for (const Index v : part_.corners[f]) sum_ += part_.points[v];
+      number_ += double(part_.corners[f].size());
+    }
+    bool has(Index f) const
+    {
+      const Vec3 n = unit(area_), mean = (1 / number_) * sum_;
+      for (const Index v : part_.corners[f])
+        if (std::abs(dot(n, part_.points[v] - mean)) > 2 * part_.tolerance) return false;
+      return true;
+    }
+
+  private:
+    const Part& part_;
+    Vec3 area_, sum_;
+    double number_ = 0;
+  };
+
   std::vector<Index> grown_in_plane(Index first)
   {
-    Vec3 area = part_.area[first], sum;
-    double number = 0;
-    for (const Index v : part_.corners[first]) {
-      sum += part_.points[v];
-      ++number;
-    }
+    Running_plane plane(part_);
+    plane.add(first);
     return grown(first, [&](Index g) {
-      const Vec3 n = unit(area), mean = (1 / number) * sum;
-      for (const Index v : part_.corners[g])
-        if (std::abs(dot(n, part_.points[v] - mean)) > 2 * part_.tolerance) return false;
-      area += part_.area[g];
-      for (const Index v : part_.corners[g]) sum += part_.points[v];
-      number += double(part_.corners[g].size());
-      return true;
+      const bool result = plane.has(g);
+      if (result) plane.add(g);
+      return result;
     });
   }
 
   bool is_in_plane(const std::vector<Index>& faces) const
   {
-    Vec3 area, sum;
-    double number = 0;
-    for (const Index f : faces) {
-      area += part_.area[f];
-      for (const Index v : part_.corners[f]) {
-        sum += part_.points[v];
-        ++number;
-      }
-    }
-    const Vec3 n = unit(area), mean = (1 / number) * sum;
-    for (const Index f : faces)
-      for (const Index v : part_.corners[f])
-        if (std::abs(dot(n, part_.points[v] - mean)) > 2 * part_.tolerance) return false;
-    return true;
+    Running_plane plane(part_);
+    for (const Index f : faces) plane.add(f);
+    return std::all_of(faces.begin(), faces.end(), [&](Index f) { return plane.has(f); });
   }
 
   void add(const std::vector<Index>& faces)

@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>

@@ -11,8 +11,7 @@
 #include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Patches.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/fit_shape.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,9 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_REGION_BORDERS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_REGION_BORDERS_H
 
+#include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/fit_shape.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,6 @@ public:
 
   void operator()()
   {
-    merge();
     for (Index i = 0; i < regions_.size(); ++i) own_midpoints_.push_back(midpoint_distance_of(i));
     absorb();
     set_patches();
@@ -96,51 +96,6 @@ private:
     return result;
   }
 
-  bool is_part_of(const Region& smaller, const Region& larger) const
-  {
-    if (smaller.shape.kind != larger.shape.kind) return false;
-    for (const Index v : smaller.vertices) {
-      const Vec3& x = c_.point(v);
-      if (!(std::abs(larger.shape.distance(x)) <= 2 * c_.tolerance())) return false;
-      const Vec3 m = smaller.shape.normal(x), n = larger.shape.normal(x);
-      if (dot(m, m) > 0 && dot(n, n) > 0 &&
-          angle_between(smaller.side * m, larger.side * n) > radians(8))
-        return false;
-    }
-    return true;
-  }
-
-  void merge()
-  {
-    for (bool has_changed = true; has_changed;) {
-      has_changed = false;
-      for (const Joint& j : c_.patches.joints) {
-        Index a = owner_[j.p], b = owner_[j.q];
-        if (a == null || b == null || a == b) continue;
-        if (std::make_pair(regions_[a].patches.size(), b) <
-            std::make_pair(regions_[b].patches.size(), a))
-          std::swap(a, b);
-        if (!is_part_of(regions_[b], regions_[a])) continue;
-        join(a, b);
-        has_changed = true;
-      }
-    }
-  }
-  void join(Index a, Index b)
-  {
-    for (const Index p : regions_[b].patches) owner_[p] = a;
-    Region& r = regions_[a];
-    r.patches.insert(r.patches.end(), regions_[b].patches.begin(), regions_[b].patches.end());
-    regions_[b].patches.clear();
-    Measure_region measure(c_);
-    measure(r);
-    Region next = r;
-    if (Shape_fit(c_.points_of(r.vertices), 3)(next.shape)) {
-      measure(next);
-      r = next;
-    }
-  }
-
   void absorb()
   {
     for (int round = 0; round < 20; ++round) {
@@ -157,21 +112,14 @@ private:
       if (taken.empty()) return;
     }
   }
-  // the one that it fits best
   Index absorbing_neighbor(Index p) const
   {
-    Index best = null;
-    double least = 0;
     for (const Index number : c_.patches[p].joints) {
       const Joint& j = c_.patches.joints[number];
       const Index region = owner_[j.other(p)];
-      if (region == null || region == best || !j.is_smooth) continue;
-      const double angle = misfit(c_.patches[p], regions_[region]);
-      if ((best != null && !(angle < least)) || !is_absorbed(p, region)) continue;
-      best = region;
-      least = angle;
+      if (region != null && j.is_smooth && is_absorbed(p, region)) return region;
     }
-    return best;
+    return null;
   }
   bool is_absorbed(Index p, Index region) const
   {
@@ -201,17 +149,103 @@ private:
     for (Index p = 0; p < c_.patches.size(); ++p)
       if (owner_[p] != null) regions_[owner_[p]].patches.push_back(p);
   }
-  // with what rounding does to the normal of a small patch
-  double misfit(const Patches::Patch& patch, const Region& r) const
-  {
-    return angle_between(r.side * r.shape.normal(patch.mean), patch.normal) + radians(0.1) +
-           std::atan(c_.tolerance() / patch.width);
-  }
+
   const Context& c_;
   std::vector<Region>& regions_;
   std::vector<Index> owner_;
   std::vector<double> prism_step_;
   std::vector<double> own_midpoints_;
+};
+
+// What every face of the part belongs to.
+struct Segments
+{
+  struct Segment
+  {
+    Shape shape;
+    int side = 1;
+    double widest_step = 0, widest_meridian_step = 0, residual = 0;
+    std::vector<Index> faces;
+  };
+  std::vector<Segment> segments;
+  std::vector<Index> segment_of_face;
+};
+
+// Gives slivers, which have no normal, to the segments beside them.
+class Give_slivers_away
+{
+public:
+  Give_slivers_away(const Context& context, const Lists& edges_of_face, std::vector<Index>& label,
+                    std::vector<Segments::Segment>& labels)
+    : c_(context)
+    , edges_of_face_(edges_of_face)
+    , label_(label)
+    , labels_(labels)
+  {}
+
+  // from the edge of what has labels, to the longest common border among the best
+  void operator()()
+  {
+    std::vector<Index> slivers;
+    for (Index f = 0; f < label_.size(); ++f)
+      if (label_[f] == null) slivers.push_back(f);
+    for (int quality = 0; quality < 3 && !slivers.empty();) {
+      std::vector<std::pair<Index, Index>> given;
+      std::vector<Index> rest;
+      for (const Index f : slivers) {
+        const Index label = label_for_sliver(f, quality);
+        if (label == null)
+          rest.push_back(f);
+        else
+          given.emplace_back(f, label);
+      }
+      for (const auto& g : given) label_[g.first] = g.second;
+      quality = given.empty() ? quality + 1 : 0;
+      slivers = rest;
+    }
+    if (slivers.empty()) return;
+    labels_.emplace_back(); // components of nothing but slivers
+    const Index label = Index(labels_.size()) - 1;
+    for (const Index f : slivers) label_[f] = label;
+  }
+
+private:
+  Index label_for_sliver(Index f, int quality) const
+  {
+    std::vector<std::pair<Index, double>> borders;
+    for (const Index e : edges_of_face_[f]) {
+      const Part::Edge& edge = c_.part.edges[e];
+      const Index label = label_[c_.part.across(f, e)];
+      if (label == null || !is_good_for(f, labels_[label].shape, quality)) continue;
+      auto it = borders.begin();
+      while (it != borders.end() && it->first != label) ++it;
+      if (it == borders.end())
+        borders.emplace_back(label, c_.part.length(edge));
+      else
+        it->second += c_.part.length(edge);
+    }
+    Index best = null;
+    double longest = -1;
+    for (const auto& b : borders)
+      if (b.second > longest) {
+        best = b.first;
+        longest = b.second;
+      }
+    return best;
+  }
+  bool is_good_for(Index f, const Shape& s, int quality) const
+  {
+    if (quality == 2) return true;
+    if (quality == 1 || s.kind == Kind::unknown) return quality == 1 && s.kind == Kind::unknown;
+    for (const Index v : c_.part.corners[f])
+      if (!(std::abs(s.distance(c_.point(v))) <= 8 * c_.tolerance())) return false;
+    return true;
+  }
+
+  const Context& c_;
+  const Lists& edges_of_face_;
+  std::vector<Index>& label_;
+  std::vector<Segments::Segment>& labels_;
 };
 
 } // namespace recognition

@@ -92,8 +92,7 @@ private:
       }
     const double share = all > 0 ? loose / all : 0;
     if (r.inner_vertices >= 12) return share > 0.9;
-    const bool is_small = r.turn.positions.size() <= 12 && !r.turn.is_full;
-    return share > 0.6 || (share > 0.25 && is_small);
+    return share > 0.25 && r.turn.positions.size() <= 12 && !r.turn.is_full;
   }
   // whether a face of a small patch is on the shape, the others perhaps on the next one
   bool is_continued_by(const Region& r, Index q) const
@@ -146,12 +145,9 @@ private:
     const double radius = largest_radius(regions_[i]), step = regions_[i].step();
     for (std::size_t k = 0; k < regions_.size(); ++k) {
       const Region& r = regions_[k];
-      if (k == i || !is_sure_[k] || r.shape.kind == Kind::sphere) continue;
-      const bool is_torus = r.shape.kind == Kind::torus;
-      if (!is_torus && per_turn(r.step()) < 12) continue;
-      const double its_radius = is_torus ? r.shape.tube : r.greatest_rho;
-      const double its_step = is_torus ? r.meridian.widest : r.turn.widest;
-      if (its_radius <= 1.05 * radius && its_step < 2 * step / 3) return true;
+      if (k != i && is_sure_[k] && r.shape.kind != Kind::sphere && per_turn(r.step()) >= 12 &&
+          r.greatest_rho <= 1.05 * radius && r.turn.widest < 2 * step / 3)
+        return true;
     }
     return false;
   }
@@ -160,12 +156,9 @@ private:
     return r.shape.kind == Kind::sphere ? r.shape.radius : r.greatest_rho;
   }
 
-  bool is_tangent_enough(const Region& r) const
+  static bool is_tangent_enough(const Region& r)
   {
-    if (r.shape.kind == Kind::sphere) return false;
-    const int ends = r.number_of_tangent_ends();
-    return (ends == 2 && r.step() <= radians(61)) ||
-           (ends >= 1 && per_turn(r.step()) >= c_.min_facets);
+    return r.number_of_tangent_ends() == 2 && r.step() <= radians(61);
   }
 
   // to what is coaxial with something sure, or tangent to it

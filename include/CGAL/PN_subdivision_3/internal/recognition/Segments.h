@@ -10,8 +10,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region_borders.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/Sliver_segments.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/fit_shape.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +84,7 @@ private:
   void split()
   {
     for (Index p = 0; p < c_.patches.size(); ++p) {
-      if (!is_free(p) || borders_.is_prism(p) || c_.patches[p].faces.size() < 2) continue;
+      if (!is_free(p) || c_.patches[p].faces.size() < 2) continue;
       std::vector<Index> owners;
       for (const Index number : c_.patches[p].joints) {
         const Index owner = borders_.owners()[c_.patches.joints[number].other(p)];
@@ -166,8 +165,7 @@ private:
     for (const Index number : c_.patches[p].joints) {
       const Joint& j = c_.patches.joints[number];
       const Index q = j.other(p);
-      if (j.angle <= radians(30) && is_free(q) && !borders_.is_prism(q))
-        largest = (std::max)(largest, c_.patches[q].area);
+      if (j.angle <= radians(30) && is_free(q)) largest = (std::max)(largest, c_.patches[q].area);
     }
     const double area = c_.patches[p].area;
     return largest == 0 || area >= 4 * largest ||
@@ -195,13 +193,13 @@ private:
     labels_[label].widest_step = borders_.prism_step(patches[0]);
   }
 
-  // over joints of at most 30 degrees; one or two facets are planes
+  // over joints of at most 30 degrees
   void join_unknown()
   {
     for (const std::vector<Index>& component : free_components(radians(30))) {
       const bool are_planar = std::all_of(component.begin(), component.end(),
                                           [&](Index p) { return c_.patches[p].is_planar; });
-      if (are_planar && (component.size() <= 2 || is_pyramid(component)))
+      if (are_planar && is_pyramid(component))
         for (const Index p : component) make_plane({p});
       else {
         const Index label = new_label(Shape());
@@ -210,7 +208,7 @@ private:
     }
   }
 
-  // Few facets about a vertex, or a ring of few: a flat pyramid or frustum, which need not be regular.
+  // One or two facets, few about a vertex, or a ring of few: a flat pyramid or frustum, which need not be regular.
   bool is_pyramid(const std::vector<Index>& component) const
   {
     if (component.size() >= c_.min_facets) return false;

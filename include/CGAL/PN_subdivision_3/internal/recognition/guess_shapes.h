@@ -10,7 +10,7 @@
 
 #include <CGAL/PN_subdivision_3/internal/recognition/Found_regions.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
-#include <CGAL/PN_subdivision_3/internal/recognition/fit_shape.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,17 +8,30 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_RECOGNIZE_PART_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_RECOGNIZE_PART_H
 
+#include <CGAL/PN_subdivision_3/Recognized_surface.h>
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Found_regions.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Patches.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Region.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Rounds.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Segments.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/fit_neighborhoods.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/guess_shapes.h>
+#include <CGAL/PN_subdivision_3/parameters.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,77 +39,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 namespace recognition {
-
-// the largest part of some facets that is connected by smooth joints
-inline std::vector<Index> largest_connected(const Context& c, const std::vector<Index>& sorted)
-{
-  std::vector<Index> best;
-  std::vector<bool> is_seen(sorted.size(), false);
-  for (std::size_t first = 0; first < sorted.size(); ++first) {
-    if (is_seen[first]) continue;
-    is_seen[first] = true;
-    std::vector<Index> component{sorted[first]};
-    for (std::size_t i = 0; i < component.size(); ++i)
-      for (const Index number : c.patches[component[i]].joints) {
-        const Joint& j = c.patches.joints[number];
-        if (!j.is_smooth) continue;
-        const auto it = std::lower_bound(sorted.begin(), sorted.end(), j.other(component[i]));
-        if (it == sorted.end() || *it != j.other(component[i]) ||
-            is_seen[std::size_t(it - sorted.begin())])
-          continue;
-        is_seen[std::size_t(it - sorted.begin())] = true;
-        component.push_back(*it);
-      }
-    if (component.size() > best.size()) best = component;
-  }
-  std::sort(best.begin(), best.end());
-  return best;
-}
-
-inline int rank_of(Kind kind)
-{
-  return kind == Kind::cylinder ? 0 : kind == Kind::sphere ? 1 : kind == Kind::cone ? 2 : 3;
-}
-
-// Else its facets are planes later, and must not be kept from what they may be.
-inline bool may_be_round(const Context& c, const Region& r)
-{
-  if (r.shape.kind == Kind::sphere && r.patches.size() >= 24) return true;
-  const double step = r.step();
-  return (1 - 1e-4) * step * c.min_facets <= 2 * std::acos(-1.) ||
-         (r.number_of_tangent_ends() == 2 && step <= radians(61));
-}
-
-// Of regions that overlap those of most facets, so that a sphere wins over its rows, which are exact cones.
-inline std::vector<Region> choose_regions(const Context& c, Found_regions& found)
-{
-  std::vector<Region> all = found.regions();
-  std::stable_sort(all.begin(), all.end(), [&](const Region& a, const Region& b) {
-    if (may_be_round(c, a) != may_be_round(c, b)) return may_be_round(c, a);
-    if (a.patches.size() != b.patches.size()) return a.patches.size() > b.patches.size();
-    if (a.number_of_tangent_ends() != b.number_of_tangent_ends())
-      return a.number_of_tangent_ends() > b.number_of_tangent_ends();
-    if (a.shape.kind != b.shape.kind) return rank_of(a.shape.kind) < rank_of(b.shape.kind);
-    return a.patches < b.patches; // patches are numbered in the order of their vertices
-  });
-  std::vector<bool> is_taken(c.patches.size(), false);
-  std::vector<Region> result;
-  for (Region& r : all) {
-    std::vector<Index> rest;
-    for (const Index p : r.patches)
-      if (!is_taken[p]) rest.push_back(p);
-    if (rest.size() < r.patches.size()) {
-      if (5 * rest.size() < 3 * r.patches.size()) continue;
-      rest = largest_connected(c, rest);
-      if (5 * rest.size() < 3 * r.patches.size()) continue;
-      r.patches = rest;
-      if (!found.evidence().still_holds(r)) continue;
-    }
-    for (const Index p : r.patches) is_taken[p] = true;
-    result.push_back(std::move(r));
-  }
-  return result;
-}
 
 // Some facets first, since in the large regions that they are in there is nothing left to guess.
 inline void find_regions(const Context& context, Found_regions& found)
@@ -148,6 +90,90 @@ inline std::vector<Recognized_surface> surfaces_of(const Part& part, const Segme
 }
 
 } // namespace recognition
+
+template <class NamedParameters>
+struct Recognition_parameters
+{
+  explicit Recognition_parameters(const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const auto facets = choose_parameter(get_parameter(np, min_facets_t()), 8u);
+    if (!(facets >= 3 && facets <= 1000000))
+      throw std::invalid_argument(
+        "PN_subdivision_3: min_facets must be at least 3, the number of sides of a prism");
+    min_facets = static_cast<unsigned>(facets);
+    tolerance = CGAL::to_double(choose_parameter(get_parameter(np, surface_tolerance_t()), 0.));
+    if (!(tolerance >= 0) || !is_finite_number(tolerance))
+      throw std::invalid_argument("PN_subdivision_3: surface_tolerance must be a positive length, "
+                                  "or 0 for that of the coordinates");
+    sharp_angle = CGAL::to_double(choose_parameter(get_parameter(np, sharp_angle_t()), 30.));
+    if (!(sharp_angle >= 0 && sharp_angle <= 180))
+      throw std::invalid_argument(
+        "PN_subdivision_3: sharp_angle must be between 0 and 180 degrees");
+  }
+
+  unsigned min_facets;
+  double tolerance, sharp_angle;
+};
+
+struct Read_part
+{
+  Level_connectivity level;
+  recognition::Part part;
+};
+
+template <class Mesh, class Access, class NamedParameters>
+Read_part read_part(const Mesh& mesh, const Access& access, const NamedParameters& np,
+                    double tolerance)
+{
+  using Parameters = Surface_parameters<Mesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  Read_part result;
+  result.level = checked_level(access);
+  const auto map = Parameters::const_point_map(mesh, np);
+  std::vector<std::array<double, 3>> points;
+  for (Level_connectivity::Index v = 0; v < result.level.number_of_vertices(); ++v) {
+    points.push_back(to_double_3(checked_point<FT>(access, map, v)));
+    check_finite<double, 3>(points.back(), "point", [&] { return access.vertex_name(v); });
+  }
+  result.part = recognition::Make_part()(result.level, points, tolerance);
+  return result;
+}
+
+// the number of each face's surface, in the order of the mesh
+template <class Access, class Patch_map>
+std::vector<std::size_t> checked_patches(const Access& access, Patch_map patch_map,
+                                         std::size_t faces, std::size_t surfaces)
+{
+  std::vector<std::size_t> result;
+  for (Level_connectivity::Index f = 0; f < faces; ++f) {
+    const auto number = get(patch_map, access.face_at(f));
+    if (static_cast<long long>(number) < 0 || std::size_t(number) >= surfaces)
+      throw std::invalid_argument("PN_subdivision_3: " + access.face_name(f) +
+                                  " has the number of a surface that there is not: take those of "
+                                  "recognize_surfaces() for this mesh");
+    result.push_back(std::size_t(number));
+  }
+  return result;
+}
+
+template <class Mesh, class Patch_map, class NamedParameters, class Function>
+void with_surface_tags(const Mesh& mesh, Patch_map patch_map,
+                       const std::vector<Recognized_surface>& surfaces, const NamedParameters& np,
+                       const Function& function)
+{
+  const Recognition_parameters<NamedParameters> options(np);
+  with_mesh_access(mesh, [&](const auto& access) {
+    const Read_part read = read_part(mesh, access, np, options.tolerance);
+    const recognition::Surface_tags tags(
+      read.level, read.part, surfaces,
+      checked_patches(access, patch_map, read.level.number_of_faces(), surfaces.size()),
+      recognition::radians(options.sharp_angle));
+    function(access, read.level, tags);
+  });
+}
+
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -5,9 +5,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_VEC3_H
-#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_VEC3_H
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_LINEAR_ALGEBRA_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_LINEAR_ALGEBRA_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -143,9 +144,58 @@ private:
   Matrix m_{};
 };
 
+// Linear least squares of few unknowns: rows are taken up one by one by Givens rotations, so that nothing is squared and
+// only a triangle is kept. Unknowns that the rows do not determine are left at zero.
+class Least_squares
+{
+public:
+  static constexpr int most = 8;
+  using Row = std::array<double, most>;
+
+  explicit Least_squares(int unknowns)
+    : n_(unknowns)
+  {}
+
+  void add(Row row, double right)
+  {
+    for (int i = 0; i < n_; ++i) {
+      if (row[i] == 0) continue;
+      const double a = r_[i][i], b = row[i], h = std::sqrt(a * a + b * b);
+      const double c = a / h, s = b / h;
+      r_[i][i] = h;
+      for (int j = i + 1; j < n_; ++j) turn(r_[i][j], row[j], c, s);
+      turn(right_[i], right, c, s);
+    }
+  }
+
+  Row solve() const
+  {
+    Row x{};
+    for (int i = n_ - 1; i >= 0; --i) {
+      double sum = right_[i], scale = 0;
+      for (int j = i + 1; j < n_; ++j) sum -= r_[i][j] * x[j];
+      for (int j = 0; j <= i; ++j) scale += r_[j][i] * r_[j][i];
+      if (std::abs(r_[i][i]) > 1e-12 * std::sqrt(scale)) x[i] = sum / r_[i][i];
+    }
+    return x;
+  }
+
+private:
+  static void turn(double& x, double& y, double c, double s)
+  {
+    const double old = x;
+    x = c * old + s * y;
+    y = c * y - s * old;
+  }
+
+  int n_;
+  std::array<Row, most> r_{};
+  Row right_{};
+};
+
 } // namespace recognition
 } // namespace internal
 } // namespace PN_subdivision_3
 } // namespace CGAL
 
-#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_VEC3_H
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_LINEAR_ALGEBRA_H

@@ -1,0 +1,145 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// The surfaces that the worker makes, as the page sees them.
+
+import workerText from "surface-worker-code";
+import type { Content, Shown } from "./surfaces";
+import type { Answer, DrawJob, Drawn, Edit, Make, ReadJob, ReadMesh, Request } from "./worker_messages";
+
+/** A worker that has been busy for so many milliseconds with what nobody wants any more is ended. */
+const patience = 300;
+
+interface Waiting {
+  resolve(answer: never): void;
+  reject(error: Error): void;
+}
+
+export interface Listener {
+  onDrawn(drawn: Drawn, isLast: boolean): void;
+  onFailure(message: string): void;
+  /** From 0 to 1; undefined: nothing is being done. */
+  onProgress(share: number | undefined): void;
+}
+
+/** One job is done at a time; of those that wait, what is no longer wanted is not done. */
+export class RemoteSurfaces {
+  private worker: Worker | undefined;
+  private number = 0;
+  private running: { number: number; job: DrawJob; since: number } | undefined;
+  private next: DrawJob | undefined;
+  private readonly waiting = new Map<number, Waiting>();
+  private settling: (() => void)[] = [];
+
+  constructor(
+    private readonly module: WebAssembly.Module,
+    private readonly listener: Listener,
+  ) {}
+
+  make(make: Make, shown: Shown): void {
+    this.next = { make, points: [], normals: [], shown };
+    if (this.running?.job.make && performance.now() - this.running.since > patience) this.end("something else is wanted");
+    this.pump();
+  }
+
+  edit(points: Edit[], normals: Edit[], shown: Shown): void {
+    const { next } = this;
+    this.next = { make: next?.make, points: [...(next?.points ?? []), ...points], normals: [...(next?.normals ?? []), ...normals], shown };
+    this.pump();
+  }
+
+  show(shown: Shown): void {
+    this.edit([], [], shown);
+  }
+
+  /** Nothing is wanted any more. */
+  cancel(): void {
+    this.next = undefined;
+    if (this.running) this.end("cancelled");
+    this.pump();
+  }
+
+  content(isLinear: boolean): Promise<Content> {
+    return this.ask<{ content: Content }>({ content: { isLinear } }).then(({ content }) => content);
+  }
+
+  read(read: ReadJob): Promise<ReadMesh> {
+    return this.ask<{ read: ReadMesh }>({ read }, [read.content.buffer as ArrayBuffer]).then((answer) => answer.read);
+  }
+
+  /** Until nothing is left to do. */
+  settled(): Promise<void> {
+    return this.running || this.next ? new Promise((resolve) => this.settling.push(resolve)) : Promise.resolve();
+  }
+
+  private ask<T>(request: Record<string, unknown>, transfer: Transferable[] = []): Promise<T> {
+    const number = ++this.number;
+    return new Promise<T>((resolve, reject) => {
+      this.waiting.set(number, { resolve: resolve as (answer: never) => void, reject });
+      this.started().postMessage({ number, ...request } as Request, transfer);
+    });
+  }
+
+  private started(): Worker {
+    if (this.worker) return this.worker;
+    const address = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
+    const worker = new Worker(address);
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => this.take(data);
+    worker.onerror = ({ message }) => this.fail(message || "the worker cannot be started");
+    worker.postMessage(this.module);
+    setTimeout(() => URL.revokeObjectURL(address), 10_000);
+    return (this.worker = worker);
+  }
+
+  private end(reason: string): void {
+    this.worker?.terminate();
+    this.worker = undefined;
+    this.running = undefined;
+    for (const { reject } of this.waiting.values()) reject(new Error(reason));
+    this.waiting.clear();
+  }
+
+  private fail(message: string): void {
+    this.end(message);
+    this.next = undefined;
+    this.listener.onFailure(message);
+    this.pump();
+  }
+
+  private pump(): void {
+    if (this.running) return;
+    const job = this.next;
+    if (!job) {
+      this.listener.onProgress(undefined);
+      for (const resolve of this.settling.splice(0)) resolve();
+      return;
+    }
+    this.next = undefined;
+    this.running = { number: ++this.number, job, since: performance.now() };
+    this.started().postMessage({ number: this.number, draw: job } satisfies Request);
+  }
+
+  private take(answer: Answer): void {
+    const isOfRunning = answer.number === this.running?.number;
+    if ("progress" in answer) {
+      if (isOfRunning && this.running!.job.make) this.listener.onProgress(answer.progress);
+    } else if (isOfRunning) {
+      const { job } = this.running!;
+      if ("message" in answer) return this.fail(answer.message);
+      this.running = undefined;
+      // what is made anew at once is not worth a picture
+      if ("drawn" in answer && !this.next?.make) this.listener.onDrawn(answer.drawn, job.shown.isLast);
+      this.pump();
+    } else {
+      const waiting = this.waiting.get(answer.number);
+      this.waiting.delete(answer.number);
+      if ("message" in answer) waiting?.reject(new Error(answer.message));
+      else waiting?.resolve(answer as never);
+    }
+  }
+}
