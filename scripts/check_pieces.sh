@@ -81,4 +81,31 @@ if command -v mpirun > /dev/null; then
   check "two ranks in at most 0.6 of the time" "$ranks_time <= 0.6 * $pieces_time"
   cmp "$work/pieces.ply" "$work/ranks.ply" || failures=1
 fi
+
+# the same with colors, numbers of faces and texture coordinates with seams, two rounds before
+python3 - "$work/control.off" > "$work/attributes.ply" <<'PYTHON'
+import sys
+lines = open(sys.argv[1]).read().split("\n")
+vertices, faces = map(int, lines[1].split()[:2])
+print("ply\nformat ascii 1.0\nelement vertex %d" % vertices)
+for name in ("double x", "double y", "double z", "uchar red", "uchar green", "uchar blue"):
+    print("property " + name)
+print("element face %d\nproperty list uchar int vertex_indices\nproperty int part" % faces)
+print("property list uchar float texcoord\nend_header")
+for v in range(vertices): print(lines[2 + v], v * 37 % 256, 255 - v % 200, 7)
+for f in range(faces):
+    face = lines[2 + vertices + f]
+    texture = [(int(v) % 13 + (20 if f % 24 < 12 else 0), int(v) // 13) for v in face.split()[1:]]
+    print(face, f % 3, 2 * len(texture), " ".join("%d %d" % t for t in texture))
+PYTHON
+few=$((levels > 3 ? levels - 2 : levels))
+job=("$command" surface "$work/attributes.ply")
+options=(--scheme catmull-clark --levels "$few" --quiet)
+run attributes "${job[@]}" "$work/pieces.ply" "${options[@]}" --pieces 64
+run whole_attributes "${job[@]}" "$work/whole.ply" "${options[@]}"
+cmp "$work/whole.ply" "$work/pieces.ply" || failures=1
+if command -v mpirun > /dev/null; then
+  run attributes_ranks mpirun --oversubscribe -n 2 "${job[@]}" "$work/ranks.ply" "${options[@]}" --pieces 64
+  cmp "$work/pieces.ply" "$work/ranks.ply" || failures=1
+fi
 exit "$failures"

@@ -61,7 +61,7 @@ internal::Corner_attribute<Map> corner_attribute(Map map, Corner_rule rule = Cor
 template <class Map>
 internal::Edge_attribute<Map> edge_attribute(Map map)
 {
-  return {map};
+  return {{map}};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -70,7 +70,7 @@ internal::Edge_attribute<Map> edge_attribute(Map map)
 template <class Map>
 internal::Face_attribute<Map> face_attribute(Map map)
 {
-  return {map};
+  return {{map}};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -80,7 +80,7 @@ internal::Face_attribute<Map> face_attribute(Map map)
 template <class Map>
 internal::Face_parents<Map> face_parents(Map map)
 {
-  return {map};
+  return {{map}};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -89,7 +89,7 @@ internal::Face_parents<Map> face_parents(Map map)
 template <class Map>
 internal::Vertex_parents<Map> vertex_parents(Map map)
 {
-  return {map};
+  return {{map}};
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
@@ -98,7 +98,7 @@ internal::Vertex_parents<Map> vertex_parents(Map map)
 template <class Map>
 internal::Edge_parents<Map> edge_parents(Map map)
 {
-  return {map};
+  return {{map}};
 }
 
 } // namespace parameters

@@ -10,6 +10,8 @@
 #define CGAL_PN_SUBDIVISION_3_REFINE_IN_PIECES_H
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
@@ -26,6 +28,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -97,18 +100,23 @@ public:
   makes a mesh of the piece, with the same numbers of vertices and faces.
   \tparam PolygonMesh a model of `MutableFaceGraph`
   \param mesh an empty mesh
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
-    `vertex_normal_map`, which are written
-  \throws std::invalid_argument if the mesh is not empty
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
+    `vertex_normal_map` and `attributes`, which are written: a table, or maps of `mesh` of the same kinds and types, in the
+    same order, as those that were read
+  \throws std::invalid_argument if the mesh is not empty, or if the attributes are others
   */
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
   void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
-    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>()) {
+    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters>() &&
+                  internal::check_attributes<PolygonMesh, NamedParameters>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       internal::with_mesh_access(mesh, [&](auto& access) {
+        auto given = Parameters::attributes(np);
+        auto& attributes = internal::unwrapped(given);
         internal::build_mesh(access, connectivity_, Parameters::point_map(mesh, np), points_,
-                             Parameters::normal_map(np), normals_, [] {});
+                             Parameters::normal_map(np), normals_,
+                             [&] { attributes_.put_all(access, connectivity_, attributes); });
       });
     }
   }
@@ -144,6 +152,11 @@ public:
   corners_of_several_wedges() const&& = delete; // of a piece that is gone
   /// @}
 
+  /// the attributes, if a table is given: of the vertices, half-edges, edges and faces of `connectivity()`, where parents of
+  /// faces are control faces; else null.
+  const Attribute_table* attributes() const& { return attributes_.table(); }
+  const Attribute_table* attributes() const&& = delete; // of a piece that is gone
+
   /// what was reached at the vertices that the piece owns, if limits are asked for.
   const Limit_report& limit_report() const { return limit_report_; }
 
@@ -164,6 +177,7 @@ private:
   std::vector<Vector_3> normals_;
   std::vector<typename GeomTraits::FT> roundness_;
   std::vector<Corner> corners_; // of vertices with several wedges
+  internal::Kept_attributes attributes_;
   Limit_report limit_report_;
 };
 
@@ -210,7 +224,9 @@ bytes for each border edge of all levels.
 
 <b>Exceptions.</b> All members have the strong guarantee.
 
-Attributes are not supported. The object keeps no reference to
+<b>Attributes.</b> `attributes` are read as by `subdivide()`, and not changed: each piece has its part of what they become,
+see `Surface_piece::attributes()` and `Surface_piece::build_mesh()`. With them the last round is held as the others are, and
+where a map of corners has seams there is a ring more. The object keeps no reference to
 the mesh. Its members may be called by several threads at the same time.
 
 \tparam Scheme a model of `PNSubdivisionScheme_3` that has a static constant `ghost_rings`, or its `linear()`
@@ -249,7 +265,7 @@ public:
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
     `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
     they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
-    `border`, `crease_tangent_map`, `control_normal_estimate` and `geom_traits`, as in `subdivide()`, and `number_of_pieces`,
+    `border`, `crease_tangent_map`, `control_normal_estimate`, `attributes` and `geom_traits`, as in `subdivide()`, and `number_of_pieces`,
     by default 1; if there are fewer faces, some are empty. The maps are read only.
     With `to_limit`, `points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth`, see above; `to_limit` is `false` by default
 
@@ -415,7 +431,8 @@ private:
       piece.corners_.push_back({h, wedge, {}});
       if constexpr (is_pn) piece.corners_.back().normal = vector(value.normal);
     };
-    refiner_->refine(i, rings, {begin, put, put_corner});
+    const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
+    refiner_->refine(i, rings, {begin, put, put_corner, put_attributes});
     return piece;
   }
 
@@ -450,7 +467,9 @@ private:
       piece.corners_.push_back({h, wedge, {}});
       if (has_normals) piece.corners_.back().normal = normal(limit);
     };
-    piece.limit_report_ = refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner});
+    const auto put_attributes = [&](auto& carried) { piece.attributes_ = attributes_of_(carried); };
+    piece.limit_report_ =
+      refiner_->refine_to_limit(i, rings, demand, {begin, put, put_corner, put_attributes});
     return piece;
   }
 
@@ -479,7 +498,8 @@ private:
   template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
   {
-    if constexpr (internal::check_pieces_arguments<PolygonMesh, Hosted_scheme, NamedParameters>()) {
+    if constexpr (internal::check_pieces_arguments<PolygonMesh, Hosted_scheme, NamedParameters>() &&
+                  internal::check_attributes<PolygonMesh, NamedParameters, false>()) {
       using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
       ghost_rings_ = internal::ghost_rings(scheme);
       if (ghost_rings_ == 0)
@@ -496,11 +516,13 @@ private:
         limits_->options = *options;
       }
       internal::with_mesh_access(mesh, [&](const auto& access) {
+        auto given = Parameters::attributes(np);
+        const auto& attributes = internal::unwrapped(given);
         const auto read = [&](const auto& normals) {
           this->template read<Limits_of_call::may_be_any>(
             access, scheme, Parameters::const_point_map(mesh, np), normals,
             Parameters::edge_constraint_map(np), Parameters::vertex_constraint_map(np),
-            internal::read_roundness<FT, Parameters>(access, np), rounds);
+            internal::read_roundness<FT, Parameters>(access, np), rounds, attributes);
         };
         if constexpr (is_pn)
           read(Parameters::normal_map(np));
@@ -511,10 +533,11 @@ private:
   }
 
   template <bool may_be_limits, class Access, class Hosted_scheme, class Point_map,
-            class Normal_map, class Edge_map, class Vertex_map>
+            class Normal_map, class Edge_map, class Vertex_map, class Attributes>
   void read(const Access& access, const Hosted_scheme& scheme, Point_map points, Normal_map normals,
             Edge_map edge_map, Vertex_map vertex_map,
-            const internal::Given_roundness<FT>& roundness, unsigned rounds)
+            const internal::Given_roundness<FT>& roundness, unsigned rounds,
+            [[maybe_unused]] const Attributes& attributes)
   {
     using Host = typename Hosted_scheme::Host;
     if constexpr (!internal::check_corner_normals<Hosted_scheme, Access, Normal_map>()) return;
@@ -542,13 +565,23 @@ private:
     is_near_overflow_ = std::any_of(values.begin(), values.end(), [](const Value& v) {
       return internal::is_near_overflow(internal::point_of(v));
     });
-    using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases>;
+    constexpr bool carries = !std::is_same_v<Attributes, internal::No_attributes>;
+    using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases, carries>;
+    typename Refiner::Carried carried;
+    if constexpr (carries)
+      if (!internal::is_empty(attributes)) {
+        auto [all, of_part] = internal::Kept_attributes::carry<FT, Host>(
+          access, level, creases, of_mesh.sharpness(level), attributes,
+          internal::For_chunks::with(Concurrency_tag()));
+        carried = typename Refiner::Carried(std::move(all));
+        attributes_of_ = std::move(of_part);
+      }
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
-      refiner_ = std::make_unique<Made>(scheme, std::move(level), std::move(creases),
-                                        typename Refiner::Values(values.begin(), values.end()),
-                                        rounds_, number_of_pieces_, ghost_rings_,
-                                        internal::For_chunks::with(Concurrency_tag()));
+      refiner_ = std::make_unique<Made>(
+        scheme, std::move(level), std::move(creases),
+        typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
+        number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
     };
     if constexpr (may_be_limits) {
       if (limits_ && !Host::keeps_vertices)
@@ -558,7 +591,8 @@ private:
       if constexpr (Host::keeps_vertices)
         if (limits_)
           return make(
-            static_cast<internal::Piece_limits<Hosted_scheme, Average, Level_creases>*>(nullptr));
+            static_cast<internal::Piece_limits<Hosted_scheme, Average, Level_creases, carries>*>(
+              nullptr));
     }
     make(static_cast<Refiner*>(nullptr));
   }
@@ -580,6 +614,7 @@ private:
   bool is_near_overflow_ = false;
   std::unique_ptr<Limits> limits_; // if they are asked for
   std::unique_ptr<internal::Kept_pieces<Average>> refiner_;
+  std::function<internal::Kept_attributes(internal::Carried_attributes<FT>&)> attributes_of_;
 };
 
 template <class PolygonMesh, class Scheme,

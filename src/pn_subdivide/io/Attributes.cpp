@@ -50,29 +50,6 @@ double nearest(Scalar_type type, double x)
   return x < t.highest ? std::floor(x + 0.5) : t.highest;
 }
 
-void write_little_endian(Output_file& out, Scalar_type type, double x)
-{
-  switch (type) {
-  case Scalar_type::int8:
-    return out.little_endian(static_cast<std::int8_t>(x));
-  case Scalar_type::uint8:
-    return out.little_endian(static_cast<std::uint8_t>(x));
-  case Scalar_type::int16:
-    return out.little_endian(static_cast<std::int16_t>(x));
-  case Scalar_type::uint16:
-    return out.little_endian(static_cast<std::uint16_t>(x));
-  case Scalar_type::int32:
-    return out.little_endian(static_cast<std::int32_t>(x));
-  case Scalar_type::uint32:
-    return out.little_endian(static_cast<std::uint32_t>(x));
-  case Scalar_type::float32:
-    return out.little_endian(static_cast<float>(x));
-  case Scalar_type::float64:
-    break;
-  }
-  out.little_endian(x);
-}
-
 namespace {
 
 // The columns of these names, which must be there and have one type.

@@ -11,13 +11,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace pn_subdivide {
-
-class Output_file;
 
 // The types of numbers in files. Every number of them fits into a double.
 enum class Scalar_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -40,7 +39,29 @@ std::string description(Scalar_type type);
 double nearest(Scalar_type type, double x);
 
 // x must be a number of the type.
-void write_little_endian(Output_file& out, Scalar_type type, double x);
+template <class Output>
+void write_little_endian(Output& out, Scalar_type type, double x)
+{
+  switch (type) {
+  case Scalar_type::int8:
+    return out.little_endian(static_cast<std::int8_t>(x));
+  case Scalar_type::uint8:
+    return out.little_endian(static_cast<std::uint8_t>(x));
+  case Scalar_type::int16:
+    return out.little_endian(static_cast<std::int16_t>(x));
+  case Scalar_type::uint16:
+    return out.little_endian(static_cast<std::uint16_t>(x));
+  case Scalar_type::int32:
+    return out.little_endian(static_cast<std::int32_t>(x));
+  case Scalar_type::uint32:
+    return out.little_endian(static_cast<std::uint32_t>(x));
+  case Scalar_type::float32:
+    return out.little_endian(static_cast<float>(x));
+  case Scalar_type::float64:
+    break;
+  }
+  out.little_endian(x);
+}
 
 // Behind what is wrong with an attribute.
 inline const char* const reading_without_it = "; --drop-attributes reads the file without it";

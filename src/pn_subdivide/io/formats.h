@@ -13,6 +13,7 @@
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,15 @@ void write_obj(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 // Binary. Faces must be triangles. Throws Error if a coordinate is too great for its float.
 void write_stl(Output_file& out, const Mesh_data& mesh, Encoding encoding);
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding);
+
+// A piece of a surface: the numbers of its points and faces in the whole.
+struct Vtp_ids
+{
+  std::vector<std::uint64_t> points, cells;
+};
+void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding, const Vtp_ids* ids);
+// The arrays of all pieces, as the file that names them has them; the types are those of a mesh, which may be empty.
+std::string pvtp_arrays(const Mesh_data& like, bool has_texture);
 
 // What of the attributes the format has no place for.
 std::vector<std::string> not_held_by_ply(const Mesh_data& mesh);

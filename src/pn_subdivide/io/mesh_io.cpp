@@ -43,7 +43,7 @@ const Format formats[] = {
   {"stl", read_stl, write_stl, not_held_by_stl, false, false, false, false, false},
   {"vtp", nullptr, write_vtp, not_held_by_vtp, true, true, true, false, true},
   // written piece by piece only
-  {"pvtp", nullptr, nullptr, not_held_by_vtp, false, true, true, false, true}};
+  {"pvtp", nullptr, nullptr, not_held_by_vtp, true, true, true, false, true}};
 
 bool is_readable(const Format& format)
 {

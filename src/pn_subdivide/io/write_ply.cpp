@@ -25,6 +25,8 @@
 namespace pn_subdivide {
 namespace {
 
+constexpr const char* texture_list = "texcoord";
+
 // A list of each face with as many numbers for each corner, or empty.
 struct Corner_list
 {
@@ -47,7 +49,7 @@ struct Ply_content
     , of_faces(all_of(m.attributes.of_faces))
   {
     if (has_texture())
-      lists.push_back({"texcoord", m.attributes.texture_type, 2,
+      lists.push_back({texture_list, m.attributes.texture_type, 2,
                        [this](std::size_t f, auto& numbers) { read_texture(f, numbers); }});
     if (has_several_control_normals())
       lists.push_back({"corner_control_normals", Scalar_type::float64, 3,
@@ -78,7 +80,7 @@ struct Ply_content
   {
     return {
       mesh.points.size(), mesh.number_of_faces(), mesh.has_normals(), mesh.has_control_normals(),
-      mesh.normal_kind,   has_short_lists,        has_roundness()};
+      mesh.normal_kind,   has_short_lists,        has_roundness(),    has_texture()};
   }
 
   // Two numbers for each corner of a face, or none if a corner has none.
@@ -319,9 +321,15 @@ std::vector<std::string> not_held_by_ply(const Mesh_data& mesh)
   return Ply_content(mesh).lost_texture();
 }
 
-std::string ply_header(const Ply_shape& shape, const Mesh_origin& origin)
+std::string ply_header(const Ply_shape& shape, const Mesh_origin& origin,
+                       const Attributes& attributes)
 {
-  return header(shape, Encoding::binary, {origin_comments(origin), "", "", origin_header(origin)});
+  std::string of_faces = properties(all_of(attributes.of_faces));
+  if (shape.has_texture)
+    of_faces += shape.list() + traits(attributes.texture_type).ply + " " + texture_list + "\n";
+  return header(shape, Encoding::binary,
+                {origin_comments(origin) + comments(attributes),
+                 properties(all_of(attributes.of_vertices)), of_faces, origin_header(origin)});
 }
 
 void write_ply(Output_file& out, const Mesh_data& mesh, Encoding encoding)

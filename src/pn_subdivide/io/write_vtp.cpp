@@ -11,6 +11,7 @@
 #include "io/formats.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ bool contains(const Column_group& group, const Column& column)
 {
   return std::find(group.begin(), group.end(), &column) != group.end();
 }
+
+constexpr const char* ids_of_points = " GlobalIds=\"GlobalPointIds\"";
+constexpr const char* ids_of_cells = " GlobalIds=\"GlobalCellIds\"";
 
 struct Vtp_content
 {
@@ -73,30 +77,49 @@ void write_field_data(Vtp_writer& vtp, const Attributes& attributes)
   vtp.line("</FieldData>");
 }
 
-void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content)
+void write_ids(Vtp_writer& vtp, const char* name, const std::vector<std::uint64_t>& ids)
 {
-  if (!mesh.has_normals() && mesh.attributes.of_vertices.empty() && content.texture.empty()) return;
-  std::string tag = "<PointData";
-  if (mesh.has_normals()) tag += " Normals=\"Normals\"";
+  vtp.integers(name, ids.size(), [&vtp, &ids] {
+    for (const std::uint64_t n : ids) vtp.value<std::int64_t>(static_cast<std::int64_t>(n), true);
+  });
+}
+
+std::string point_data_tag(const Vtp_content& content, bool has_normals, bool has_texture)
+{
+  std::string tag = "PointData";
+  if (has_normals) tag += " Normals=\"Normals\"";
   if (!content.scalars.empty()) tag += " Scalars=\"" + xml_text(content.scalars[0]->name) + "\"";
-  if (!content.texture.empty()) tag += " TCoords=\"TCoords\"";
-  vtp.line((tag + ">").c_str());
+  if (has_texture) tag += " TCoords=\"TCoords\"";
+  return tag;
+}
+
+void write_point_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content,
+                      const Vtp_ids* ids)
+{
+  if (ids == nullptr && !mesh.has_normals() && mesh.attributes.of_vertices.empty() &&
+      content.texture.empty())
+    return;
+  const std::string tag = point_data_tag(content, mesh.has_normals(), !content.texture.empty());
+  vtp.line(("<" + tag + (ids == nullptr ? "" : ids_of_points) + ">").c_str());
   if (mesh.has_normals()) vtp.triples("Normals", mesh.normals);
   if (mesh.has_control_normals()) vtp.triples("control_normals", mesh.control_normals);
   if (!mesh.roundness.empty()) vtp.columns("roundness", {&content.roundness});
   for (const Column* column : content.scalars) vtp.columns(column->name, {column});
   if (!content.vertex_color.empty()) vtp.columns("colors", content.vertex_color);
   if (!content.texture.empty()) vtp.texture(content.texture, content.texture_type());
+  if (ids != nullptr) write_ids(vtp, "GlobalPointIds", ids->points);
   vtp.line("</PointData>");
 }
 
-void write_cell_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content)
+void write_cell_data(Vtp_writer& vtp, const Mesh_data& mesh, const Vtp_content& content,
+                     const Vtp_ids* ids)
 {
-  if (mesh.attributes.of_faces.empty()) return;
-  vtp.line("<CellData>");
+  if (ids == nullptr && mesh.attributes.of_faces.empty()) return;
+  vtp.line((std::string("<CellData") + (ids == nullptr ? "" : ids_of_cells) + ">").c_str());
   for (const Column& column : mesh.attributes.of_faces)
     if (!contains(content.face_color, column)) vtp.columns(column.name, {&column});
   if (!content.face_color.empty()) vtp.columns("colors", content.face_color);
+  if (ids != nullptr) write_ids(vtp, "GlobalCellIds", ids->cells);
   vtp.line("</CellData>");
 }
 
@@ -107,7 +130,39 @@ std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh)
   return Vtp_content(mesh).held.rest();
 }
 
+std::string pvtp_arrays(const Mesh_data& like, bool has_texture)
+{
+  const Vtp_content content(like);
+  const auto array = [](const std::string& type, const std::string& name, std::size_t components) {
+    return "<PDataArray type=\"" + type + "\" Name=\"" + xml_text(name) + "\"" +
+           (components == 1 ? "" : " NumberOfComponents=\"" + std::to_string(components) + "\"") +
+           "/>\n";
+  };
+  const auto of_columns = [&](const std::string& name, const Column_group& group) {
+    return array(traits(group[0]->type).vtk, name, group.size());
+  };
+  std::string text =
+    "<P" + point_data_tag(content, like.has_normals(), has_texture) + ids_of_points + ">\n";
+  if (like.has_normals()) text += array("Float64", "Normals", 3);
+  if (like.has_control_normals()) text += array("Float64", "control_normals", 3);
+  if (!like.roundness.empty()) text += array("Float64", "roundness", 1);
+  for (const Column* column : content.scalars) text += of_columns(column->name, {column});
+  if (!content.vertex_color.empty()) text += of_columns("colors", content.vertex_color);
+  if (has_texture) text += array(traits(content.texture_type()).vtk, "TCoords", 2);
+  text += array("Int64", "GlobalPointIds", 1) + "</PPointData>\n<PCellData" + ids_of_cells + ">\n";
+  for (const Column& column : like.attributes.of_faces)
+    if (!contains(content.face_color, column)) text += of_columns(column.name, {&column});
+  if (!content.face_color.empty()) text += of_columns("colors", content.face_color);
+  return text + array("Int64", "GlobalCellIds", 1) + "</PCellData>\n<PPoints>\n" +
+         array("Float64", "Points", 3) + "</PPoints>\n";
+}
+
 void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
+{
+  write_vtp(out, mesh, encoding, nullptr);
+}
+
+void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding, const Vtp_ids* ids)
 {
   const std::size_t faces = mesh.number_of_faces();
   const Vtp_content content(mesh);
@@ -115,8 +170,8 @@ void write_vtp(Output_file& out, const Mesh_data& mesh, Encoding encoding)
   vtp.begin(mesh.has_normals() ? comment_of(mesh.normal_kind) : "");
   write_field_data(vtp, mesh.attributes);
   vtp.begin_piece(mesh.points.size(), faces);
-  write_point_data(vtp, mesh, content);
-  write_cell_data(vtp, mesh, content);
+  write_point_data(vtp, mesh, content, ids);
+  write_cell_data(vtp, mesh, content, ids);
   vtp.line("<Points>");
   vtp.triples("Points", mesh.points);
   vtp.line("</Points>\n<Polys>");

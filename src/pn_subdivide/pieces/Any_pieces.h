@@ -48,11 +48,12 @@ public:
 std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& choice,
                                         unsigned levels, std::size_t number,
                                         const std::optional<Crease_maps>& creases,
-                                        const Limit_choice& limit);
+                                        const Limit_choice& limit,
+                                        const CGAL::PN_subdivision_3::Attribute_table& attributes);
 
-// The bytes that so many pieces take in a process, about.
+// The bytes that so many pieces take in a process, about, with so many for each vertex besides.
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,
-                        std::size_t number);
+                        std::size_t number, double of_vertex);
 
 } // namespace pn_subdivide
 

@@ -54,15 +54,16 @@ double parse_memory(const std::string& text)
 }
 
 std::size_t piece_count(const Surface& surface, const Scheme_choice& scheme, unsigned levels,
-                        const Pieces_options& options, unsigned ranks, bool with_limits)
+                        const Pieces_options& options, unsigned ranks, bool with_limits,
+                        double of_vertex)
 {
   if (options.pieces) return *options.pieces;
   const double memory = options.memory ? parse_memory(*options.memory) : default_memory;
   double least = 0;
   // a few pieces for each rank, so that none waits long for the last one
   for (std::size_t n = ranks == 1 ? 1 : 4 * std::size_t(ranks); n <= most_pieces; n += n / 4 + 1) {
-    const double bytes =
-      of_the_program + (with_limits ? of_limits : 1) * memory_of_pieces(surface, scheme, levels, n);
+    const double bytes = of_the_program + (with_limits ? of_limits : 1) *
+                                            memory_of_pieces(surface, scheme, levels, n, of_vertex);
     if (bytes <= memory) return n;
     if (least == 0 || bytes < least) least = bytes;
   }

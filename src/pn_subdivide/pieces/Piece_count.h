@@ -24,7 +24,8 @@ double parse_memory(const std::string& text);
 // How many pieces are made: as asked for, or so many that one of them fits into the memory. Throws Error if none
 // does.
 std::size_t piece_count(const Surface& surface, const Scheme_choice& scheme, unsigned levels,
-                        const Pieces_options& options, unsigned ranks, bool with_limits);
+                        const Pieces_options& options, unsigned ranks, bool with_limits,
+                        double of_vertex);
 
 } // namespace pn_subdivide
 

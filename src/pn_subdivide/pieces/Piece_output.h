@@ -11,6 +11,7 @@
 
 #include "pieces/Any_pieces.h"
 #include "pieces/Output_names.h"
+#include "pieces/Piece_attributes.h"
 #include "pieces/Piece_normals.h"
 
 #include <cstddef>
@@ -49,10 +50,13 @@ public:
 // Throws Error if the format cannot hold the surface.
 std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces,
                                               const Piece_normals& normals,
+                                              const Piece_attributes& attributes,
                                               const Mesh_origin& origin, const Output_names& names,
                                               bool keeps_receipts);
-std::unique_ptr<Piece_output>
-make_pvtp_output(const Any_pieces& pieces, const Piece_normals& normals, const Output_names& names);
+std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces,
+                                               const Piece_normals& normals,
+                                               const Piece_attributes& attributes,
+                                               const Output_names& names);
 
 } // namespace pn_subdivide
 

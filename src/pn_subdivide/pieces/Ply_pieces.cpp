@@ -25,11 +25,13 @@ namespace {
 class Ply_pieces : public Piece_output
 {
 public:
-  Ply_pieces(const Any_pieces& pieces, const Piece_normals& normals, const Mesh_origin& origin,
+  Ply_pieces(const Any_pieces& pieces, const Piece_normals& normals,
+             const Piece_attributes& attributes, const Mesh_origin& origin,
              const Output_names& names, bool keeps_receipts)
     : pieces_(pieces)
     , normals_(normals)
-    , has_short_lists_(pieces.largest_degree() <= 255)
+    , attributes_(attributes)
+    , has_short_lists_((attributes.has_texture() ? 2 : 1) * pieces.largest_degree() <= 255)
     , keeps_receipts_(keeps_receipts)
     , names_(names)
   {
@@ -45,9 +47,19 @@ public:
     shape.has_roundness = normals.with_roundness;
     shape.normal_kind = normals.kind;
     shape.has_short_lists = has_short_lists_;
-    header_ = ply_header(shape, origin);
+    shape.has_texture = attributes.has_texture();
+    const Attributes like = attributes.like();
+    header_ = ply_header(shape, origin, like);
+    bytes_of_vertex_ = 8 * normals_.numbers() + bytes_of(like.of_vertices);
+    const std::uint64_t list = has_short_lists_ ? 1 : 4;
+    bytes_of_face_ = list + bytes_of(like.of_faces);
+    bytes_of_corner_ = 4;
+    if (shape.has_texture) {
+      bytes_of_face_ += list;
+      bytes_of_corner_ += 2 * traits(like.texture_type).bytes;
+    }
     behind_faces_ = origin.any() ? origin_bytes(origin) : "";
-    faces_begin_ = header_.size() + size.vertices * bytes_of_vertex();
+    faces_begin_ = header_.size() + size.vertices * bytes_of_vertex_;
   }
 
   std::uint64_t size() const override { return faces_end() + behind_faces_.size(); }
@@ -72,8 +84,9 @@ public:
   void write(std::size_t /*i*/, const Any_pieces::Piece& piece) override
   {
     Row_writer rows(*file_, keeps_receipts_);
-    write_vertices(piece, rows);
-    write_faces(piece, rows);
+    const Attributes attributes = attributes_.of(piece);
+    write_vertices(piece, attributes.of_vertices, rows);
+    write_faces(piece, attributes, rows);
     rows.flush();
     if (keeps_receipts_) receipt_ = rows.receipt();
   }
@@ -98,55 +111,82 @@ public:
 private:
   using Index = Any_pieces::Piece::Index;
 
-  std::uint64_t bytes_of_vertex() const { return 8 * normals_.numbers(); }
+  static std::uint64_t bytes_of(const Columns& columns)
+  {
+    std::uint64_t bytes = 0;
+    for (const Column& column : columns) bytes += traits(column.type).bytes;
+    return bytes;
+  }
   std::uint64_t faces_end() const { return place_of_face(pieces_.size().faces); }
   std::uint64_t place_of_face(std::uint64_t f) const
   {
-    return faces_begin_ + (has_short_lists_ ? 1 : 4) * f + 4 * pieces_.first_corner(f);
+    return faces_begin_ + bytes_of_face_ * f + bytes_of_corner_ * pieces_.first_corner(f);
   }
 
-  void write_vertices(const Any_pieces::Piece& piece, Row_writer& rows) const
+  static void put(Row_writer& rows, const Columns& columns, Index i)
+  {
+    for (const Column& column : columns) write_little_endian(rows, column.type, column.values[i]);
+  }
+  void put_size(Row_writer& rows, Index size) const
+  {
+    if (has_short_lists_)
+      rows.little_endian(static_cast<std::uint8_t>(size));
+    else
+      rows.little_endian(static_cast<std::uint32_t>(size));
+  }
+
+  void write_vertices(const Any_pieces::Piece& piece, const Columns& columns,
+                      Row_writer& rows) const
   {
     const Normals_of_piece normals(piece, normals_);
     const auto put = [&rows](const Triple& t) {
-      for (const double x : t) rows.put(x);
+      for (const double x : t) rows.little_endian(x);
     };
     for (Index v = 0; v < piece.number_of_vertices(); ++v) {
       if (!piece.owns_vertex(v)) continue;
-      rows.begin_row(header_.size() + piece.vertex_number(v) * bytes_of_vertex());
+      rows.begin_row(header_.size() + piece.vertex_number(v) * bytes_of_vertex_);
       put(to_triple(piece.points()[v]));
       if (normals_.are_written) put(normals[v]);
       if (normals_.with_control) put(normals.control(v));
-      if (normals_.with_roundness) rows.put(piece.roundness()[v]);
+      if (normals_.with_roundness) rows.little_endian(piece.roundness()[v]);
+      this->put(rows, columns, v);
     }
   }
 
-  void write_faces(const Any_pieces::Piece& piece, Row_writer& rows) const
+  void write_faces(const Any_pieces::Piece& piece, const Attributes& attributes,
+                   Row_writer& rows) const
   {
     const auto& level = piece.connectivity();
+    auto texture = attributes.texture.begin();
     for (Index f = 0; f < piece.number_of_faces(); ++f) {
+      const auto own_texture = texture;
+      if (attributes_.has_texture()) texture += level.degree(level.halfedge_of_face(f));
       if (!piece.owns_face(f)) continue;
       rows.begin_row(place_of_face(piece.face_number(f)));
       const Index first = level.halfedge_of_face(f);
       const Index degree = level.degree(first);
-      if (has_short_lists_)
-        rows.put(static_cast<std::uint8_t>(degree));
-      else
-        rows.put(static_cast<std::uint32_t>(degree));
+      put_size(rows, degree);
       Index h = first;
       do {
-        rows.put(static_cast<std::uint32_t>(piece.vertex_number(level.target(h))));
+        rows.little_endian(static_cast<std::uint32_t>(piece.vertex_number(level.target(h))));
         h = level.next(h);
       } while (h != first);
+      put(rows, attributes.of_faces, f);
+      if (!attributes_.has_texture()) continue;
+      put_size(rows, 2 * degree);
+      for (auto t = own_texture; t != texture; ++t)
+        for (const std::size_t k : {0, 1})
+          write_little_endian(rows, attributes.texture_type, (*t)[k]);
     }
   }
 
   const Any_pieces& pieces_;
   const Piece_normals normals_;
+  const Piece_attributes& attributes_;
   bool has_short_lists_, keeps_receipts_;
   const Output_names names_;
   std::string header_, behind_faces_;
-  std::uint64_t faces_begin_;
+  std::uint64_t faces_begin_, bytes_of_vertex_, bytes_of_face_, bytes_of_corner_;
   std::unique_ptr<Shared_file> file_;
   std::string receipt_; // of the piece that was written last
 };
@@ -155,10 +195,11 @@ private:
 
 std::unique_ptr<Piece_output> make_ply_output(const Any_pieces& pieces,
                                               const Piece_normals& normals,
+                                              const Piece_attributes& attributes,
                                               const Mesh_origin& origin, const Output_names& names,
                                               bool keeps_receipts)
 {
-  return std::make_unique<Ply_pieces>(pieces, normals, origin, names, keeps_receipts);
+  return std::make_unique<Ply_pieces>(pieces, normals, attributes, origin, names, keeps_receipts);
 }
 
 } // namespace pn_subdivide

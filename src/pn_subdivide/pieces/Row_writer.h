@@ -38,7 +38,7 @@ public:
     if (buffer_.empty()) place_ = place;
   }
   template <class T>
-  void put(T x)
+  void little_endian(T x)
   {
     unsigned char bytes[sizeof(T)];
     boost::endian::endian_store<T, sizeof(T), boost::endian::order::little>(bytes, x);

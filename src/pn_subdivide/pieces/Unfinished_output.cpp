@@ -28,8 +28,9 @@ std::string in_megabytes(double bytes)
 std::unique_ptr<Piece_output> make_output(const Pieces_job& job)
 {
   return job.names.folder.empty()
-           ? make_ply_output(*job.pieces, job.normals, job.origin, job.names, job.is_resumable)
-           : make_pvtp_output(*job.pieces, job.normals, job.names);
+           ? make_ply_output(*job.pieces, job.normals, *job.attributes, job.origin, job.names,
+                             job.is_resumable)
+           : make_pvtp_output(*job.pieces, job.normals, *job.attributes, job.names);
 }
 
 } // namespace

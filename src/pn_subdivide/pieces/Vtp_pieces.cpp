@@ -10,7 +10,7 @@
 
 #include "io/Error.h"
 #include "io/Output_file.h"
-#include "io/Vtp_writer.h"
+#include "io/formats.h"
 #include "io/write_text.h"
 #include "pieces/Checksum.h"
 #include "pieces/Piece_folder.h"
@@ -30,102 +30,95 @@ namespace {
 
 using Index = Any_pieces::Piece::Index;
 
-// The arrays of what a piece owns, in which a vertex that the piece has twice is there once.
-class Vtp_arrays
+// Selects what a piece owns, with a vertex that the piece has twice once.
+class Owned_part
 {
 public:
-  Vtp_arrays(const Any_pieces::Piece& piece, const Piece_normals& normals)
+  Owned_part(const Any_pieces::Piece& piece, const Piece_normals& normals,
+             const Piece_attributes& attributes)
     : piece_(piece)
-    , normals_(normals)
     , row_(piece.number_of_vertices(), none)
   {
-    for_each_corner([&](Index v, bool is_last) {
-      row_[v] = used;
-      ++corners_;
-      if (is_last) ++faces_;
-    });
-    for (Index v = 0; v < row_.size(); ++v) {
-      const bool is_used = row_[v] == used || piece.connectivity().is_isolated(v);
-      if (!is_used) continue;
-      const bool is_new =
-        vertices_.empty() || piece.vertex_number(v) != piece.vertex_number(vertices_.back());
-      if (is_new) vertices_.push_back(v);
-      row_[v] = static_cast<Index>(vertices_.size() - 1);
+    list_corners();
+    list_vertices();
+    mesh_.normal_kind = normals.kind;
+    mesh_.attributes = attributes.of(piece);
+    select(mesh_.attributes.of_vertices, vertices_);
+    select(mesh_.attributes.of_faces, faces_);
+    select(mesh_.attributes.texture, corners_);
+    const Normals_of_piece values(piece, normals);
+    for (const Index v : vertices_) {
+      mesh_.points.push_back(to_triple(piece.points()[v]));
+      ids_.points.push_back(piece.vertex_number(v));
+      if (normals.are_written) mesh_.normals.push_back(values[v]);
+      if (normals.with_control) mesh_.control_normals.push_back(values.control(v));
+      if (normals.with_roundness) mesh_.roundness.push_back(piece.roundness()[v]);
     }
+    add_faces();
   }
 
-  void write(Output_file& out) const
-  {
-    Vtp_writer vtp(out, Encoding::binary);
-    vtp.begin(normals_.are_written ? comment_of(normals_.kind) : "");
-    vtp.begin_piece(vertices_.size(), faces_);
-    const Normals_of_piece normals(piece_, normals_);
-    vtp.line(normals_.are_written ? R"(<PointData Normals="Normals" GlobalIds="GlobalPointIds">)"
-                                  : R"(<PointData GlobalIds="GlobalPointIds">)");
-    if (normals_.are_written)
-      vtp.triples("Normals", vertices_.size(),
-                  [&](std::size_t i) { return normals[vertices_[i]]; });
-    if (normals_.with_control)
-      vtp.triples("control_normals", vertices_.size(),
-                  [&](std::size_t i) { return normals.control(vertices_[i]); });
-    Column roundness;
-    if (normals_.with_roundness) {
-      for (const Index v : vertices_) roundness.values.push_back(piece_.roundness()[v]);
-      vtp.columns("roundness", {&roundness});
-    }
-    vtp.integers("GlobalPointIds", vertices_.size(), [&] {
-      for (const Index v : vertices_) put(vtp, piece_.vertex_number(v));
-    });
-    vtp.line("</PointData>\n<CellData GlobalIds=\"GlobalCellIds\">");
-    vtp.integers("GlobalCellIds", faces_, [&] {
-      for (Index f = 0; f < piece_.number_of_faces(); ++f)
-        if (piece_.owns_face(f)) put(vtp, piece_.face_number(f));
-    });
-    vtp.line("</CellData>\n<Points>");
-    vtp.triples("Points", vertices_.size(),
-                [&](std::size_t i) { return to_triple(piece_.points()[vertices_[i]]); });
-    vtp.line("</Points>\n<Polys>");
-    vtp.integers("connectivity", corners_,
-                 [&] { for_each_corner([&](Index v, bool) { put(vtp, row_[v]); }); });
-    vtp.integers("offsets", faces_, [&] {
-      std::uint64_t end = 0;
-      for_each_corner([&](Index, bool is_last) {
-        ++end;
-        if (is_last) put(vtp, end);
-      });
-    });
-    vtp.line("</Polys>");
-    vtp.end();
-  }
+  void write(Output_file& out) const { write_vtp(out, mesh_, Encoding::binary, &ids_); }
 
 private:
-  static void put(Vtp_writer& vtp, std::uint64_t n)
-  {
-    vtp.value<std::int64_t>(static_cast<std::int64_t>(n), true);
-  }
-
   template <class Function>
   void for_each_corner(const Function& f) const
   {
     const auto& level = piece_.connectivity();
     for (Index face = 0; face < piece_.number_of_faces(); ++face) {
-      if (!piece_.owns_face(face)) continue;
       const Index first = level.halfedge_of_face(face);
       Index h = first;
       do {
         const Index n = level.next(h);
-        f(level.target(h), n == first);
+        f(face, level.target(h), n == first);
         h = n;
       } while (h != first);
     }
   }
 
+  void list_corners()
+  {
+    Index corner = 0;
+    for_each_corner([&](Index face, Index v, bool is_last) {
+      const Index c = corner++;
+      if (!piece_.owns_face(face)) return;
+      row_[v] = used;
+      corners_.push_back(c);
+      if (is_last) faces_.push_back(face);
+    });
+  }
+  void list_vertices()
+  {
+    for (Index v = 0; v < row_.size(); ++v) {
+      const bool is_used = row_[v] == used || piece_.connectivity().is_isolated(v);
+      if (!is_used) continue;
+      const bool is_new =
+        vertices_.empty() || piece_.vertex_number(v) != piece_.vertex_number(vertices_.back());
+      if (is_new) vertices_.push_back(v);
+      row_[v] = static_cast<Index>(vertices_.size() - 1);
+    }
+  }
+  void add_faces()
+  {
+    mesh_.reserve_faces(faces_.size(), corners_.size());
+    std::vector<Index> face;
+    for_each_corner([&](Index f, Index v, bool is_last) {
+      face.push_back(row_[v]);
+      if (!is_last) return;
+      if (piece_.owns_face(f)) {
+        mesh_.add_face(face);
+        ids_.cells.push_back(piece_.face_number(f));
+      }
+      face.clear();
+    });
+  }
+
   static constexpr Index none = std::numeric_limits<Index>::max(), used = none - 1;
 
   const Any_pieces::Piece& piece_;
-  const Piece_normals& normals_;
   std::vector<Index> row_, vertices_; // the row of each vertex, the vertex of each row
-  std::size_t corners_ = 0, faces_ = 0;
+  std::vector<Index> faces_, corners_;
+  Mesh_data mesh_;
+  Vtp_ids ids_;
 };
 
 // The checksum of a file, and its size.
@@ -147,9 +140,11 @@ std::string receipt_of(const fs::path& file)
 class Pvtp_pieces : public Piece_output
 {
 public:
-  Pvtp_pieces(const Any_pieces& pieces, const Piece_normals& normals, const Output_names& names)
+  Pvtp_pieces(const Any_pieces& pieces, const Piece_normals& normals,
+              const Piece_attributes& attributes, const Output_names& names)
     : pieces_(pieces)
     , normals_(normals)
+    , attributes_(attributes)
     , names_(names)
   {}
 
@@ -176,7 +171,7 @@ public:
   {
     if (pieces_.is_empty(i)) return;
     Output_file out((names_.part / piece_name(i)).string(), Output_file::In_temporary_folder());
-    Vtp_arrays(piece, normals_).write(out);
+    Owned_part(piece, normals_, attributes_).write(out);
     out.commit();
   }
   std::string sync(std::size_t i) override
@@ -229,24 +224,19 @@ private:
 
   void write_index(Output_file& out) const
   {
-    const auto normals = [](const std::string& name) {
-      return "<PDataArray type=\"Float64\" Name=\"" + name + "\" NumberOfComponents=\"3\"/>\n";
-    };
+    Mesh_data like; // a vertex
+    like.attributes = attributes_.like();
+    if (normals_.are_written) like.normals.resize(1);
+    if (normals_.with_control) like.control_normals.resize(1);
+    if (normals_.with_roundness) like.roundness.resize(1);
+    const bool has_texture =
+      attributes_.has_texture() || !find_texture(like.attributes.of_vertices).empty();
     out.text("<?xml version=\"1.0\"?>\n");
     if (normals_.are_written) out.text(std::string("<!-- ") + comment_of(normals_.kind) + " -->\n");
     out.text("<VTKFile type=\"PPolyData\" version=\"1.0\" "
              "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-             "<PPolyData GhostLevel=\"0\">\n<PPointData ");
-    out.text(normals_.are_written ? "Normals=\"Normals\" GlobalIds=\"GlobalPointIds\">\n"
-                                  : "GlobalIds=\"GlobalPointIds\">\n");
-    if (normals_.are_written) out.text(normals("Normals"));
-    if (normals_.with_control) out.text(normals("control_normals"));
-    if (normals_.with_roundness) out.text("<PDataArray type=\"Float64\" Name=\"roundness\"/>\n");
-    out.text("<PDataArray type=\"Int64\" Name=\"GlobalPointIds\"/>\n</PPointData>\n"
-             "<PCellData GlobalIds=\"GlobalCellIds\">\n"
-             "<PDataArray type=\"Int64\" Name=\"GlobalCellIds\"/>\n</PCellData>\n<PPoints>\n"
-             "<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
-             "</PPoints>\n");
+             "<PPolyData GhostLevel=\"0\">\n");
+    out.text(pvtp_arrays(like, has_texture));
     const std::string folder = xml_text(names_.folder.filename().string());
     for (std::size_t i = 0; i < pieces_.number(); ++i)
       if (!pieces_.is_empty(i))
@@ -256,15 +246,18 @@ private:
 
   const Any_pieces& pieces_;
   const Piece_normals normals_;
+  const Piece_attributes& attributes_;
   const Output_names names_;
 };
 
 } // namespace
 
-std::unique_ptr<Piece_output>
-make_pvtp_output(const Any_pieces& pieces, const Piece_normals& normals, const Output_names& names)
+std::unique_ptr<Piece_output> make_pvtp_output(const Any_pieces& pieces,
+                                               const Piece_normals& normals,
+                                               const Piece_attributes& attributes,
+                                               const Output_names& names)
 {
-  return std::make_unique<Pvtp_pieces>(pieces, normals, names);
+  return std::make_unique<Pvtp_pieces>(pieces, normals, attributes, names);
 }
 
 } // namespace pn_subdivide

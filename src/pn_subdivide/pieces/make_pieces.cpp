@@ -53,9 +53,11 @@ std::unique_ptr<Any_pieces> pieces_of_scheme(const Surface& surface, const S& sc
 }
 
 template <class NamedParameters>
-auto with_limit(const Limit_choice& limit, const NamedParameters& np)
+auto with_limit(const Limit_choice& limit, const PN::Attribute_table& attributes,
+                const NamedParameters& np)
 {
-  return PN::parameters::join(PN::parameters::to_limit(limit.is_used())
+  return PN::parameters::join(PN::parameters::attributes(attributes)
+                                .to_limit(limit.is_used())
                                 .points(limit.points)
                                 .surface_normals(limit.normals)
                                 .tolerance(limit.tolerance.value_or(default_limit_tolerance)),
@@ -71,12 +73,14 @@ Roundness_map given_roundness(Surface& surface)
 std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_choice& choice,
                                                 unsigned levels, std::size_t number,
                                                 const Crease_maps& creases,
-                                                const Limit_choice& limit)
+                                                const Limit_choice& limit,
+                                                const PN::Attribute_table& attributes)
 {
-  const auto np = with_limit(limit, PN::parameters::border(creases.border)
-                                      .number_of_iterations(levels)
-                                      .edge_is_constrained_map(creases.edges)
-                                      .vertex_is_constrained_map(creases.vertices));
+  const auto np = with_limit(limit, attributes,
+                             PN::parameters::border(creases.border)
+                               .number_of_iterations(levels)
+                               .edge_is_constrained_map(creases.edges)
+                               .vertex_is_constrained_map(creases.vertices));
   if (!normals_of(surface)) {
     const Scheme scheme = make_scheme("--scheme", choice.scheme, choice);
     return pieces_of_scheme(surface, PN::linear(scheme), number, np);
@@ -97,10 +101,12 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
 std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& choice,
                                         unsigned levels, std::size_t number,
                                         const std::optional<Crease_maps>& creases,
-                                        const Limit_choice& limit)
+                                        const Limit_choice& limit,
+                                        const PN::Attribute_table& attributes)
 {
-  if (creases) return pieces_with_creases(surface, choice, levels, number, *creases, limit);
-  const auto rounds = with_limit(limit, CGAL::parameters::number_of_iterations(levels));
+  if (creases)
+    return pieces_with_creases(surface, choice, levels, number, *creases, limit, attributes);
+  const auto rounds = with_limit(limit, attributes, CGAL::parameters::number_of_iterations(levels));
   const std::optional<Normal_map> normals = normals_of(surface);
   if (!normals)
     return pieces_of_scheme(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
@@ -115,7 +121,7 @@ std::unique_ptr<Any_pieces> make_pieces(Surface& surface, const Scheme_choice& c
 }
 
 double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, unsigned levels,
-                        std::size_t number)
+                        std::size_t number, double of_vertex)
 {
   Any_pieces::Size size;
   size.vertices = surface.number_of_vertices();
@@ -123,7 +129,10 @@ double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, uns
   size.faces = surface.number_of_faces();
   for (const Surface::Halfedge_index h : surface.halfedges())
     if (!surface.is_border(h)) ++size.corners;
-  return PN::Surface_pieces<Scheme, Kernel>::memory(make_scheme("--scheme", choice.scheme, choice),
+  // beside those of points, normals and connectivity
+  constexpr double bytes_of_vertex = 200;
+  return (1 + of_vertex / bytes_of_vertex) *
+         PN::Surface_pieces<Scheme, Kernel>::memory(make_scheme("--scheme", choice.scheme, choice),
                                                     size, levels, number);
 }
 

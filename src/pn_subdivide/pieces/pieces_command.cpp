@@ -9,6 +9,7 @@
 #include "pieces/pieces_command.h"
 
 #include "io/Error.h"
+#include "io/formats.h"
 #include "pieces/Checksum.h"
 #include "pieces/Piece_count.h"
 #include "pieces/Ranks.h"
@@ -16,6 +17,7 @@
 
 #include <CGAL/PN_subdivision_3/version.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
 #include <optional>
@@ -60,6 +62,13 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
   add(creases.edges);
   add(creases.vertices);
   for (const Vector_3& t : creases.tangents) add(to_triple(t));
+  add(mesh.attributes.texture);
+  for (const Columns* columns : {&mesh.attributes.of_vertices, &mesh.attributes.of_faces})
+    for (const Column& column : *columns) {
+      add(column.name);
+      add(column.values);
+      for (const std::string& word : column.words) add(word);
+    }
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
     const std::uint64_t degree = mesh.face(f).size();
     crc.process_bytes(&degree, sizeof degree);
@@ -73,9 +82,21 @@ std::string name_of(const Mesh_data& mesh, const Creases& creases, const Surface
   text << ' ' << scheme.first_round.value_or(1) << ' ' << scheme.tuned_valences.value_or("-");
   text << ' ' << int(creases.border) << ' ' << int(normals.choice) << ' ' << int(normals.kind);
   text << ' ' << limit.points << limit.normals << ' ' << limit.tolerance.value_or(0);
+  for (const Columns* columns : {&mesh.attributes.of_vertices, &mesh.attributes.of_faces})
+    for (const Column& column : *columns) text << ' ' << int(column.type) << column.words.size();
+  for (const auto* files : {&mesh.attributes.texture_files, &mesh.attributes.material_files})
+    for (const std::string& file : *files) text << ' ' << file;
+  text << ' ' << options.texture_rule.value_or("-") << int(mesh.attributes.texture_type);
   text << ' ' << options.levels << ' ' << mesh.points.size() << ' ' << mesh.number_of_faces();
   add(text.str());
   return text_of(crc) + " " + std::to_string(pieces);
+}
+
+// About what a vertex of a piece takes: its values in two rounds, in the table and in the file.
+double bytes_of_vertex(const Attributes& attributes)
+{
+  return 32. * double(attributes.of_vertices.size()) + 24. * double(attributes.of_faces.size()) +
+         (attributes.texture.empty() ? 0 : 250);
 }
 
 void take_names(Pieces_job& job, const Mesh_file& output)
@@ -127,7 +148,7 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
 }
 
 void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
-                             const Output_normals& normals)
+                             const Output_normals& normals, const Mesh_file& output)
 {
   const bool has_control_normals = normals.choice == Output_normals::Choice::control ||
                                    normals.choice == Output_normals::Choice::both;
@@ -135,24 +156,36 @@ void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
     throw Error("refinement in pieces does not write what is sharp, which goes with control "
                 "normals: take --output-normals auto, or --sharp none and --border surface, or "
                 "refine it as a whole");
-  const Attributes& attributes = mesh.attributes;
-  if (!attributes.empty() || !attributes.texture_files.empty() ||
-      !attributes.material_files.empty())
-    throw Error("refinement in pieces does not carry attributes (colors, texture coordinates, "
-                "materials): take --drop-attributes, or refine the mesh as a whole");
+  const std::vector<Texture_point>& texture = mesh.attributes.texture;
+  if (output.format == "ply" && std::any_of(texture.begin(), texture.end(), is_none))
+    throw Error("refinement in pieces does not write texture coordinates that some corners lack: "
+                "take --drop-attributes, .pvtp, or refine the mesh as a whole");
+}
+
+static void suit_attributes(Mesh_data& mesh, const Mesh_file& output)
+{
+  const auto names = not_held(output, mesh);
+  const bool has_lost_texture =
+    output.format == "pvtp" &&
+    std::find(names.begin(), names.end(), "texture coordinates") != names.end();
+  if (has_lost_texture) mesh.attributes.texture.clear(); // by no piece
 }
 
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
-                           const Scheme_choice& scheme, const Mesh_file& output,
-                           const Output_normals& normals, const Limit_choice& limit)
+                           const Scheme_choice& scheme, const Mesh_file& input,
+                           const Mesh_file& output, const Output_normals& normals,
+                           const Limit_choice& limit, Texture_rule texture_rule, Report& report)
 {
+  Pieces_job job;
+  job.lost_attributes = not_held(output, mesh);
+  suit_attributes(mesh, output);
   Surface surface = make_surface(mesh);
   std::optional<Crease_maps> maps;
   if (is_creased(creases) && (options.levels > 0 || limit.is_used()))
     maps = add_creases(surface, creases, limit.is_used());
   const std::size_t number =
-    piece_count(surface, scheme, options.levels, options.pieces, ranks().number(), limit.is_used());
-  Pieces_job job;
+    piece_count(surface, scheme, options.levels, options.pieces, ranks().number(), limit.is_used(),
+                bytes_of_vertex(mesh.attributes));
   job.name = name_of(mesh, creases, options, scheme, normals, limit, number);
   job.limit = limit;
   job.has_normals = mesh.has_normals();
@@ -165,9 +198,15 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   job.is_resumable = options.pieces.resume;
   if (normals.with_control() && output.format == "ply")
     job.origin = origin_after(mesh, scheme.scheme, options.levels);
+  move_file_references(mesh.attributes, input, output);
+  Carried_attributes carried(surface, std::move(mesh.attributes), texture_rule);
   mesh = Mesh_data();
+  if (options.levels > 0)
+    carried.suit(surface, scheme.scheme, input.title("standard input"), report);
+  job.attributes = std::make_unique<const Piece_attributes>(std::move(carried), output);
   take_names(job, output);
-  job.pieces = make_pieces(surface, scheme, options.levels, number, maps, limit);
+  job.pieces =
+    make_pieces(surface, scheme, options.levels, number, maps, limit, job.attributes->table());
   return job;
 }
 

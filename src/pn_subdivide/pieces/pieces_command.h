@@ -15,12 +15,14 @@
 #include "pieces/Any_pieces.h"
 #include "pieces/Output_lock.h"
 #include "pieces/Output_names.h"
+#include "pieces/Piece_attributes.h"
 #include "pieces/Piece_normals.h"
 #include "surface/creases.h"
 #include "surface/surface_command.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -33,7 +35,7 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
 
 // Throws Error if the mesh has something that pieces do not carry.
 void require_mesh_for_pieces(const Mesh_data& mesh, const Creases& creases,
-                             const Output_normals& normals);
+                             const Output_normals& normals, const Mesh_file& output);
 
 struct Pieces_job
 {
@@ -41,6 +43,8 @@ struct Pieces_job
   bool has_normals = false;      // to refine with
   Piece_normals normals;         // that are written
   bool has_lost_normals = false; // vertices with several of them have one in the output
+  std::unique_ptr<const Piece_attributes> attributes;
+  std::vector<std::string> lost_attributes; // that the format does not hold
   Limit_choice limit;
   Mesh_origin origin; // if it is written
   bool is_resumable = false;
@@ -51,8 +55,9 @@ struct Pieces_job
 
 // Takes the names in the file system first. Throws Output_error if they cannot be had.
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
-                           const Scheme_choice& scheme, const Mesh_file& output,
-                           const Output_normals& normals, const Limit_choice& limit);
+                           const Scheme_choice& scheme, const Mesh_file& input,
+                           const Mesh_file& output, const Output_normals& normals,
+                           const Limit_choice& limit, Texture_rule texture_rule, Report& report);
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
 // Returns what limits have reached.

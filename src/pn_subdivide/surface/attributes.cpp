@@ -155,11 +155,12 @@ std::vector<std::string> Carried_attributes::averaged_integers() const
   return names;
 }
 
-Attributes Carried_attributes::take(const Surface& refined)
+template <class Corners>
+void Carried_attributes::fill(Attributes& attributes, Table& table, const Corners& corners) const
 {
-  for (std::size_t i = 0; i < attributes_.of_vertices.size(); ++i) {
-    Column& column = attributes_.of_vertices[i];
-    column.values = std::move(table_.vertices[i].values);
+  for (std::size_t i = 0; i < attributes.of_vertices.size(); ++i) {
+    Column& column = attributes.of_vertices[i];
+    column.values = std::move(table.vertices[i].values);
     const auto [lowest, highest] = ranges_[i];
     for (double& x : column.values) {
       if (x < lowest) x = lowest;
@@ -167,24 +168,33 @@ Attributes Carried_attributes::take(const Surface& refined)
       x = nearest(column.type, x);
     }
   }
-  select(attributes_.of_faces, table_.face_parents);
-  if (!table_.corners.empty()) take_texture(refined);
-  return std::move(attributes_);
-}
-
-// Corners next to one without coordinates have none either.
-void Carried_attributes::take_texture(const Surface& refined)
-{
-  const auto& texture = table_.corners[0];
-  const std::vector<Surface::Halfedge_index> corners = corners_of(refined);
-  attributes_.texture.reserve(corners.size());
-  for (const Surface::Halfedge_index h : corners) {
+  select(attributes.of_faces, table.face_parents);
+  if (table.corners.empty()) return;
+  // Corners next to one without coordinates have none either.
+  const auto& texture = table.corners[0];
+  attributes.texture.reserve(corners.size());
+  for (const auto& h : corners) {
     const auto begin = texture.values.begin() + std::ptrdiff_t(texture.dimension * std::size_t(h));
     Texture_point t = {0, 0, 0};
     for (std::size_t i = 0; i < texture.dimension; ++i)
-      t[i] = nearest(attributes_.texture_type, *(begin + std::ptrdiff_t(i)));
-    attributes_.texture.push_back(t);
+      t[i] = nearest(attributes.texture_type, *(begin + std::ptrdiff_t(i)));
+    attributes.texture.push_back(t);
   }
+}
+
+Attributes Carried_attributes::take(const Surface& refined)
+{
+  fill(attributes_, table_, corners_of(refined));
+  return std::move(attributes_);
+}
+
+Attributes Carried_attributes::of_piece(const Table& table,
+                                        const std::vector<std::size_t>& corners) const
+{
+  Attributes attributes = attributes_;
+  Table copy = table;
+  fill(attributes, copy, corners);
+  return attributes;
 }
 
 } // namespace pn_subdivide

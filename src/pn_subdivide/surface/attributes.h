@@ -56,6 +56,7 @@ public:
 
   // To be refined along with the mesh.
   Table& table() { return table_; }
+  const Table& table() const { return table_; }
 
   // Drops texture coordinates with seams or gaps, with a warning, if the scheme keeps no edges. Notes
   // which integers are averaged.
@@ -64,12 +65,15 @@ public:
 
   // Those of the refined mesh. Integers are rounded, colors stay in range.
   Attributes take(const Surface& refined);
+  // Those of a piece with this table, and with these half-edges with a face.
+  Attributes of_piece(const Table& table, const std::vector<std::size_t>& corners) const;
 
 private:
   using Range = std::pair<double, double>;
 
   std::vector<std::string> averaged_integers() const; // but for those of colors
-  void take_texture(const Surface& refined);
+  template <class Corners>
+  void fill(Attributes& attributes, Table& table, const Corners& corners) const;
 
   Attributes attributes_;     // without the numbers that are in the table
   std::vector<Range> ranges_; // of the columns of vertices

@@ -568,9 +568,9 @@ void warn_of_lost_normals(bool has_corner_normals, const Plan& plan, Report& rep
               " files hold one, which is their normalized sum; .obj holds all");
 }
 
-void warn_of_lost_attributes(const Mesh_data& mesh, const Plan& plan, Report& report)
+void warn_of_lost_attributes(const std::vector<std::string>& names, const Plan& plan,
+                             Report& report)
 {
-  const std::vector<std::string> names = not_held(plan.output, mesh);
   if (!names.empty())
     report.warn_of_dropped(plan.output.title("standard output") + ": not written, " +
                              plan.output.format + " files cannot hold it: " + enumeration(names),
@@ -681,6 +681,7 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
   warn_of_lost_normals(job.has_lost_normals, plan, report);
+  warn_of_lost_attributes(job.lost_attributes, plan, report);
   const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
   if (plan.limit.is_used()) report_limits(limits, plan, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
@@ -728,7 +729,7 @@ void run_surface_command(const Surface_options& given_options)
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan, options.levels);
     require_interpolation_of_creases(creases, plan);
-    if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals);
+    if (in_pieces) require_mesh_for_pieces(mesh, creases, plan.output_normals, plan.output);
     const bool has_file_normals = mesh.has_normals();
     normals = takes_surface_normals(plan, part)
                 ? set_surface_normals(mesh, plan, *part, creases, report)
@@ -741,8 +742,9 @@ void run_surface_command(const Surface_options& given_options)
       choose_rounds(mesh, plan, part, creases, scheme, options);
     if (rounds && !part) report_rounds(*rounds, chord, report);
     if (in_pieces)
-      pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.output,
-                               plan.output_normals, plan.limit);
+      pieces =
+        make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
+                        plan.output_normals, plan.limit, plan.texture_rule, report);
     else {
       if (part) table.emplace(*part, mesh);
       process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
@@ -768,7 +770,7 @@ void run_surface_command(const Surface_options& given_options)
     report.progress("writing " + plan.output.title("standard output") + ": " + size_of(mesh));
   if (part) suit_segments(mesh, plan.output);
   warn_of_lost_normals(mesh.has_corner_normals(), plan, report);
-  warn_of_lost_attributes(mesh, plan, report);
+  warn_of_lost_attributes(not_held(plan.output, mesh), plan, report);
   take_types_of_format(plan.output, mesh.attributes);
   move_file_references(mesh.attributes, plan.input, plan.output);
   Tags_file tags(options, mesh.tags, report);

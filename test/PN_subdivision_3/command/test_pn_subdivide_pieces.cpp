@@ -195,11 +195,6 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
   expect_one_line(run(in_out("sqrt3", "out.ply") + "--pieces 2 --limit"), 2, "--limit");
   expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
   expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
-  folder.write("quads.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
-  std::string off = content("quads.off");
-  off.replace(0, 3, "COFF");
-  folder.write("quads.off", off);
-  expect_refusal("--pieces 2", 1, "--drop-attributes");
 }
 
 namespace {

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -34,6 +35,9 @@ struct Whole
 {
   std::vector<double> points, normals, corner_normals; // of corners: face by face
   std::vector<std::size_t> faces;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>
+    edges;                   // the values of edges, by their ends
+  PN::Attribute_table table; // corners face by face; edges are apart
   PN::Limit_report report;
 
   void add(std::vector<double>& values, std::size_t i, const Vector& v)
@@ -43,42 +47,104 @@ struct Whole
   }
 };
 
+// arrays as those of the case, without values
+PN::Attribute_table empty_table(const PN::Attribute_table& like)
+{
+  PN::Attribute_table table = like;
+  for (auto* arrays : {&table.vertices, &table.corners, &table.edges})
+    for (auto& array : *arrays) array.values.clear();
+  table.face_parents.clear();
+  return table;
+}
+
+void add_row(PN::Attribute_array& to, std::size_t row, const PN::Attribute_array& from,
+             std::size_t i)
+{
+  const std::size_t d = from.dimension;
+  ASSERT_EQ(to.dimension, d);
+  if (to.values.size() < d * (row + 1)) to.values.resize(d * (row + 1), -99.);
+  std::copy_n(from.values.begin() + std::ptrdiff_t(d * i), d,
+              to.values.begin() + std::ptrdiff_t(d * row));
+}
+
+template <class Table>
+void add_rows(Table& to, std::size_t row, const Table& from, std::size_t i)
+{
+  ASSERT_EQ(to.size(), from.size());
+  for (std::size_t k = 0; k < to.size(); ++k) add_row(to[k], row, from[k], i);
+}
+
+// The values of an edge, beside the numbers of its ends.
+using Edge_values = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
+
+Edge_values::value_type edge_values(std::size_t a, std::size_t b, const PN::Attribute_table& table,
+                                    std::size_t e)
+{
+  std::vector<double> values;
+  for (const auto& array : table.edges)
+    for (std::size_t k = 0; k < array.dimension; ++k)
+      values.push_back(array.values[e * array.dimension + k]);
+  return {std::minmax(a, b), values};
+}
+
 Whole whole(const Case& c, bool of_corners, bool has_normals)
 {
   Whole w;
+  w.table = empty_table(c.table);
+  w.table.face_parents = c.table.face_parents;
   for (auto v : c.mesh.vertices()) {
     w.add(w.points, v.idx(), c.mesh.point(v) - CGAL::ORIGIN);
     if (has_normals && !of_corners) w.add(w.normals, v.idx(), c.normals[v]);
+    add_rows(w.table.vertices, v.idx(), c.table.vertices, v.idx());
   }
+  for (auto e : c.mesh.edges())
+    w.edges.insert(
+      edge_values(c.mesh.vertex(e, 0).idx(), c.mesh.vertex(e, 1).idx(), c.table, e.idx()));
   for (auto f : c.mesh.faces())
     for (auto h : halfedges_around_face(c.mesh.halfedge(f), c.mesh)) {
       if (has_normals && of_corners) w.add(w.corner_normals, w.faces.size(), c.corner_normals[h]);
+      add_rows(w.table.corners, w.faces.size(), c.table.corners, h.idx());
       w.faces.push_back(c.mesh.target(h).idx());
     }
   return w;
 }
 
 template <class Pieces>
-Whole collected(const Pieces& pieces, bool of_corners)
+Whole collected(const Pieces& pieces, bool of_corners, const PN::Attribute_table& like)
 {
   Whole w;
+  w.table = empty_table(like);
+  if (like.has_face_parents) w.table.face_parents.resize(pieces.size().faces);
   w.faces.resize(pieces.first_corner(pieces.size().faces));
   for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
     const auto piece = pieces.piece(i);
+    const bool has_table = piece.attributes() != nullptr;
+    const PN::Attribute_table table = has_table ? *piece.attributes() : empty_table(like);
     for (unsigned v = 0; v < piece.number_of_vertices(); ++v) {
       if (!piece.owns_vertex(v)) continue;
       w.add(w.points, piece.vertex_number(v), piece.points()[v] - CGAL::ORIGIN);
       if (!piece.normals().empty() && !of_corners)
         w.add(w.normals, piece.vertex_number(v), piece.normals()[v]);
+      if (has_table) add_rows(w.table.vertices, piece.vertex_number(v), table.vertices, v);
     }
     const auto& level = piece.connectivity();
     for (unsigned f = 0; f < piece.number_of_faces(); ++f) {
       std::size_t corner = pieces.first_corner(piece.face_number(f));
+      if (has_table && like.has_face_parents)
+        w.table.face_parents[piece.face_number(f)] = table.face_parents[f];
       const auto first = level.halfedge_of_face(f);
       auto h = first;
       do {
         if (!piece.normals().empty() && of_corners)
           w.add(w.corner_normals, corner, piece.corner_normal(h));
+        if (has_table) {
+          add_rows(w.table.corners, corner, table.corners, h);
+          const auto source = level.target(PN::Level_connectivity::opposite(h));
+          const auto edge = edge_values(piece.vertex_number(source),
+                                        piece.vertex_number(level.target(h)), table, h / 2);
+          const auto it = w.edges.insert(edge).first;
+          EXPECT_EQ(it->second, edge.second) << "of two pieces";
+        }
         w.faces[corner++] = piece.vertex_number(level.target(h));
         h = level.next(h);
       } while (h != first);
@@ -105,6 +171,8 @@ void expect_near(const std::vector<double>& a, const std::vector<double>& b)
 void expect_same(const Whole& a, const Whole& b, bool are_bits_same)
 {
   EXPECT_EQ(a.faces, b.faces);
+  expect_same_tables(a.table, b.table);
+  EXPECT_EQ(a.edges, b.edges);
   if (!are_bits_same) {
     expect_near(a.points, b.points);
     expect_near(a.normals, b.normals);
@@ -136,18 +204,21 @@ auto with_limits(const Limits& limits, const Np& np)
 template <class Normals>
 void compare_pieces(const std::string& name, Crease_kind creases, const Normals& normals,
                     const Limits& limits, const mesh_cases::Soup& soup,
-                    std::size_t number_of_pieces)
+                    std::size_t number_of_pieces, Attribute_kind attributes = Attribute_kind::all)
 {
+  if (!is_known(name, creases, normals, attributes)) attributes = Attribute_kind::vertices;
+  if (!is_known(name, creases, normals, attributes)) attributes = Attribute_kind::none;
   SCOPED_TRACE(std::string(limits.first ? "limit points " : "") +
                (limits.second ? "surface normals" : ""));
   constexpr bool of_corners = std::is_same_v<Normals, Of_corners>;
   // estimated normals are in no map
   constexpr bool has_map = of_corners || std::is_same_v<Normals, Of_vertices>;
   const bool is_limit = limits.first || limits.second;
-  Case mesh(name, creases, Attribute_kind::none, soup);
-  Case parts(name, creases, Attribute_kind::none, soup);
+  Case mesh(name, creases, attributes, soup);
+  Case parts(name, creases, attributes, soup);
   Whole a, b;
-  run(mesh, normals, [&](Case& c, const auto& scheme, const auto& np) {
+  run(mesh, normals, [&](Case& c, const auto& scheme, const auto& given) {
+    const auto np = PN::parameters::join(PN::parameters::attributes(c.table), given);
     PN::Limit_report report;
     if (is_limit)
       report = PN::subdivide_to_limit(c.mesh, scheme, with_limits(limits, np));
@@ -159,10 +230,12 @@ void compare_pieces(const std::string& name, Crease_kind creases, const Normals&
   run(parts, normals, [&](Case& c, const auto& scheme, const auto& np) {
     const PN::Surface_pieces<std::decay_t<decltype(scheme)>, Kernel> pieces(
       c.mesh, scheme,
-      with_limits(limits,
-                  PN::parameters::join(
-                    PN::parameters::number_of_pieces(number_of_pieces).to_limit(is_limit), np)));
-    b = collected(pieces, of_corners);
+      with_limits(
+        limits,
+        PN::parameters::join(
+          PN::parameters::attributes(c.table).number_of_pieces(number_of_pieces).to_limit(is_limit),
+          np)));
+    b = collected(pieces, of_corners, c.table);
     if (!has_map) b.normals.clear();
   });
   EXPECT_EQ(mesh.error.empty(), parts.error.empty()) << mesh.error << "\n" << parts.error;
@@ -170,11 +243,33 @@ void compare_pieces(const std::string& name, Crease_kind creases, const Normals&
   expect_same(b, a, name != "sqrt3" || !is_limit);
 }
 
+// A patch of so many faces that two pieces divide the control mesh, and all rounds are made in pieces.
+mesh_cases::Soup patch_for(const std::string& scheme_name)
+{
+  constexpr std::size_t n = 6;
+  mesh_cases::Soup soup;
+  for (std::size_t j = 0; j <= n; ++j)
+    for (std::size_t i = 0; i <= n; ++i)
+      soup.points.push_back({double(i), double(j), 0.2 * double((i * 7 + j * 5) % 9)});
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+      if (!PN::any_scheme(scheme_name).needs_triangles())
+        soup.faces.push_back({a, b, c, d});
+      else if ((i + j) % 3 == 0)
+        soup.faces.insert(soup.faces.end(), {{a, b, d}, {b, c, d}});
+      else
+        soup.faces.insert(soup.faces.end(), {{a, b, c}, {a, c, d}});
+    }
+  return soup;
+}
+
 TEST(Matrix_of_features, PiecesAreWhatSubdivideMakes)
 {
   for_each_cell([](const std::string& scheme, Crease_kind creases, const auto& normals) {
     for (const std::size_t pieces : {2, 5})
       compare_pieces(scheme, creases, normals, {false, false}, soup_for(scheme), pieces);
+    compare_pieces(scheme, creases, normals, {false, false}, patch_for(scheme), 2);
   });
 }
 

@@ -174,11 +174,13 @@ private:
     int i = 0;
     for (auto e : mesh.edges()) {
       if (!inner(e)) continue;
-      if (kind == Crease_kind::edges && i < 2) sharpness[e] = infinite;
-      if (kind == Crease_kind::semi_sharp && i < 3) sharpness[e] = i == 0 ? infinite : 0.5 + i / 2.;
-      ++i;
+      const int k = i++ % 11; // all over a larger mesh
+      if (kind == Crease_kind::edges && k < 2) sharpness[e] = infinite;
+      if (kind == Crease_kind::semi_sharp && k < 3) sharpness[e] = k == 0 ? infinite : 0.5 + k / 2.;
     }
-    if (kind == Crease_kind::corners) vertex_sharpness[Mesh::Vertex_index(0)] = infinite;
+    if (kind == Crease_kind::corners)
+      for (auto v : mesh.vertices())
+        if (v.idx() % 13 == 0) vertex_sharpness[v] = infinite;
   }
 
   void set_attributes(Attribute_kind kind)
@@ -195,10 +197,10 @@ private:
       table.vertices.push_back(array(1, mesh.number_of_vertices(), uneven));
       table.vertices.push_back(array(3, mesh.number_of_vertices(), uneven));
     }
-    // the first face has a chart of its own
+    // the first face has a chart of its own, and so have some of a larger mesh
     const auto in_charts = [&](std::size_t i) {
       const Mesh::Halfedge_index h(Mesh::size_type(i / 2));
-      const bool is_first = mesh.face(h) == Mesh::Face_index(0);
+      const bool is_first = !mesh.is_border(h) && mesh.face(h).idx() % 9 == 0;
       return uneven(2 * mesh.target(h).idx() + i % 2) + (is_first ? 5 : 0);
     };
     if (has(Attribute_kind::charts))

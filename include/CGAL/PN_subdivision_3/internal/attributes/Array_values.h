@@ -22,6 +22,7 @@
 #include <boost/container/vector.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <any>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -58,6 +59,9 @@ public:
   virtual void begin(std::size_t number_of_elements) = 0;
   virtual void set(Index element, const Control_element& origin, Index face) = 0;
   virtual void keep() noexcept = 0;
+  // see Copied_values and Put_values
+  virtual std::unique_ptr<Origin_values> part() const = 0;
+  virtual std::any kept_of_part() = 0;
 };
 
 template <class FT>
@@ -78,6 +82,19 @@ struct Carried_attributes
   std::vector<Corner_attribute_values<FT>> corners;
   List<Copied_values> edges, faces;
   List<Origin_values> vertex_origins, edge_origins, face_origins;
+
+  // what has no rows, of which all parts have the whole
+  void take_parts_of_copied(const Carried_attributes& whole)
+  {
+    const auto take = [](auto& parts, const auto& list) {
+      for (const auto& values : list) parts.push_back(values->part());
+    };
+    take(edges, whole.edges);
+    take(faces, whole.faces);
+    take(vertex_origins, whole.vertex_origins);
+    take(edge_origins, whole.edge_origins);
+    take(face_origins, whole.face_origins);
+  }
 
   Level_origins::Kinds needed_origins() const
   {
@@ -120,8 +137,17 @@ class Copied_array : public Copied_values
 public:
   Copied_array(Attribute_array& array, std::size_t number)
     : array_(array)
+    , old_(array.values)
   {
     check_array(array, number, "edges");
+  }
+
+  // of a part
+  Copied_array(const Copied_array& whole, Of_part)
+    : array_(own_)
+    , old_(whole.old_)
+  {
+    own_.dimension = whole.array_.dimension;
   }
 
   void put(const std::vector<Index>& sources) override
@@ -130,12 +156,19 @@ public:
     result_.assign(sources.size() * d, 0);
     for (std::size_t i = 0; i < sources.size(); ++i)
       if (sources[i] != null)
-        for (std::size_t c = 0; c < d; ++c) result_[i * d + c] = array_.values[sources[i] * d + c];
+        for (std::size_t c = 0; c < d; ++c) result_[i * d + c] = old_[sources[i] * d + c];
   }
   void keep() noexcept override { array_.values.swap(result_); }
+  std::unique_ptr<Copied_values> part() const override
+  {
+    return std::make_unique<Copied_array>(*this, Of_part());
+  }
+  std::any kept_of_part() override { return std::any(std::move(own_)); }
 
 private:
+  Attribute_array own_; // of a part
   Attribute_array& array_;
+  const std::vector<double>& old_;
   std::vector<double> result_;
 };
 
@@ -153,6 +186,15 @@ public:
     , dimension_(array.dimension)
   {
     check_array(array, number, kind);
+  }
+  // of a part
+  Array_values(const Array_values& whole, const std::vector<Index>& sources)
+    : array_(own_)
+    , dimension_(whole.dimension_)
+  {
+    own_.dimension = dimension_;
+    own_.rule = whole.array_.rule;
+    take(whole.old_, sources);
   }
 
   bool are_equal(Index a, Index b) const override
@@ -203,8 +245,24 @@ public:
   }
   void keep() noexcept override { array_.values.swap(result_); }
 
+  std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
+  {
+    return std::make_unique<Array_values>(*this, sources);
+  }
+  std::any kept_of_part() override { return std::any(std::move(own_)); }
+  void repeat(const std::vector<Index>& sources) override { take(old_, sources); }
+
 private:
   using Values = boost::container::vector<FT>;
+
+  void take(const Values& from, const std::vector<Index>& sources)
+  {
+    const std::size_t first = old_.size();
+    old_.resize(first + sources.size() * dimension_);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      for (std::size_t c = 0; sources[i] != null && c < dimension_; ++c)
+        old_[first + i * dimension_ + c] = from[sources[i] * dimension_ + c];
+  }
 
   template <class Any_entry>
   void set(std::size_t value, const Any_entry* begin, const Any_entry* end)
@@ -215,6 +273,7 @@ private:
       [&](std::size_t c, const FT& x) { new_[value * dimension_ + c] = x; });
   }
 
+  Attribute_array own_; // of a part
   Attribute_array& array_;
   const std::size_t dimension_;
   Values old_, new_;
@@ -228,12 +287,22 @@ public:
   explicit Face_parent_array(std::vector<std::uint32_t>& parents)
     : parents_(parents)
   {}
+  // of a part
+  Face_parent_array()
+    : parents_(own_)
+  {}
 
   void begin(std::size_t number_of_elements) override { result_.resize(number_of_elements); }
   void set(Index element, const Control_element&, Index face) override { result_[element] = face; }
   void keep() noexcept override { parents_.swap(result_); }
+  std::unique_ptr<Origin_values> part() const override
+  {
+    return std::make_unique<Face_parent_array>();
+  }
+  std::any kept_of_part() override { return std::any(std::move(own_)); }
 
 private:
+  std::vector<std::uint32_t> own_; // of a part
   std::vector<std::uint32_t>& parents_;
   std::vector<std::uint32_t> result_;
 };
@@ -247,8 +316,12 @@ public:
   Origin_map(const Access& access, Map map, std::size_t number)
     : map_(access, map, first_indices(number))
   {}
+  // of a part
+  Origin_map(const Origin_map& whole, Of_part)
+    : map_(whole.map_.access(), Map(), {})
+  {}
 
-  void begin(std::size_t) override { map_.begin(); }
+  void begin(std::size_t number) override { map_.begin(number); }
   void set(Index element, const Control_element& origin, [[maybe_unused]] Index face) override
   {
     if constexpr (std::is_same_v<Value, Control_element>)
@@ -257,6 +330,11 @@ public:
       map_.set(element, static_cast<Value>(face));
   }
   void keep() noexcept override { map_.keep(); }
+  std::unique_ptr<Origin_values> part() const override
+  {
+    return part_of_map<Access, Origin_values>(*this, Of_part());
+  }
+  std::any kept_of_part() override { return std::any(map_.map()); }
 
 private:
   using Value = std::decay_t<typename boost::property_traits<Map>::value_type>;

@@ -21,8 +21,10 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/hosts/Level_origins.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -52,6 +54,8 @@ public:
   using Child_sink = Function_ref<void(const Level_connectivity&)>;
   using Kinds = Level_origins::Kinds;
   using Rules = Origin_rules<Host>;
+  using Indices = Level_part::Origins;
+  using Chart_slots = std::vector<Corner_slots<FT>>;
 
   // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases; `visited` the origins
   // that a visitor asks for
@@ -75,8 +79,46 @@ public:
     wanted_.faces = wanted_.faces || visited.faces;
     if constexpr (!Splits_edges<Host>::value) {
       if (!carried_.edges.empty()) refuse("there is an attribute of edges, but the");
-      if (wanted_.faces) control_faces_ = Control_faces(level);
+      if (wanted_.faces) control_faces_ = std::make_shared<Control_faces>(level);
     }
+  }
+  // Those of a part of a level between two rounds, whose slots in the whole are given. `whole` must stay, and so must
+  // `corner_slots`, see slots_of_charts().
+  Attribute_rounds(const Attribute_rounds& whole, const Level_part& part, const Indices& slots,
+                   const Chart_slots& chart_slots)
+    : for_chunks_(whole.for_chunks_)
+    , wanted_(whole.wanted_)
+    , control_faces_(whole.control_faces_)
+  {
+    for (const auto& values : whole.carried_.vertices) {
+      carried_.vertices.push_back(values->part(slots));
+      by_rows_.push_back({carried_.vertices.back().get(), {}, true});
+    }
+    std::size_t rank_by_rows = whole.carried_.vertices.size();
+    for (std::size_t i = 0; i < whole.carried_.corners.size(); ++i) {
+      const auto& corner = whole.carried_.corners[i];
+      const auto [kind, rank] = whole.corner_kinds_[i];
+      const auto add = [&](const Indices& sources) -> Row_values<FT>& {
+        carried_.corners.push_back({corner.values->part(sources), corner.rule});
+        return *carried_.corners.back().values;
+      };
+      corner_kinds_.push_back({kind, rank});
+      if (kind == Corner_kind::linear)
+        linear_.push_back(&add(part.corners()));
+      else if (kind == Corner_kind::by_rows)
+        by_rows_.push_back(
+          {&add(slots), kept_in(part, whole.by_rows_[rank_by_rows++].kept_vertices), false});
+      else {
+        const Smooth_corners<FT>& smooth = whole.smooth_[rank];
+        Creases<FT> creases = part.creases(smooth.creases());
+        Row_values<FT>& values = add(part.slots(creases, chart_slots[rank]));
+        smooth_.emplace_back(values, std::move(creases), smooth);
+      }
+    }
+    carried_.take_parts_of_copied(whole.carried_);
+    if (wanted_.any())
+      origins_ = Level_origins::of_child(Origins_of_part{whole.origins_, part}, part.level.size(),
+                                         Level_origins::needed<Host>(wanted_), for_chunks_);
   }
   Attribute_rounds(const Attribute_rounds&) = delete;
   Attribute_rounds& operator=(const Attribute_rounds&) = delete;
@@ -153,7 +195,9 @@ public:
   }
 
   // puts everything for the elements of the refined mesh, which has been made large enough
-  void put(const Level_size& size, const Level_connectivity* refined, const Rules& rules)
+  template <class Origin_of_element>
+  void put(const Level_size& size, const Level_connectivity* refined,
+           const Origin_of_element& rules)
   {
     for (auto& values : carried_.vertices) values->put_all(static_cast<Index>(size.vertices));
     for (std::size_t i = 0; i < carried_.corners.size(); ++i)
@@ -165,6 +209,30 @@ public:
     put_origins(carried_.face_origins, size.faces, [&](Index f) { return rules.face(f); });
   }
   void keep() noexcept { carried_.keep(); }
+
+  // of a part after all rounds; what has been put there is taken from the result
+  Carried_attributes<FT>& put_part(const Level_part& part)
+  {
+    put(part.level.size(), &part.level, Own_origins{origins_});
+    keep();
+    return carried_;
+  }
+  // whether charts are cut, so that their rules look at more faces than those of the scheme
+  bool has_charts() const { return !smooth_.empty(); }
+  // of the level that the values are of, for its parts
+  Chart_slots slots_of_charts(const Level_connectivity& level) const
+  {
+    Chart_slots slots;
+    slots.reserve(smooth_.size());
+    for (const Smooth_corners<FT>& smooth : smooth_) slots.emplace_back(level, smooth.creases());
+    return slots;
+  }
+  // The rim of the level has been closed; the values of the new vertices do not matter.
+  void close_rim(const Level_size& closed, const Indices& neighbors)
+  {
+    for (const By_rows& by_rows : by_rows_) by_rows.values->repeat(neighbors);
+    if (wanted_.any()) origins_.grow(closed);
+  }
 
 private:
   static constexpr Index null = Level_connectivity::null;
@@ -196,6 +264,33 @@ private:
     }
     Attribute_rounds& self;
   };
+
+  struct Origins_of_part
+  {
+    Origin vertex(Index v) const { return whole.of_vertex(part.vertices[v]); }
+    Origin edge(Index e) const { return whole.of_edge(part.edges[e]); }
+    Origin face(Index f) const { return whole.of_face(part.faces[f]); }
+
+    const Level_origins& whole;
+    const Level_part& part;
+  };
+  struct Own_origins
+  {
+    Origin vertex(Index v) const { return origins.of_vertex(v); }
+    Origin edge(Index e) const { return origins.of_edge(e); }
+    Origin face(Index f) const { return origins.of_face(f); }
+
+    const Level_origins& origins;
+  };
+
+  // `kept` is sorted
+  static Indices kept_in(const Level_part& part, const Indices& kept)
+  {
+    Indices result;
+    for (Index v = 0; v < part.vertices.size() && !kept.empty(); ++v)
+      if (std::binary_search(kept.begin(), kept.end(), part.vertices[v])) result.push_back(v);
+    return result;
+  }
 
   [[noreturn]] static void refuse(const std::string& what)
   {
@@ -286,7 +381,8 @@ private:
     return values;
   }
 
-  void put_edges(const Level_size& size, const Rules& rules)
+  template <class Origin_of_element>
+  void put_edges(const Level_size& size, const Origin_of_element& rules)
   {
     std::vector<Index> sources(size.edges);
     for (Index e = 0; e < sources.size(); ++e) {
@@ -295,10 +391,11 @@ private:
     }
     for (auto& values : carried_.edges) values->put(sources);
   }
-  void put_faces(const Level_size& size, const Rules& rules)
+  template <class Origin_of_element>
+  void put_faces(const Level_size& size, const Origin_of_element& rules)
   {
     std::vector<Index> sources(size.faces);
-    for (Index f = 0; f < sources.size(); ++f) sources[f] = control_faces_(rules.face(f));
+    for (Index f = 0; f < sources.size(); ++f) sources[f] = control_face(rules.face(f));
     for (auto& values : carried_.faces) values->put(sources);
   }
   template <class Origin_of>
@@ -309,9 +406,14 @@ private:
       values->begin(static_cast<std::size_t>(number));
       for (Index i = 0; i < number; ++i) {
         const Origin origin = origin_of(i);
-        values->set(i, control_element(origin), control_faces_(origin));
+        values->set(i, control_element(origin), control_face(origin));
       }
     }
+  }
+
+  Index control_face(const Origin& origin) const
+  {
+    return control_faces_ == nullptr ? Control_faces()(origin) : (*control_faces_)(origin);
   }
 
   enum class Corner_kind { by_rows, smooth, linear };
@@ -319,7 +421,7 @@ private:
   Carried_attributes<FT> carried_;
   const For_chunks for_chunks_;
   Kinds wanted_;
-  Control_faces control_faces_;
+  std::shared_ptr<const Control_faces> control_faces_; // where faces do not come from faces alone
   Level_origins origins_;
   std::optional<Level_origins> refined_origins_;
   std::vector<By_rows> by_rows_;

@@ -15,9 +15,11 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 
 #include <algorithm>
+#include <any>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -27,26 +29,35 @@ namespace internal {
 
 // The values of an attribute of the control mesh, which become those of the refined mesh: of faces or edges
 // by a copy, of vertices or corners by rows. What is put can be taken back until it is kept.
-class Copied_values
+class Put_values
 {
 public:
   using Index = Level_connectivity::Index;
   static constexpr Index null = Level_connectivity::null;
 
-  Copied_values() = default;
-  Copied_values(const Copied_values&) = delete;
-  Copied_values& operator=(const Copied_values&) = delete;
-  virtual ~Copied_values() = default;
+  Put_values() = default;
+  Put_values(const Put_values&) = delete;
+  Put_values& operator=(const Put_values&) = delete;
+  virtual ~Put_values() = default;
 
-  // Element i of the refined mesh gets the value of control element sources[i], or that of a new element if
-  // that is null.
+  // element i of the refined mesh gets value sources[i]
   virtual void put(const std::vector<Index>& sources) = 0;
   virtual void keep() noexcept = 0;
+  // where that of a part has been put: an Attribute_array, or a Map_of_numbers
+  virtual std::any kept_of_part() { return {}; }
+};
+
+// The values are those of control elements, and that of a new element where the source is null.
+class Copied_values : public Put_values
+{
+public:
+  // the same for the elements of a part; this must stay
+  virtual std::unique_ptr<Copied_values> part() const = 0;
 };
 
 // All levels have arrays of their own; a level is computed from the one before.
 template <class FT>
-class Row_values : public Copied_values
+class Row_values : public Put_values
 {
 public:
   using Entry = typename Entry_row<FT>::Entry;
@@ -73,8 +84,12 @@ public:
   // value i for element i
   virtual void put_all(Index number) = 0;
 
-  // put(): element i of the refined mesh gets value sources[i] of the last level, and keeps what it has if that
-  // is null.
+  // put(): the values are those of the last level; an element keeps what it has if its source is null.
+
+  // Those of a part of the level: value i is value sources[i]; where that is null it does not matter.
+  virtual std::unique_ptr<Row_values> part(const std::vector<Index>& sources) const = 0;
+  // adds copies of values to the level
+  virtual void repeat(const std::vector<Index>& sources) = 0;
 };
 
 // origin + sum, where sum = sum w_j (v_j - origin). Where that leaves the range of the numbers (infinite or huge

@@ -49,135 +49,97 @@ struct Visitor_names
   void face_created();
 };
 
-// an answer that is not Not_visited
-template <class Result>
-constexpr bool is_visit_v = !std::is_same_v<Result, Not_visited>;
-
-template <class Visitor, class = void>
-struct Has_round_done : std::true_type
-{};
-template <class Visitor>
-struct Has_round_done<Visitor,
-                      std::void_t<decltype(&With_names<Visitor, Visitor_names>::round_done)>>
-  : std::false_type
-{};
-template <class Visitor, class = void>
-struct Visits_rounds : std::false_type
+// \name The members: their names, and what they answer
+struct Round_done
 {
-  static constexpr bool is_callable = false;
+  template <class Visitor>
+  using Name = decltype(&Visitor::round_done);
+  template <class Visitor>
+  using Answer = decltype(std::declval<Visitor&>().round_done(0u, std::size_t()));
 };
-template <class Visitor>
-struct Visits_rounds<Visitor,
-                     std::void_t<decltype(std::declval<Visitor&>().round_done(0u, std::size_t()))>>
-  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().round_done(0u, std::size_t()))>>
+template <class Mesh>
+struct Vertex_created
 {
-  static constexpr bool is_callable = true;
+  template <class Visitor>
+  using Name = decltype(&Visitor::vertex_created);
+  template <class Visitor>
+  using Answer = decltype(std::declval<Visitor&>().vertex_created(
+    std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
+    std::declval<const Control_element&>()));
 };
-
-template <class Visitor, class = void>
-struct Has_vertex_created : std::true_type
-{};
-template <class Visitor>
-struct Has_vertex_created<
-  Visitor, std::void_t<decltype(&With_names<Visitor, Visitor_names>::vertex_created)>>
-  : std::false_type
-{};
-template <class Visitor, class Mesh, class = void>
-struct Visits_vertices : std::false_type
+template <class Mesh>
+struct Edge_created
 {
-  static constexpr bool is_callable = false;
+  template <class Visitor>
+  using Name = decltype(&Visitor::edge_created);
+  template <class Visitor>
+  using Answer = decltype(std::declval<Visitor&>().edge_created(
+    std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
+    std::declval<const Control_element&>()));
 };
-template <class Visitor, class Mesh>
-struct Visits_vertices<Visitor, Mesh,
-                       std::void_t<decltype(std::declval<Visitor&>().vertex_created(
-                         std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
-                         std::declval<const Control_element&>()))>>
-  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().vertex_created(
-      std::declval<typename boost::graph_traits<Mesh>::vertex_descriptor>(),
-      std::declval<const Control_element&>()))>>
+template <class Mesh>
+struct Face_created
 {
-  static constexpr bool is_callable = true;
+  template <class Visitor>
+  using Name = decltype(&Visitor::face_created);
+  template <class Visitor>
+  using Answer = decltype(std::declval<Visitor&>().face_created(
+    std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
+    std::declval<const Control_element&>()));
 };
 
-template <class Visitor, class = void>
-struct Has_edge_created : std::true_type
+template <class Visitor, class Member, class = void>
+struct Has_member_name : std::true_type
 {};
-template <class Visitor>
-struct Has_edge_created<Visitor,
-                        std::void_t<decltype(&With_names<Visitor, Visitor_names>::edge_created)>>
+template <class Visitor, class Member>
+struct Has_member_name<
+  Visitor, Member, std::void_t<typename Member::template Name<With_names<Visitor, Visitor_names>>>>
   : std::false_type
 {};
-template <class Visitor, class Mesh, class = void>
-struct Visits_edges : std::false_type
-{
-  static constexpr bool is_callable = false;
-};
-template <class Visitor, class Mesh>
-struct Visits_edges<Visitor, Mesh,
-                    std::void_t<decltype(std::declval<Visitor&>().edge_created(
-                      std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
-                      std::declval<const Control_element&>()))>>
-  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().edge_created(
-      std::declval<typename boost::graph_traits<Mesh>::edge_descriptor>(),
-      std::declval<const Control_element&>()))>>
-{
-  static constexpr bool is_callable = true;
-};
 
-template <class Visitor, class = void>
-struct Has_face_created : std::true_type
-{};
-template <class Visitor>
-struct Has_face_created<Visitor,
-                        std::void_t<decltype(&With_names<Visitor, Visitor_names>::face_created)>>
-  : std::false_type
-{};
-template <class Visitor, class Mesh, class = void>
-struct Visits_faces : std::false_type
+// whether there is a member that does not answer Not_visited
+template <class Visitor, class Member, class = void>
+struct Visits : std::false_type
 {
-  static constexpr bool is_callable = false;
+  static constexpr bool is_callable = false, is_right = !Has_member_name<Visitor, Member>::value;
 };
-template <class Visitor, class Mesh>
-struct Visits_faces<Visitor, Mesh,
-                    std::void_t<decltype(std::declval<Visitor&>().face_created(
-                      std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
-                      std::declval<const Control_element&>()))>>
-  : std::bool_constant<is_visit_v<decltype(std::declval<Visitor&>().face_created(
-      std::declval<typename boost::graph_traits<Mesh>::face_descriptor>(),
-      std::declval<const Control_element&>()))>>
+template <class Visitor, class Member>
+struct Visits<Visitor, Member, std::void_t<typename Member::template Answer<Visitor>>>
+  : std::bool_constant<!std::is_same_v<typename Member::template Answer<Visitor>, Not_visited>>
 {
-  static constexpr bool is_callable = true;
+  static constexpr bool is_callable = true, is_right = true;
 };
 
 template <class Visitor, class Mesh>
 constexpr bool check_visitor()
 {
-  constexpr bool rounds = Visits_rounds<Visitor>::is_callable || !Has_round_done<Visitor>::value;
-  static_assert(rounds, "PN_subdivision_3: the visitor's round_done() cannot be "
-                        "called; expected is "
-                        "void round_done(unsigned round, std::size_t number_of_faces)");
-  constexpr bool vertices =
-    Visits_vertices<Visitor, Mesh>::is_callable || !Has_vertex_created<Visitor>::value;
-  static_assert(vertices, "PN_subdivision_3: the visitor's vertex_created() cannot be called; "
-                          "expected is "
-                          "void vertex_created(vertex_descriptor, const Control_element& origin)");
-  constexpr bool edges =
-    Visits_edges<Visitor, Mesh>::is_callable || !Has_edge_created<Visitor>::value;
-  static_assert(edges, "PN_subdivision_3: the visitor's edge_created() cannot be called; "
-                       "expected is "
-                       "void edge_created(edge_descriptor, const Control_element& origin)");
-  constexpr bool faces =
-    Visits_faces<Visitor, Mesh>::is_callable || !Has_face_created<Visitor>::value;
-  static_assert(faces, "PN_subdivision_3: the visitor's face_created() cannot be called; "
-                       "expected is "
-                       "void face_created(face_descriptor, const Control_element& parent)");
+  using Rounds = Visits<Visitor, Round_done>;
+  using Vertices = Visits<Visitor, Vertex_created<Mesh>>;
+  using Edges = Visits<Visitor, Edge_created<Mesh>>;
+  using Faces = Visits<Visitor, Face_created<Mesh>>;
+  static_assert(Rounds::is_right, "PN_subdivision_3: the visitor's round_done() cannot be "
+                                  "called; expected is "
+                                  "void round_done(unsigned round, std::size_t number_of_faces)");
+  static_assert(Vertices::is_right,
+                "PN_subdivision_3: the visitor's vertex_created() cannot be called; "
+                "expected is "
+                "void vertex_created(vertex_descriptor, const Control_element& origin)");
+  static_assert(Edges::is_right,
+                "PN_subdivision_3: the visitor's edge_created() cannot be called; "
+                "expected is "
+                "void edge_created(edge_descriptor, const Control_element& origin)");
+  static_assert(Faces::is_right,
+                "PN_subdivision_3: the visitor's face_created() cannot be called; "
+                "expected is "
+                "void face_created(face_descriptor, const Control_element& parent)");
+  constexpr bool are_right =
+    Rounds::is_right && Vertices::is_right && Edges::is_right && Faces::is_right;
   constexpr bool visits =
-    Visits_rounds<Visitor>::is_callable || Visits_vertices<Visitor, Mesh>::is_callable ||
-    Visits_edges<Visitor, Mesh>::is_callable || Visits_faces<Visitor, Mesh>::is_callable;
-  static_assert(visits || !(rounds && vertices && edges && faces),
+    Rounds::is_callable || Vertices::is_callable || Edges::is_callable || Faces::is_callable;
+  static_assert(visits || !are_right,
                 "PN_subdivision_3: the visitor has none of the members round_done(), "
                 "vertex_created(), edge_created(), face_created()");
-  return rounds && vertices && edges && faces && visits;
+  return are_right && visits;
 }
 
 // calls the visitor's member if it has one
@@ -186,7 +148,7 @@ struct Call_round_done
 {
   void operator()([[maybe_unused]] unsigned round, [[maybe_unused]] std::size_t faces) const
   {
-    if constexpr (Visits_rounds<Visitor>::value) visitor.round_done(round, faces);
+    if constexpr (Visits<Visitor, Round_done>::value) visitor.round_done(round, faces);
   }
   Visitor& visitor;
 };
@@ -199,9 +161,9 @@ struct Carrier
   using Size = Level_size;
   using Index = Level_connectivity::Index;
 
-  static constexpr Level_origins::Kinds visited{Visits_vertices<Visitor, Mesh>::value,
-                                                Visits_edges<Visitor, Mesh>::value,
-                                                Visits_faces<Visitor, Mesh>::value};
+  static constexpr Level_origins::Kinds visited{Visits<Visitor, Vertex_created<Mesh>>::value,
+                                                Visits<Visitor, Edge_created<Mesh>>::value,
+                                                Visits<Visitor, Face_created<Mesh>>::value};
   // there is nothing to carry, whatever the attributes
   static constexpr bool is_empty = std::is_same_v<std::decay_t<Attributes>, No_attributes> &&
                                    !visited.vertices && !visited.edges && !visited.faces;

@@ -46,7 +46,6 @@ public:
     : rule_(rule)
     , is_seam_(std::move(is_seam))
     , is_kept_(control.number_of_halfedges(), false)
-    , number_of_control_vertices_(control.number_of_vertices())
   {}
 
   Corner_rule corner_rule() const { return rule_; }
@@ -108,8 +107,7 @@ public:
   template <class FT>
   bool is_kept(const Creases<FT>& creases, const Crease_star& star, Index end) const
   {
-    return star.vertex < number_of_control_vertices_ &&
-           is_kept_[control_halfedge(creases, star, end)];
+    return !is_inside_edge(creases, star) && is_kept_[control_halfedge(creases, star, end)];
   }
   template <class FT>
   void keep(const Creases<FT>& creases, const Crease_star& star, Index end)
@@ -118,6 +116,13 @@ public:
   }
 
 private:
+  // whether both ends are on one control edge
+  template <class FT>
+  static bool is_inside_edge(const Creases<FT>& creases, const Crease_star& star)
+  {
+    return star.number_of_ends == 2 && creases.edge(creases.end(star, 0)).control_edge ==
+                                         creases.edge(creases.end(star, 1)).control_edge;
+  }
   template <class FT>
   static std::size_t control_halfedge(const Creases<FT>& creases, const Crease_star& star,
                                       Index end)
@@ -129,7 +134,6 @@ private:
   Corner_rule rule_ = Corner_rule::corners_plus1;
   std::vector<bool> is_seam_; // by control edges
   std::vector<bool> is_kept_; // by control half-edges
-  Index number_of_control_vertices_ = 0;
 };
 
 // Finds out on a control level what spans stay.

@@ -78,12 +78,22 @@ private:
     for (Index w = 0; w < wedges; ++w) {
       const auto old = std::find(join.wedge.begin(), join.wedge.end(), w);
       const auto wedge = static_cast<Index>(old - join.wedge.begin());
-      if (is_on_seam)
+      if (is_on_rim(star))
+        vertex_row(star, star.slot(wedge), Vertex_rule::corner);
+      else if (is_on_seam)
         vertex_on_seam(star, wedge);
       else
         vertex(star, star.slot(wedge), join, w);
       f(new_star == null ? star.vertex : refined_.creases.stars[new_star].slot(w), row_);
     }
+  }
+  // Charts have all of their border among the creases, but not the rim of a part, where values do not matter.
+  bool is_on_rim(const Crease_star& star) const
+  {
+    const Index k = star.number_of_ends;
+    return charts_ != nullptr && star.is_border &&
+           (k < 2 || creases_.is_inner(creases_.end(star, 0)) ||
+            creases_.is_inner(creases_.end(star, k - 1)));
   }
   bool remains(const Crease_end& e) const { return refined_.rank[e.crease] != null; }
 

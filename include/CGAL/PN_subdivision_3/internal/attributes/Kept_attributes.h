@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Charts.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Map_values.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/read_attributes.h>
@@ -29,6 +30,8 @@
 #include <algorithm>
 #include <any>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -40,136 +43,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-// What a Carrier carries through the rounds of a call, and the steps of the call that serve it.
-template <class FT, class Host, class Carry, bool = Carry::is_empty>
-class Carried_through
-{
-public:
-  using Index = Level_connectivity::Index;
-  using Rounds = Attribute_rounds<FT, Host>;
-
-  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases
-  template <class Access>
-  Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
-                  const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
-                  const For_chunks& for_chunks)
-    : carry_(carry)
-    , for_chunks_(for_chunks)
-    , rounds_(carry.template read<FT>(access, level), Carry::visited, level, extra_slots, sharpness,
-              access, for_chunks)
-  {}
-
-  // a round with creases cuts its level open
-  template <class Refiner>
-  void before_cut(const Refiner& refiner)
-  {
-    if constexpr (are_creases_v<Creases_of<Refiner>>) whole_.emplace(refiner.level());
-  }
-  template <class Scheme, class Refiner, class One_round>
-  void begin_round(const Scheme& scheme, const Refiner& refiner, const One_round& round,
-                   Kind_of_round kind)
-  {
-    if constexpr (are_creases_v<Creases_of<Refiner>>)
-      rounds_.begin_creased_round(scheme, round, *whole_, refiner.creases(), kind);
-    else
-      rounds_.begin_round(scheme, round.round(), refiner.level(), kind);
-  }
-  const typename Rounds::Rows_sink* rows() const { return rounds_.rows(); }
-
-  // a round before the last one
-  template <class Scheme, class Refiner>
-  void refine(const Scheme& scheme, Refiner& refiner)
-  {
-    before_cut(refiner);
-    auto round = refiner.next_round();
-    begin_round(scheme, refiner, round, Kind_of_round::inner);
-    refiner.refine(round, rows(), rounds_.child());
-    rounds_.end_round();
-  }
-
-  // ends the last round, of which the refiner has the level, and puts what it gives
-  template <class Refiner, class Round>
-  void put(const Refiner& refiner, const Round& last)
-  {
-    std::optional<Level_connectivity> refined;
-    if (rounds_.needs_refined_level()) {
-      refined = child_level(last, for_chunks_);
-      if (rounds_.child() != nullptr) (*rounds_.child())(*refined);
-    }
-    rounds_.end_round();
-    rounds_.put(last.refined_size(), refined ? &*refined : nullptr,
-                rounds_.rules(last, refiner.level()));
-  }
-  void keep() noexcept { rounds_.keep(); }
-
-  template <class Access, class Refiner, class One_round>
-  void visit(const Access& access, const Refiner& refiner, const One_round& last) const
-  {
-    carry_.visit(access, last.refined_size(), rounds_.rules(last, refiner.level()));
-  }
-
-private:
-  template <class Refiner>
-  using Creases_of = std::decay_t<decltype(std::declval<const Refiner&>().creases())>;
-
-  const Carry& carry_;
-  const For_chunks for_chunks_;
-  Rounds rounds_;
-  std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
-};
-
-// With nothing to carry there is nothing to do.
-template <class FT, class Host, class Carry>
-class Carried_through<FT, Host, Carry, true>
-{
-public:
-  template <class... Arguments>
-  explicit Carried_through(const Carry&, const Arguments&...)
-  {}
-  template <class Refiner>
-  void before_cut(const Refiner&) const
-  {}
-  template <class... Arguments>
-  void begin_round(const Arguments&...) const
-  {}
-  static constexpr std::nullptr_t rows() { return nullptr; }
-  template <class Scheme, class Refiner>
-  void refine(const Scheme&, Refiner& refiner) const
-  {
-    refiner.refine();
-  }
-  template <class... Arguments>
-  void put(const Arguments&...) const
-  {}
-  void keep() const noexcept {}
-  template <class... Arguments>
-  void visit(const Arguments&...) const
-  {}
-};
-
-// elements that are their numbers, and a map of them
-struct Numbers_as_elements
-{
-  using Index = Level_connectivity::Index;
-  static Index vertex(Index i) { return i; }
-  static Index halfedge_at(Index i) { return i; }
-  static Index edge_at(Index i) { return i; }
-  static Index face_at(Index i) { return i; }
-};
-template <class T, class Keys>
-struct Map_of_numbers
-{
-  using key_type = Level_connectivity::Index;
-  using value_type = T;
-  using reference = const T&;
-  using category = boost::read_write_property_map_tag;
-  using List = boost::container::vector<T>;
-
-  friend const T& get(const Map_of_numbers& m, key_type i) { return (*m.list)[i]; }
-  friend void put(const Map_of_numbers& m, key_type i, const T& x) { (*m.list)[i] = x; }
-  std::shared_ptr<List> list;
-};
 
 // The attributes of a refined mesh that nobody holds: read from the control mesh, refined once, and put into the maps
 // of meshes that are made later.
@@ -199,6 +72,36 @@ public:
     }
   }
 
+  // Begins to carry those of a control mesh for parts of it. The function that is returned takes the attributes of a part
+  // whose values have been put, and keeps the values of the mesh.
+  template <class FT, class Host, class Access, class Level_creases, class Attributes>
+  static auto carry(const Access& access, const Level_connectivity& level,
+                    const Level_creases& creases, const Control_sharpness& sharpness,
+                    const Attributes& attributes, const For_chunks& for_chunks)
+  {
+    Kept_attributes lists; // of the control mesh
+    auto kept = std::make_shared<decltype(lists.read(access, level, level.size(), attributes))>(
+      lists.read(access, level, level.size(), attributes));
+    static constexpr Numbers_as_elements numbers{};
+    auto rounds = std::make_unique<Attribute_rounds<FT, Host>>(
+      read_attributes<FT>(numbers, level, *kept), Level_origins::Kinds(), level,
+      vertices_of_extra_slots(creases, level.number_of_vertices()), sharpness, access, for_chunks);
+    const std::function<Kept_attributes(Carried_attributes<FT>&)> of_part =
+      [kept](Carried_attributes<FT>& put) {
+        Kept_attributes part;
+        part.take(put, *kept);
+        return part;
+      };
+    return std::make_pair(std::move(rounds), of_part);
+  }
+
+  bool empty() const { return lists_.empty(); }
+  // null if there is none
+  const Attribute_table* table() const
+  {
+    return lists_.size() == 1 ? std::any_cast<Attribute_table>(&lists_[0]) : nullptr;
+  }
+
   // into maps of the elements of a mesh with the refined level
   template <class Access, class... Items>
   void put_all(const Access& access, const Level_connectivity& refined,
@@ -212,9 +115,8 @@ public:
   template <class Access>
   void put_all(const Access&, const Level_connectivity&, Attribute_table& table) const
   {
-    const auto* kept = lists_.size() == 1 ? std::any_cast<Attribute_table>(&lists_[0]) : nullptr;
-    require(kept != nullptr);
-    Attribute_table copy = *kept;
+    require(this->table() != nullptr);
+    Attribute_table copy = *this->table();
     std::swap(table, copy);
   }
   template <class Access>
@@ -242,6 +144,46 @@ private:
     refiner.refined_values(last, carried.rows());
     carried.put(refiner, last.round());
     carried.keep();
+  }
+
+  template <class FT>
+  void take(Carried_attributes<FT>& put, const Attribute_table& control)
+  {
+    Attribute_table table;
+    const auto take = [](auto& arrays, const auto& list) {
+      for (const auto& values : list)
+        arrays.push_back(std::any_cast<Attribute_array>(values_of(values).kept_of_part()));
+    };
+    take(table.vertices, put.vertices);
+    take(table.corners, put.corners);
+    take(table.edges, put.edges);
+    table.has_face_parents = control.has_face_parents;
+    for (const auto& values : put.face_origins)
+      table.face_parents = std::any_cast<std::vector<std::uint32_t>>(values->kept_of_part());
+    lists_.emplace_back(std::move(table));
+  }
+  template <class FT, class... Items>
+  void take(Carried_attributes<FT>& put, const Attributes<Items...>&)
+  {
+    // those of a kind are in their order
+    (lists_.push_back(take_first(Items::list(put))), ...);
+  }
+  template <class List>
+  static std::any take_first(List& list)
+  {
+    std::any first = values_of(list.front()).kept_of_part();
+    list.erase(list.begin());
+    return first;
+  }
+  template <class FT>
+  static Row_values<FT>& values_of(const Corner_attribute_values<FT>& corner)
+  {
+    return *corner.values;
+  }
+  template <class Values>
+  static Values& values_of(const std::unique_ptr<Values>& values)
+  {
+    return *values;
   }
 
   template <class Attributes>
@@ -301,8 +243,10 @@ private:
     memory_ += map.list->size() * sizeof(Value_of<Map>);
     if constexpr (std::is_same_v<Item<Map>, Corner_attribute<Map>>)
       return Corner_attribute<Kept>{map, item.rule};
+    else if constexpr (std::is_same_v<Item<Map>, Vertex_attribute<Map>>)
+      return Vertex_attribute<Kept>{map};
     else
-      return Item<Kept>{map};
+      return Item<Kept>{{map}};
   }
 
   template <class Access, class Item>

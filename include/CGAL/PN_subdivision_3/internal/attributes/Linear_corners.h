@@ -22,6 +22,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -140,8 +141,16 @@ public:
   Smooth_corners(Row_values<FT>& values, Charts<FT>&& charts)
     : values_(values)
     , creases_(std::move(charts.creases()))
-    , rules_(std::move(charts.rules()))
+    , rules_(std::make_shared<const Chart_rules>(std::move(charts.rules())))
   {}
+  // of a part, whose creases are given
+  Smooth_corners(Row_values<FT>& values, Creases<FT>&& creases, const Smooth_corners& whole)
+    : values_(values)
+    , creases_(std::move(creases))
+    , rules_(whole.rules_)
+  {}
+
+  const Creases<FT>& creases() const { return creases_; }
 
   // Takes the rows of the level, as long as they are those of its vertices, and finds out where the charts need
   // others: where a row reads a vertex on a seam or crease.
@@ -171,7 +180,7 @@ public:
     const Cut_level<FT> cut(level, creases_);
     const Mask mask = scheme.template mask<FT>(cut.connectivity(), round.number());
     evaluate_own_rows(round.host(), mask, for_chunks);
-    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, &rules_);
+    Crease_rows<FT, Mask> rows(level, cut, creases_, *refined_, mask, smooth_mask, rules_.get());
     rows.for_each([&](Index slot, const Entry_row<FT>& row) {
       values_.evaluate(slot, row.begin(), row.end());
     });
@@ -216,7 +225,7 @@ private:
 
   Row_values<FT>& values_;
   Creases<FT> creases_;
-  Chart_rules rules_;
+  std::shared_ptr<const Chart_rules> rules_;
   // of a round
   std::vector<char> is_special_;    // of the old vertices
   std::vector<char> needs_own_row_; // of the new ones

@@ -13,11 +13,15 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
+#include <CGAL/assertions.h>
 
 #include <boost/container/vector.hpp>
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <any>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -29,6 +33,8 @@ namespace internal {
 // The kinds of elements that a map may have as keys.
 struct Vertex_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   static std::size_t number(const Level_size& size)
   {
     return static_cast<std::size_t>(size.vertices);
@@ -41,6 +47,8 @@ struct Vertex_keys
 };
 struct Corner_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   static std::size_t number(const Level_size& size)
   {
     return static_cast<std::size_t>(size.halfedges());
@@ -53,6 +61,8 @@ struct Corner_keys
 };
 struct Edge_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::edge_descriptor;
   static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.edges); }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
@@ -62,6 +72,8 @@ struct Edge_keys
 };
 struct Face_keys
 {
+  template <class Mesh>
+  using Descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
   static std::size_t number(const Level_size& size) { return static_cast<std::size_t>(size.faces); }
   template <class Access>
   static auto at(const Access& access, Level_connectivity::Index i)
@@ -73,6 +85,37 @@ struct Face_keys
 template <class Map>
 constexpr bool is_readable_v = std::is_convertible_v<typename boost::property_traits<Map>::category,
                                                      boost::readable_property_map_tag>;
+
+// elements that are their numbers, and a map of them
+struct Numbers_as_elements
+{
+  using Index = Level_connectivity::Index;
+  static Index vertex(Index i) { return i; }
+  static Index halfedge_at(Index i) { return i; }
+  static Index edge_at(Index i) { return i; }
+  static Index face_at(Index i) { return i; }
+};
+template <class T, class Keys>
+struct Map_of_numbers
+{
+  using key_type = Level_connectivity::Index;
+  using value_type = T;
+  using reference = const T&;
+  using category = boost::read_write_property_map_tag;
+  using List = boost::container::vector<T>;
+
+  friend const T& get(const Map_of_numbers& m, key_type i) { return (*m.list)[i]; }
+  friend void put(const Map_of_numbers& m, key_type i, const T& x) { (*m.list)[i] = x; }
+  std::shared_ptr<List> list = std::make_shared<List>();
+};
+template <class Map>
+void make_room(const Map&, std::size_t /*number*/)
+{}
+template <class T, class Keys>
+void make_room(const Map_of_numbers<T, Keys>& map, std::size_t number)
+{
+  map.list->resize(number);
+}
 
 // A map of the user's and what it had for the control elements, which it gets back unless the new values
 // are kept.
@@ -108,7 +151,13 @@ public:
   // the position in elements() is not the number of the element where some are left out
   const std::vector<Index>& elements() const { return elements_; }
   const std::vector<T>& old() const { return old_; }
-  void begin() { is_changed_ = true; }
+  const Access& access() const { return access_; }
+  const Map& map() const { return map_; }
+  void begin(std::size_t number_of_elements)
+  {
+    is_changed_ = true;
+    make_room(map_, number_of_elements);
+  }
   void set(Index element, const T& value) { put(map_, Keys::at(access_, element), value); }
   void keep() noexcept { is_changed_ = false; }
 
@@ -119,6 +168,20 @@ private:
   std::vector<T> old_;
   bool is_changed_ = false;
 };
+
+struct Of_part
+{};
+// Values for a part: those of maps of numbers can be cut, a user's map is that of the whole mesh.
+template <class Access, class Values, class Any_map, class... Arguments>
+std::unique_ptr<Values> part_of_map([[maybe_unused]] const Any_map& whole,
+                                    [[maybe_unused]] const Arguments&... arguments)
+{
+  CGAL_assertion((std::is_same_v<Access, Numbers_as_elements>));
+  if constexpr (std::is_same_v<Access, Numbers_as_elements>)
+    return std::make_unique<Any_map>(whole, arguments...);
+  else
+    return nullptr;
+}
 
 // all control elements
 inline std::vector<Level_connectivity::Index> first_indices(std::size_t n)
@@ -135,19 +198,32 @@ class Copied_map : public Copied_values
 public:
   Copied_map(const Access& access, Map map, std::size_t number)
     : map_(access, map, first_indices(number))
+    , old_(map_.old())
+  {}
+  // of a part
+  Copied_map(const Copied_map& whole, Of_part)
+    : map_(whole.map_.access(), Map(), {})
+    , old_(whole.old_)
   {}
 
   void put(const std::vector<Index>& sources) override
   {
-    using T = typename Restored_map<Access, Map, Keys>::T;
-    map_.begin();
+    map_.begin(sources.size());
     for (Index i = 0; i < sources.size(); ++i)
-      map_.set(i, sources[i] == null ? T() : T(map_.old()[sources[i]]));
+      map_.set(i, sources[i] == null ? T() : T(old_[sources[i]]));
   }
   void keep() noexcept override { map_.keep(); }
+  std::unique_ptr<Copied_values> part() const override
+  {
+    return part_of_map<Access, Copied_values>(*this, Of_part());
+  }
+  std::any kept_of_part() override { return std::any(map_.map()); }
 
 private:
+  using T = typename Restored_map<Access, Map, Keys>::T;
+
   Restored_map<Access, Map, Keys> map_;
+  const std::vector<T>& old_;
 };
 
 // A map of vertices or corners.
@@ -172,6 +248,13 @@ public:
     else
       return a == b;
   }
+  // of a part
+  Row_map(const Row_map& whole, const std::vector<Index>& sources)
+    : map_(whole.map_.access(), Map(), {})
+  {
+    take(whole.old_, sources);
+  }
+
   void begin(const std::vector<Index>& sources) override
   {
     old_.clear();
@@ -189,7 +272,7 @@ public:
   {
     puts_at_once_ = !has_threads || has_concurrent_put_v<Map>;
     if (puts_at_once_)
-      map_.begin();
+      map_.begin(number_of_values);
     else
       begin_round(number_of_values);
   }
@@ -227,17 +310,31 @@ public:
   }
   void put(const std::vector<Index>& sources) override
   {
-    map_.begin();
+    map_.begin(sources.size());
     for (Index i = 0; i < sources.size(); ++i)
       if (sources[i] != Row_values<FT>::null) map_.set(i, Traits::to_value(old_[sources[i]]));
   }
   void keep() noexcept override { map_.keep(); }
+
+  std::unique_ptr<Row_values<FT>> part(const std::vector<Index>& sources) const override
+  {
+    return part_of_map<Access, Row_values<FT>>(*this, sources);
+  }
+  std::any kept_of_part() override { return std::any(map_.map()); }
+  void repeat(const std::vector<Index>& sources) override { take(old_, sources); }
 
 private:
   using Restored = Restored_map<Access, Map, Keys>;
   using Traits = Attribute_traits<typename Restored::T, FT>;
   using Sum = typename Traits::Sum;
   using Values = boost::container::vector<Sum>;
+
+  void take(const Values& from, const std::vector<Index>& sources)
+  {
+    old_.reserve(old_.size() + sources.size());
+    for (const Index i : sources)
+      old_.push_back(i == Row_values<FT>::null ? typename Traits::Sum() : from[i]);
+  }
 
   template <class Result>
   void averages(const Stencil_block<FT>& rows, const Result& result) const

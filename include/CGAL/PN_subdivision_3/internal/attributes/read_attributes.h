@@ -21,7 +21,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -42,9 +41,12 @@ template <class Map>
 struct Vertex_attribute
 {
   using Keys = Vertex_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.vertices;
+  }
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
@@ -69,9 +71,12 @@ template <class Map>
 struct Corner_attribute
 {
   using Keys = Corner_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::halfedge_descriptor;
 
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return c.corners;
+  }
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
@@ -82,85 +87,82 @@ struct Corner_attribute
   Corner_rule rule;
 };
 
-template <class Map>
-struct Edge_attribute
+// The others have no rows. `In` tells in which list they are.
+template <class Map, class Keys_, template <class, class, class> class Values, class In>
+struct Item_without_rows
 {
-  using Keys = Edge_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::edge_descriptor;
+  using Keys = Keys_;
 
+  template <class FT>
+  static auto& list(Carried_attributes<FT>& c)
+  {
+    return In()(c);
+  }
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Copied_map<Access, Map, Keys>;
-    c.edges.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
+    list(c).push_back(
+      std::make_unique<Values<Access, Map, Keys>>(access, map, Keys::number(level.size())));
   }
   Map map;
 };
 
-template <class Map>
-struct Face_attribute
+struct In_edges
 {
-  using Keys = Face_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::face_descriptor;
-
-  template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
+  template <class Carried>
+  auto& operator()(Carried& c) const
   {
-    using Values = Copied_map<Access, Map, Keys>;
-    c.faces.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
+    return c.edges;
   }
-  Map map;
+};
+struct In_faces
+{
+  template <class Carried>
+  auto& operator()(Carried& c) const
+  {
+    return c.faces;
+  }
+};
+struct In_vertex_origins
+{
+  template <class Carried>
+  auto& operator()(Carried& c) const
+  {
+    return c.vertex_origins;
+  }
+};
+struct In_edge_origins
+{
+  template <class Carried>
+  auto& operator()(Carried& c) const
+  {
+    return c.edge_origins;
+  }
+};
+struct In_face_origins
+{
+  template <class Carried>
+  auto& operator()(Carried& c) const
+  {
+    return c.face_origins;
+  }
 };
 
 template <class Map>
-struct Face_parents
-{
-  using Keys = Face_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::face_descriptor;
-
-  template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
-  {
-    using Values = Origin_map<Access, Map, Keys>;
-    c.face_origins.push_back(std::make_unique<Values>(access, map, level.number_of_faces()));
-  }
-  Map map;
-};
-
+struct Edge_attribute : Item_without_rows<Map, Edge_keys, Copied_map, In_edges>
+{};
 template <class Map>
-struct Vertex_parents
-{
-  using Keys = Vertex_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::vertex_descriptor;
-
-  template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
-  {
-    using Values = Origin_map<Access, Map, Keys>;
-    c.vertex_origins.push_back(std::make_unique<Values>(access, map, level.number_of_vertices()));
-  }
-  Map map;
-};
-
+struct Face_attribute : Item_without_rows<Map, Face_keys, Copied_map, In_faces>
+{};
 template <class Map>
-struct Edge_parents
-{
-  using Keys = Edge_keys;
-  template <class Mesh>
-  using Key = typename boost::graph_traits<Mesh>::edge_descriptor;
-
-  template <class FT, class Access>
-  void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
-  {
-    using Values = Origin_map<Access, Map, Keys>;
-    c.edge_origins.push_back(std::make_unique<Values>(access, map, level.number_of_edges()));
-  }
-  Map map;
-};
+struct Face_parents : Item_without_rows<Map, Face_keys, Origin_map, In_face_origins>
+{};
+template <class Map>
+struct Vertex_parents : Item_without_rows<Map, Vertex_keys, Origin_map, In_vertex_origins>
+{};
+template <class Map>
+struct Edge_parents : Item_without_rows<Map, Edge_keys, Origin_map, In_edge_origins>
+{};
 
 // the result of attributes()
 template <class... Items>
@@ -181,6 +183,17 @@ struct Is_attributes<No_attributes> : std::true_type
 template <>
 struct Is_attributes<Attribute_table> : std::true_type
 {};
+
+template <class... Items>
+bool is_empty(const Attributes<Items...>&)
+{
+  return sizeof...(Items) == 0;
+}
+inline bool is_empty(const Attribute_table& table)
+{
+  return table.vertices.empty() && table.corners.empty() && table.edges.empty() &&
+         !table.has_face_parents;
+}
 
 template <class FT, class Access>
 Carried_attributes<FT> read_attributes(const Access&, const Level_connectivity&,

@@ -152,7 +152,11 @@ Creases<FT> creases_of_part(const Creases<FT>& whole, const Level_connectivity& 
   };
   Creases<FT> creases = Make_creases<FT>(part, Border::surface)(edge_sharpness, vertex_sharpness);
   creases.has_fixed_border = whole.has_fixed_border;
-  for (Crease_edge<FT>& e : creases.edges) e.tangent_from = crease_at(e.edge)->tangent_from;
+  for (Crease_edge<FT>& e : creases.edges) {
+    const Crease_edge<FT>& of_whole = *crease_at(e.edge);
+    e.control_edge = of_whole.control_edge;
+    e.tangent_from = of_whole.tangent_from;
+  }
   return creases;
 }
 

@@ -52,11 +52,12 @@ public:
   using Result = typename Evaluation::Result;
   using Level = typename Evaluation::Level;
 
-  Creased_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
+  Creased_limits(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
+                 std::shared_ptr<typename Evaluation::Classes> classes = nullptr)
     : scheme_(scheme)
     , demand_(demand)
     , for_chunks_(for_chunks)
-    , evaluation_(scheme, demand, for_chunks)
+    , evaluation_(scheme, demand, for_chunks, std::move(classes))
     , any_round_((std::max)(101u, first_tuned_round(scheme)))
     , border_classes_(scheme)
   {}

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -59,13 +60,16 @@ public:
   using Stored_value = typename Tower::Stored_value;
   using Result = typename Tower::Result;
   using Level = Valued_level<Value>;
+  using Classes = Limit_classes<Scheme, FT>;
 
-  Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks)
+  // `classes` may be shared with other evaluations of the scheme
+  Limit_evaluation(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
+                   std::shared_ptr<Classes> classes = nullptr)
     : scheme_(scheme)
     , neighborhood_(limit_neighborhood(scheme))
     , demand_(demand)
     , for_chunks_(for_chunks)
-    , classes_(scheme)
+    , classes_(classes ? std::move(classes) : std::make_shared<Classes>(scheme))
   {}
 
   // of all vertices, in the round that is next, or of some, whose results have the places that they have among all
@@ -104,7 +108,7 @@ public:
     std::vector<Vertex_state> states(vertices.size());
     // all about a vertex in one go: what is read of the level is at hand then
     with_towers(vertices.size(), [&](Towers& towers, Index begin, Index end) {
-      typename Classes::Recent kind_of(classes_, level.level, next_round);
+      typename Classes::Recent kind_of(*classes_, level.level, next_round);
       Rings rings(level.values);
       std::array<Index, most_at_once> valences;
       for (Index i = begin; i < end; ++i) {
@@ -131,7 +135,7 @@ public:
     });
     Vertices in_next_ring;
     std::vector<Index> unsettled;
-    typename Classes::Recent kind_of(classes_, level.level, next_round + 1);
+    typename Classes::Recent kind_of(*classes_, level.level, next_round + 1);
     for (Index i = 0; i < vertices.size(); ++i)
       if (states[i] == Vertex_state::settled_then)
         in_next_ring.push_back(
@@ -162,7 +166,6 @@ private:
   using Average = typename Tower::Average;
   using One_round = Round<Scheme, Average>;
 
-  using Classes = Limit_classes<Scheme, FT>;
   using Towers = Limit_towers<Scheme, FT>;
   using Rings = Gathered_rings<Value, typename Towers::Vertex>;
   using Vertices = std::vector<typename Towers::Vertex>;
@@ -310,7 +313,7 @@ private:
   const Limit_neighborhood neighborhood_;
   const Limit_demand& demand_;
   For_chunks for_chunks_;
-  Classes classes_;
+  std::shared_ptr<Classes> classes_;
 };
 
 } // namespace internal

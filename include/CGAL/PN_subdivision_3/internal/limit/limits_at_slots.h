@@ -27,9 +27,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -101,12 +103,15 @@ void require_sharp_for_ever(const Access&, No_creases, unsigned)
 template <class FT, class Scheme, class Level, class Level_creases>
 auto limits_at_slots(const Scheme& scheme, const Limit_demand& demand, const For_chunks& for_chunks,
                      Level& level, [[maybe_unused]] Level_creases& creases, unsigned next_round,
-                     const std::vector<Level_connectivity::Index>* some = nullptr)
+                     const std::vector<Level_connectivity::Index>* some = nullptr,
+                     std::shared_ptr<Limit_classes<Scheme, FT>> classes = nullptr)
 {
   if constexpr (are_creases_v<Level_creases>)
-    return Creased_limits<Scheme, FT>(scheme, demand, for_chunks)(level, creases, next_round, some);
+    return Creased_limits<Scheme, FT>(scheme, demand, for_chunks,
+                                      std::move(classes))(level, creases, next_round, some);
   else
-    return Limit_evaluation<Scheme, FT>(scheme, demand, for_chunks)(level, next_round, some);
+    return Limit_evaluation<Scheme, FT>(scheme, demand, for_chunks,
+                                        std::move(classes))(level, next_round, some);
 }
 
 // At vertices with several wedges: the mean of the normals of these.

@@ -477,7 +477,7 @@ template <class Mesh, class Item>
 constexpr bool is_attribute_of_v = false;
 template <class Mesh, template <class> class Item, class Map>
 inline constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
-  Is_property_map_of<Map, typename Item<Map>::template Key<Mesh>>::value;
+  Is_property_map_of<Map, typename Item<Map>::Keys::template Descriptor<Mesh>>::value;
 
 template <class Mesh, class Attributes>
 struct Check_attributes

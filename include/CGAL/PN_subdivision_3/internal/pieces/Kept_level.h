@@ -10,17 +10,20 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_KEPT_LEVEL_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +39,7 @@ public:
   using Index = Level_connectivity::Index;
   using Value = typename Average::Value;
   using Limit = Limit_result<Average>;
+  using Attributes = Carried_attributes<typename Average::FT>;
 
   // takes (connectivity, its vertices, its faces), to be moved, once and then (vertex, value), of different
   // vertices from different threads; at last (half-edge, wedge, value) for the corners of vertices with several
@@ -45,6 +49,7 @@ public:
     Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
     Function_ref<void(Index, const Value&)> put;
     Function_ref<void(Index, Index, const Value&)> put_corner;
+    Function_ref<void(Attributes&)> put_attributes; // if there are any, before the end
   };
   // the same of limits, with what the rounds have given
   struct Limit_output
@@ -52,6 +57,7 @@ public:
     Function_ref<void(Level_connectivity&, Numbered_elements&, Numbered_elements&)> begin;
     Function_ref<void(Index, const Limit&, const Value&)> put;
     Function_ref<void(Index, Index, const Limit&)> put_corner;
+    Function_ref<void(Attributes&)> put_attributes;
   };
 
   Kept_pieces() = default;
@@ -96,19 +102,24 @@ public:
   using Output = typename Kept_pieces<Average>::Output;
   using Slot_value = std::pair<Index, Value>;
 
-  // Puts the connectivity of the faces that are owned and of the rings around them.
-  template <class Any_output>
+  // Puts the connectivity of the faces that are owned and of the rings around them, and their attributes.
+  template <class Carried, class Any_output>
   Kept_level(const Level_connectivity& level, const Piece_elements& elements,
              [[maybe_unused]] const Level_creases& creases, bool has_isolated, unsigned rings,
-             const Any_output& out)
+             const Carried& attributes, const Any_output& out)
   {
     const Face_marks kept = owned_with_rings(level, elements, rings);
     const All_candidates candidates(level, kept);
     Extraction extraction(level, candidates, has_isolated);
     Numbered_elements vertices = extraction.vertices(elements.vertices);
     Numbered_elements faces = extraction.faces(elements.faces);
-    out.begin(extraction.piece(), vertices, faces);
-    vertices_ = extraction.old_vertices();
+    Level_part part(extraction, bool(attributes));
+    if constexpr (!std::is_empty_v<Carried>)
+      if (attributes)
+        out.put_attributes(
+          attributes.part(part, slots(part, level, creases), level)->put_part(part));
+    out.begin(part.level, vertices, faces);
+    vertices_ = std::move(part.vertices);
     if constexpr (are_creases_v<Level_creases>) list_corners(extraction, level, creases);
   }
 
@@ -120,10 +131,7 @@ public:
   }
 
   // those of the level, in increasing order
-  const typename Piece_extraction<All_candidates>::Old_vertices& vertices() const
-  {
-    return vertices_;
-  }
+  const std::vector<Index>& vertices() const { return vertices_; }
 
   // instead of what the rows have given there; the slots of a vertex follow one another
   void put_on_creases(std::vector<Slot_value> values, Index number_of_vertices,
@@ -149,6 +157,15 @@ public:
 private:
   using Extraction = Piece_extraction<All_candidates>;
 
+  static std::vector<Index> slots(const Level_part& part, const Level_connectivity& level,
+                                  const Level_creases& creases)
+  {
+    if constexpr (are_creases_v<Level_creases>)
+      if (!creases.empty())
+        return part.slots(part.creases(creases), Corner_slots<FT>(level, creases));
+    return part.vertices;
+  }
+
   struct Corner
   {
     Index halfedge; // of the piece
@@ -173,7 +190,7 @@ private:
               [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; });
   }
 
-  typename Extraction::Old_vertices vertices_;
+  std::vector<Index> vertices_;
   std::vector<Corner> corners_; // in the order of the half-edges
 };
 

@@ -74,7 +74,7 @@ class Piece_extraction
 public:
   using Index = Level_connectivity::Index;
   // tells the vertex of the whole level for each vertex
-  using Old_vertices = boost::container::vector<Index>;
+  using Old_vertices = std::vector<Index>;
 
   // Both must stay.
   Piece_extraction(const Level_connectivity& whole, const Candidates& candidates,
@@ -99,12 +99,20 @@ public:
 
   Level_connectivity& piece() { return piece_; }
   const Old_vertices& old_vertices() const { return old_vertex_; }
-  // the same of edges
-  boost::container::vector<Index> old_edges() const
+  Old_vertices take_old_vertices() { return std::move(old_vertex_); }
+  // the same of edges and faces
+  std::vector<Index> old_edges() const
   {
-    boost::container::vector<Index> old(size_.edges, boost::container::default_init);
+    std::vector<Index> old(size_.edges);
     for (Index i = 0; i < new_edge_.size(); ++i)
       if (new_edge_[i] != null) old[new_edge_[i]] = candidates_.edge(i);
+    return old;
+  }
+  std::vector<Index> old_faces() const
+  {
+    std::vector<Index> old(size_.faces);
+    for (Index i = 0; i < new_face_.size(); ++i)
+      if (new_face_[i] != null) old[new_face_[i]] = candidates_.face(i);
     return old;
   }
 
@@ -150,15 +158,6 @@ public:
   Piece_elements elements(const Elements& whole) const
   {
     return {vertices(whole.vertices), edges(whole.edges), faces(whole.faces)};
-  }
-
-  // of the vertices
-  template <class Values>
-  Values values(const Values& whole) const
-  {
-    Values part(old_vertex_.size(), boost::container::default_init);
-    for (Index v = 0; v < old_vertex_.size(); ++v) part[v] = whole[old_vertex_[v]];
-    return part;
   }
 
 private:

@@ -18,6 +18,7 @@
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,10 +41,11 @@ struct Limits_of_call
 };
 
 // Refines pieces, and puts their vertices on the limit surface.
-template <class Scheme, class Average, class Level_creases>
-class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases>
+template <class Scheme, class Average, class Level_creases, bool carries>
+class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases, carries>
 {
-  using Base = Piece_refiner<Scheme, Average, Level_creases>;
+  using Base = Piece_refiner<Scheme, Average, Level_creases, carries>;
+  using typename Base::Carried;
   using typename Base::FT;
   using typename Base::Index;
   using typename Base::Kept;
@@ -55,10 +57,10 @@ class Piece_limits final : public Piece_refiner<Scheme, Average, Level_creases>
 
 public:
   Piece_limits(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-               Values&& values, unsigned rounds, std::size_t number_of_pieces, unsigned rings,
-               const For_chunks& for_chunks)
-    : Base(scheme, std::move(control), std::move(creases), std::move(values), rounds,
-           number_of_pieces, rings, for_chunks, cut_rings(scheme) + more_rings)
+               Values&& values, Carried&& attributes, unsigned rounds, std::size_t number_of_pieces,
+               unsigned rings, const For_chunks& for_chunks)
+    : Base(scheme, std::move(control), std::move(creases), std::move(values), std::move(attributes),
+           rounds, number_of_pieces, rings, for_chunks, cut_rings(scheme) + more_rings)
   {}
 
   Limit_report refine_to_limit(std::size_t piece, unsigned rings, const Limit_demand& demand,
@@ -72,10 +74,10 @@ public:
                                                 rings + (demand.surface_normals ? 1 : 0));
     Limit_demand here = demand;
     here.has_neighbors = true;
-    const With_roundness<Scheme, FT> scheme{{this->scheme()}};
-    auto limits = limits_at_slots<FT>(scheme, here, this->for_chunks(), level, part.creases,
-                                      this->rounds() + 1, &some);
-    const Kept kept(level.level, part.elements, part.creases, has_isolated, rings, out);
+    auto limits = limits_at_slots<FT>(with_roundness_, here, this->for_chunks(), level,
+                                      part.creases, this->rounds() + 1, &some, classes_);
+    const Kept kept(level.level, part.elements, part.creases, has_isolated, rings, part.attributes,
+                    out);
     kept.for_each_corner(
       [&](Index h, Index wedge, Index slot) { out.put_corner(h, wedge, limits[slot]); });
     put_mean_normals<Scheme>(part.creases, limits);
@@ -83,6 +85,8 @@ public:
   }
 
 private:
+  using Scheme_of_limits = With_roundness<Scheme, FT>;
+
   // one about the vertices that are kept, whose limits tell on which side their normals are; one more that is kept, and
   // one that where a limit is sought by itself the rim of the piece is not that of the part about it
   static constexpr unsigned more_rings = 3;
@@ -116,6 +120,11 @@ private:
     }
     return limit_report(owned, demand);
   }
+
+  const Scheme_of_limits with_roundness_{{this->scheme()}};
+  // for all pieces: those of large valences take long to make
+  const std::shared_ptr<Limit_classes<Scheme_of_limits, FT>> classes_ =
+    std::make_shared<Limit_classes<Scheme_of_limits, FT>>(with_roundness_);
 };
 
 } // namespace internal

@@ -10,9 +10,9 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_PIECES_PIECE_REFINER_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Carried_through.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
-#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Divided_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
@@ -20,11 +20,10 @@
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Whole_levels.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_part.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 #include <CGAL/number_type_basic.h>
-
-#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -57,7 +56,7 @@ unsigned dividing_round(Level_size size, unsigned rounds, std::size_t number_of_
 // together with the rings of faces around these. The last of them go wrong in each round, since faces are
 // missing there, and are cut off. The rules of creases, too, know only what is near: a part of a level has its part of
 // the creases.
-template <class Scheme, class Average, class Level_creases = No_creases>
+template <class Scheme, class Average, class Level_creases = No_creases, bool carries = false>
 class Piece_refiner : public Kept_pieces<Average>
 {
 public:
@@ -70,11 +69,13 @@ public:
   using Values = typename Refiner::Values;
 
   using Output = typename Kept_pieces<Average>::Output;
+  using Carried = Carried_rounds<FT, Host, carries>; // of the control level
 
   // `last_rings`: how many rings of faces the last level shall have right, at least
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Level_creases&& creases,
-                Values&& values, unsigned rounds, std::size_t number_of_pieces, unsigned rings,
-                const For_chunks& for_chunks, unsigned last_rings = 0)
+                Values&& values, Carried&& attributes, unsigned rounds,
+                std::size_t number_of_pieces, unsigned rings, const For_chunks& for_chunks,
+                unsigned last_rings = 0)
     : scheme_(scheme)
     , rings_(rings)
     , rounds_(rounds)
@@ -82,8 +83,9 @@ public:
                                    rounds, creases))
     , for_chunks_(for_chunks)
     , base_(scheme_, std::move(control), std::move(creases), std::move(values), for_chunks)
+    , attributes_(std::move(attributes))
   {
-    while (base_.rounds_done() < base_round_) base_.refine();
+    while (base_.rounds_done() < base_round_) attributes_.refine(scheme_, base_);
     wholes_.emplace(base_.level(), base_round_, rounds_);
     division_.emplace(base_.level(), number_of_pieces, [this](Index v) {
       const Value value = base_.values()[v];
@@ -95,13 +97,18 @@ public:
       if (!base_.creases().empty()) rings_ += more_rings;
       base_slots_.emplace(base_.level(), base_.creases());
     }
+    if constexpr (carries)
+      if (attributes_) {
+        chart_slots_ = attributes_->slots_of_charts(base_.level());
+        if (attributes_->has_charts() && base_.creases().empty()) ++rings_; // as around creases
+      }
     more_last_rings_ = last_rings > rings_ ? last_rings - rings_ : 0;
   }
   Piece_refiner(const Scheme& scheme, Level_connectivity&& control, Values&& values,
                 unsigned rounds, std::size_t number_of_pieces, unsigned rings,
                 const For_chunks& for_chunks)
     : Piece_refiner(scheme, std::move(control), No_creases(control.number_of_vertices()),
-                    std::move(values), rounds, number_of_pieces, rings, for_chunks)
+                    std::move(values), Carried(), rounds, number_of_pieces, rings, for_chunks)
   {}
 
   const Whole_level& result() const override { return wholes_->back(); }
@@ -122,6 +129,8 @@ public:
     for (unsigned k = base_round_ + 1; k < rounds_; ++k) part = refined(part, k, has_isolated);
     if (base_round_ == rounds_)
       put(part, has_isolated, rings, out);
+    else if (part.attributes)
+      put(refined(part, rounds_, has_isolated), has_isolated, rings, out);
     else
       put_last_round(part, has_isolated, rings, out);
   }
@@ -136,6 +145,7 @@ protected:
     Piece_elements elements;
     Level_creases creases;
     Values values; // of the slots
+    Carried attributes;
   };
 
   // after all rounds
@@ -167,6 +177,7 @@ private:
   struct Nothing
   {};
   using Slots = std::conditional_t<is_creased, std::optional<Corner_slots<FT>>, Nothing>;
+  using Chart_slots = std::conditional_t<carries, std::vector<Corner_slots<FT>>, Nothing>;
 
   // Elements of the level that is divided, which keep their numbers.
   template <class Is_owned>
@@ -198,29 +209,30 @@ private:
       extraction.vertices(base_elements([&](Index v) { return all.owns_vertex(piece, v); })),
       extraction.edges(base_elements([&](Index e) { return all.owns_edge(piece, e); })),
       extraction.faces(base_elements([&](Index f) { return all.owns_face(piece, f); }))};
-    return part_of(base_, extraction, std::move(elements), base_slots_);
+    return part_of(base_, attributes_, extraction, std::move(elements), base_slots_, chart_slots_);
   }
 
-  // `slots` are those of the level
+  // `slots` and `chart_slots` are those of the level
   template <class Candidates>
-  static Part part_of(const Refiner& level, Piece_extraction<Candidates>& extraction,
-                      Piece_elements&& elements, [[maybe_unused]] const Slots& slots)
+  static Part part_of(const Refiner& level, [[maybe_unused]] const Carried& attributes,
+                      Piece_extraction<Candidates>& extraction, Piece_elements&& elements,
+                      [[maybe_unused]] const Slots& slots,
+                      [[maybe_unused]] const Chart_slots& chart_slots)
   {
-    Part part{std::move(extraction.piece()), std::move(elements),
-              Level_creases(static_cast<Index>(extraction.old_vertices().size())),
-              extraction.values(level.values())};
-    if constexpr (is_creased) {
-      if (level.creases().empty()) return part;
-      const auto edges = extraction.old_edges();
-      const auto& vertices = extraction.old_vertices();
-      part.creases = creases_of_part(
-        level.creases(), part.level, [&](Index e) { return edges[e]; },
-        [&](Index v) { return vertices[v]; });
-      part.values.resize(part.creases.number_of_slots, boost::container::default_init);
-      take_slot_values(
-        part.level, part.creases, [&](Index h) { return 2 * edges[h / 2] + (h & 1u); }, *slots,
-        level.values(), part.values);
-    }
+    const bool has_creases = !level.creases().empty();
+    Level_part cut(extraction, has_creases || bool(attributes));
+    Part part{{}, std::move(elements), Level_creases(Index(cut.vertices.size())), {}, {}};
+    std::vector<Index> slots_of_part;
+    if constexpr (is_creased)
+      if (has_creases) {
+        part.creases = cut.creases(level.creases());
+        slots_of_part = cut.slots(part.creases, *slots);
+      }
+    const std::vector<Index>& origins = has_creases ? slots_of_part : cut.vertices;
+    part.values = values_of_part(level.values(), origins);
+    if constexpr (carries)
+      if (attributes) part.attributes = attributes.part(cut, origins, chart_slots);
+    part.level = std::move(cut.level);
     return part;
   }
 
@@ -234,7 +246,8 @@ private:
   }
 
   // what is owned, and the rings around it
-  Part with_rings(const Refiner& level, const Piece_elements& elements, bool has_isolated) const
+  Part with_rings(const Refiner& level, const Carried& attributes, const Piece_elements& elements,
+                  bool has_isolated) const
   {
     const Face_marks kept =
       owned_with_rings(level.level(), elements, rings_after(level.rounds_done()));
@@ -242,14 +255,20 @@ private:
     Piece_extraction<All_candidates> extraction(level.level(), candidates, has_isolated);
     Slots slots;
     if constexpr (is_creased) slots.emplace(level.level(), level.creases());
-    return part_of(level, extraction, extraction.elements(elements), slots);
+    Chart_slots chart_slots;
+    if constexpr (carries)
+      if (attributes) chart_slots = attributes->slots_of_charts(level.level());
+    return part_of(level, attributes, extraction, extraction.elements(elements), slots,
+                   chart_slots);
   }
 
   void close_rim_before(unsigned round, Part& part) const
   {
     if (!refines_border<Host>(round) || !part.level.has_border()) return;
-    for (const Index v : close_rim(part.level, part.elements, (*wholes_)[round - 1]))
-      part.values.push_back(part.values[v]);
+    const auto neighbors = close_rim(part.level, part.elements, (*wholes_)[round - 1]);
+    for (const Index v : neighbors) part.values.push_back(part.values[v]);
+    if constexpr (carries)
+      if (part.attributes) part.attributes->close_rim(part.level.size(), neighbors);
   }
 
   Refiner refiner(Part& part, unsigned round) const
@@ -275,11 +294,12 @@ private:
     };
     Piece_elements elements;
     if constexpr (is_creased) elements = children(Host(level.level(), round)); // is cut open next
+    part.attributes.before_cut(level);
     One_round one = level.next_round();
     if constexpr (!is_creased) elements = children(one.host());
     part.elements = Piece_elements();
-    level.refine(one);
-    return with_rings(level, elements, has_isolated);
+    part.attributes.refine(scheme_, level, one);
+    return with_rings(level, part.attributes, elements, has_isolated);
   }
 
   void put_last_round(Part& part, bool has_isolated, unsigned rings, const Output& out) const
@@ -334,13 +354,14 @@ private:
     const Level_connectivity child = child_level(host, size, size, for_chunks_);
     const Piece_elements all{children.vertices(child.size().vertices), Numbered_elements(),
                              children.faces(child.size().faces)};
-    return Kept(child, all, creases, has_isolated, rings, out);
+    return Kept(child, all, creases, has_isolated, rings, Carried_rounds<FT, Host, false>(), out);
   }
 
   // without a round
   static void put(const Part& part, bool has_isolated, unsigned rings, const Output& out)
   {
-    const Kept kept(part.level, part.elements, part.creases, has_isolated, rings, out);
+    const Kept kept(part.level, part.elements, part.creases, has_isolated, rings, part.attributes,
+                    out);
     const auto& vertices = kept.vertices();
     for (Index v = 0; v < vertices.size(); ++v) {
       const Value value = part.values[vertices[v]];
@@ -359,9 +380,11 @@ private:
   unsigned rings_, more_last_rings_ = 0, rounds_, base_round_;
   For_chunks for_chunks_;
   Refiner base_;
+  Carried attributes_;
   std::optional<Whole_levels<Host>> wholes_;
   // of the level that is divided
   Slots base_slots_;
+  Chart_slots chart_slots_;
   std::optional<Divided_level> division_;
   mutable Candidate_tables tables_;
 };

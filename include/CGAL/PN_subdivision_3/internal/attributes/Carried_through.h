@@ -1,0 +1,192 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H
+
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/attributes/Attribute_rounds.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// Attribute_rounds, if there are any, and the steps of a round of a Level_refiner that serve them.
+template <class FT, class Host, bool may_be_any = true>
+class Carried_rounds
+{
+public:
+  using Rounds = Attribute_rounds<FT, Host>;
+
+  Carried_rounds() = default;
+  explicit Carried_rounds(std::unique_ptr<Rounds> rounds)
+    : rounds_(std::move(rounds))
+  {}
+  Rounds* operator->() const { return rounds_.get(); }
+  Rounds& operator*() const { return *rounds_; }
+  explicit operator bool() const { return rounds_ != nullptr; }
+
+  // a round with creases cuts its level open
+  template <class Refiner>
+  void before_cut(const Refiner& refiner)
+  {
+    if constexpr (are_creases_v<Creases_of<Refiner>>)
+      if (rounds_) whole_.emplace(refiner.level());
+  }
+  template <class Scheme, class Refiner, class One_round>
+  void begin_round(const Scheme& scheme, const Refiner& refiner, const One_round& round,
+                   Kind_of_round kind)
+  {
+    if (!rounds_) return;
+    if constexpr (are_creases_v<Creases_of<Refiner>>)
+      rounds_->begin_creased_round(scheme, round, *whole_, refiner.creases(), kind);
+    else
+      rounds_->begin_round(scheme, round.round(), refiner.level(), kind);
+  }
+  const typename Rounds::Rows_sink* rows() const { return rounds_ ? rounds_->rows() : nullptr; }
+
+  // a round before the last one, which has been made
+  template <class Scheme, class Refiner, class One_round>
+  void refine(const Scheme& scheme, Refiner& refiner, One_round& round)
+  {
+    begin_round(scheme, refiner, round, Kind_of_round::inner);
+    refiner.refine(round, rows(), rounds_ ? rounds_->child() : nullptr);
+    if (rounds_) rounds_->end_round();
+  }
+  template <class Scheme, class Refiner>
+  void refine(const Scheme& scheme, Refiner& refiner)
+  {
+    before_cut(refiner);
+    auto round = refiner.next_round();
+    refine(scheme, refiner, round);
+  }
+
+  // Those of a part of the level, of which its slots in the level are given.
+  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slots,
+                      const typename Rounds::Chart_slots& chart_slots) const
+  {
+    return Carried_rounds(std::make_unique<Rounds>(*rounds_, part, slots, chart_slots));
+  }
+  Carried_rounds part(const Level_part& part, const std::vector<Level_part::Index>& slots,
+                      const Level_connectivity& level) const
+  {
+    return this->part(part, slots, rounds_->slots_of_charts(level));
+  }
+
+private:
+  template <class Refiner>
+  using Creases_of = std::decay_t<decltype(std::declval<const Refiner&>().creases())>;
+
+  std::unique_ptr<Rounds> rounds_;
+  std::optional<Level_connectivity> whole_; // the level of a round with creases, before it is cut
+};
+
+// With nothing to carry there is nothing to do.
+template <class FT, class Host>
+class Carried_rounds<FT, Host, false>
+{
+public:
+  explicit constexpr operator bool() const { return false; }
+  template <class... Arguments>
+  void before_cut(const Arguments&...) const
+  {}
+  template <class... Arguments>
+  void begin_round(const Arguments&...) const
+  {}
+  static constexpr std::nullptr_t rows() { return nullptr; }
+  template <class Scheme, class Refiner>
+  void refine(const Scheme&, Refiner& refiner) const
+  {
+    refiner.refine();
+  }
+  template <class Scheme, class Refiner, class One_round>
+  void refine(const Scheme&, Refiner& refiner, One_round& round) const
+  {
+    refiner.refine(round);
+  }
+};
+
+// What a Carrier carries through the rounds of a call.
+template <class FT, class Host, class Carry, bool = Carry::is_empty>
+class Carried_through : public Carried_rounds<FT, Host>
+{
+  using Base = Carried_rounds<FT, Host>;
+  using typename Base::Rounds;
+
+public:
+  using Index = Level_connectivity::Index;
+
+  // `extra_slots` are the vertices of the slots behind those of the vertices, see Creases
+  template <class Access>
+  Carried_through(const Carry& carry, const Access& access, const Level_connectivity& level,
+                  const std::vector<Index>& extra_slots, const Control_sharpness& sharpness,
+                  const For_chunks& for_chunks)
+    : Base(std::make_unique<Rounds>(carry.template read<FT>(access, level), Carry::visited, level,
+                                    extra_slots, sharpness, access, for_chunks))
+    , carry_(carry)
+    , for_chunks_(for_chunks)
+  {}
+
+  // ends the last round, of which the refiner has the level, and puts what it gives
+  template <class Refiner, class Round>
+  void put(const Refiner& refiner, const Round& last)
+  {
+    Rounds& rounds = **this;
+    std::optional<Level_connectivity> refined;
+    if (rounds.needs_refined_level()) {
+      refined = child_level(last, for_chunks_);
+      if (rounds.child() != nullptr) (*rounds.child())(*refined);
+    }
+    rounds.end_round();
+    rounds.put(last.refined_size(), refined ? &*refined : nullptr,
+               rounds.rules(last, refiner.level()));
+  }
+  void keep() noexcept { (*this)->keep(); }
+
+  template <class Access, class Refiner, class One_round>
+  void visit(const Access& access, const Refiner& refiner, const One_round& last) const
+  {
+    carry_.visit(access, last.refined_size(), (*this)->rules(last, refiner.level()));
+  }
+
+private:
+  const Carry& carry_;
+  const For_chunks for_chunks_;
+};
+
+template <class FT, class Host, class Carry>
+class Carried_through<FT, Host, Carry, true> : public Carried_rounds<FT, Host, false>
+{
+public:
+  template <class... Arguments>
+  explicit Carried_through(const Carry&, const Arguments&...)
+  {}
+  template <class... Arguments>
+  void put(const Arguments&...) const
+  {}
+  void keep() const noexcept {}
+  template <class... Arguments>
+  void visit(const Arguments&...) const
+  {}
+};
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_ATTRIBUTES_CARRIED_THROUGH_H

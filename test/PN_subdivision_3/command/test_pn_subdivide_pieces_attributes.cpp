@@ -1,0 +1,210 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+// What files carry besides points and normals, refined in pieces.
+
+#include "Pieces_test.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+class Attributes_in_pieces : public Pieces
+{
+protected:
+  // Numbers of vertices of several types, two of faces, and texture coordinates of corners in charts, or without seams.
+  void write_ply(const std::string& off, bool has_seams)
+  {
+    std::istringstream in(content(off));
+    std::string word;
+    std::size_t vertices = 0, faces = 0, edges = 0;
+    in >> word >> vertices >> faces >> edges;
+    std::string text =
+      "ply\nformat ascii 1.0\ncomment TextureFile wood.png\ncomment material 0 red\n"
+      "comment material 1 two words\nelement vertex " +
+      std::to_string(vertices) +
+      "\nproperty double x\nproperty double y\nproperty double z\n"
+      "property float heat\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nproperty short label\nelement face " +
+      std::to_string(faces) +
+      "\nproperty list uchar int vertex_indices\nproperty int material\n"
+      "property double weight\nproperty list uchar double texcoord\nend_header\n";
+    for (std::size_t v = 0; v < vertices; ++v) {
+      for (int i = 0; i < 3; ++i) {
+        in >> word;
+        text += word + " ";
+      }
+      text += std::to_string(v * v % 11) + ".25 " + std::to_string(37 * v % 256) + " " +
+              std::to_string(255 - v) + " 7 " + std::to_string(int(v % 5) - 2) + "\n";
+    }
+    for (std::size_t f = 0; f < faces; ++f) {
+      std::size_t degree = 0;
+      in >> degree;
+      text += std::to_string(degree);
+      std::string texture = " " + std::to_string(2 * degree);
+      for (std::size_t i = 0; i < degree; ++i) {
+        std::size_t v = 0;
+        in >> v;
+        text += " " + std::to_string(v);
+        const std::size_t chart = has_seams && f % 7 < 2 ? 100 : 0;
+        texture += " " + std::to_string(chart + v / 6) + "." + std::to_string(v % 3) + " " +
+                   std::to_string(v % 6);
+      }
+      text += " " + std::to_string(f % 2) + " " + std::to_string(f) + ".5" + texture + "\n";
+    }
+    folder.write("in.ply", text);
+  }
+
+  std::string job(const std::string& scheme, const std::string& in, const std::string& out) const
+  {
+    return "surface '" + folder.file(in) + "' '" + folder.file(out) + "' --scheme " + scheme + " ";
+  }
+
+  // the same file, and the same notes and warnings
+  void expect_same(const std::string& scheme, const std::string& in, const std::string& options,
+                   const std::string& pieces)
+  {
+    const Outcome whole = run(job(scheme, in, "whole.ply") + options);
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    const Outcome outcome = run(job(scheme, in, "out.ply") + options + " --pieces " + pieces);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(content("out.ply") == content("whole.ply"))
+      << scheme << " " << in << " " << options << " " << pieces;
+    const auto number_of_lines = [](const std::string& s) {
+      return std::count(s.begin(), s.end(), '\n');
+    };
+    EXPECT_EQ(number_of_lines(outcome.err), number_of_lines(whole.err)) << whole.err << outcome.err;
+    EXPECT_NE(content("out.ply").find("property float heat"), std::string::npos);
+  }
+};
+
+} // namespace
+
+TEST_F(Attributes_in_pieces, AreThoseOfTheWholeFile)
+{
+  for (const bool has_seams : {false, true})
+    for (const std::string scheme : {"catmull-clark", "loop", "doo-sabin", "sqrt3", "butterfly",
+                                     "kobbelt", "modified-loop", "bilinear"}) {
+      write_ply(takes_triangles(scheme) ? "triangles.off" : "quads.off", has_seams);
+      for (const char* const levels : {"--levels 1", "--levels 3"})
+        for (const char* const pieces : {"1", "2", "30"})
+          expect_same(scheme, "in.ply", levels, pieces);
+    }
+}
+
+TEST_F(Attributes_in_pieces, WithOtherOptions)
+{
+  write_ply("quads.off", true);
+  for (const std::string rule :
+       {"none", "corners-only", "corners-plus1", "corners-plus2", "boundaries", "all"})
+    expect_same("catmull-clark", "in.ply", "--levels 2 --texture-rule " + rule, "5");
+  for (const char* const options :
+       {"--levels 0", "--levels 2 --linear", "--levels 3 --sharp angle:25 --sharpness 1.5",
+        "--levels 3 --sharp angle:25 --border curve", "--levels 2 --limit",
+        "--levels 1 --output-normals surface", "--levels 3 --output-normals both",
+        "--levels 2 --threads 2", "--levels 2 --resume"})
+    expect_same("catmull-clark", "in.ply", options, "5");
+}
+
+TEST_F(Attributes_in_pieces, OfOtherFormats)
+{
+  folder.write("in.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+                         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\ng left\nusemtl red\n"
+                         "f 1/1 2/2 3/3 4/4\ng right\nusemtl blue\nf 2/1 5/2 6/5 3/4\n");
+  std::string off = content("triangles.off");
+  std::istringstream in(off);
+  std::string line, colored;
+  for (int i = 0; std::getline(in, line); ++i)
+    colored += (i == 0             ? "COFF"
+                : i >= 2 && i < 39 ? line + " 0.1 0." + std::to_string(i) + " 1 1"
+                                   : line) +
+               "\n";
+  folder.write("in.off", colored);
+  for (const char* const levels : {"--levels 0", "--levels 2", "--levels 3"})
+    for (const std::string name : {"in.obj", "in.off"}) {
+      const std::string scheme = name == "in.obj" ? "catmull-clark" : "loop";
+      ASSERT_EQ(run(job(scheme, name, "whole.ply") + levels).code, 0);
+      const Outcome outcome = run(job(scheme, name, "out.ply") + levels + " --pieces 4");
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_TRUE(content("out.ply") == content("whole.ply")) << name << levels;
+    }
+  EXPECT_NE(content("out.ply").find("property uchar red"), std::string::npos);
+}
+
+namespace {
+
+// the numbers of an array of a VTP file with raw data
+template <class T>
+std::vector<T> raw_array(const std::string& vtp, const std::string& name)
+{
+  const std::size_t tag = vtp.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos) return {};
+  const std::size_t offset = std::stoul(vtp.substr(vtp.find("offset=\"", tag) + 8));
+  const std::size_t begin = vtp.find("\n_", vtp.find("<AppendedData")) + 2 + offset;
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, vtp.data() + begin, sizeof bytes);
+  std::vector<T> values(bytes / sizeof(T));
+  std::memcpy(values.data(), vtp.data() + begin + sizeof bytes, bytes);
+  return values;
+}
+
+template <class T>
+void expect_rows(const std::string& piece, const std::string& whole, const std::string& name,
+                 const std::vector<std::int64_t>& rows, std::size_t components)
+{
+  const auto values = raw_array<T>(piece, name), of_whole = raw_array<T>(whole, name);
+  ASSERT_EQ(values.size(), components * rows.size()) << name;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    ASSERT_EQ(values[i], of_whole[components * std::size_t(rows[i / components]) + i % components])
+      << name;
+}
+
+} // namespace
+
+TEST_F(Attributes_in_pieces, PvtpHasThoseOfTheVtpFile)
+{
+  for (const bool has_seams : {false, true}) {
+    write_ply("quads.off", has_seams);
+    ASSERT_EQ(run(job("catmull-clark", "in.ply", "whole.vtp") + "--levels 2").code, 0);
+    const Outcome outcome =
+      run(job("catmull-clark", "in.ply", "out.pvtp") + "--levels 2 --pieces 3");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("texture coordinates") != std::string::npos, has_seams);
+    const std::string whole = content("whole.vtp"), index = content("out.pvtp");
+    for (int i = 0; i < 3; ++i) {
+      const std::string piece = content("out_pieces/piece_" + std::to_string(i) + ".vtp");
+      const auto points = raw_array<std::int64_t>(piece, "GlobalPointIds"),
+                 cells = raw_array<std::int64_t>(piece, "GlobalCellIds");
+      expect_rows<float>(piece, whole, "heat", points, 1);
+      expect_rows<std::uint8_t>(piece, whole, "colors", points, 3);
+      expect_rows<std::int16_t>(piece, whole, "label", points, 1);
+      if (!has_seams) expect_rows<double>(piece, whole, "TCoords", points, 2);
+      expect_rows<double>(piece, whole, "weight", cells, 1);
+    }
+    for (const std::string name : {"heat", "colors", "label", "material", "weight"})
+      EXPECT_NE(index.find("Name=\"" + name + "\""), std::string::npos) << name;
+    EXPECT_EQ(index.find("TCoords=\"TCoords\"") != std::string::npos, !has_seams);
+  }
+}
+
+TEST_F(Attributes_in_pieces, WhatSomeCornersLackIsRefused)
+{
+  write_ply("quads.off", false);
+  std::string ply = content("in.ply");
+  const std::size_t last = ply.rfind(" 8 ");
+  folder.write("in.ply", ply.substr(0, last) + " 0\n");
+  expect_one_line(run(job("catmull-clark", "in.ply", "out.ply") + "--levels 1 --pieces 2"), 1,
+                  "--drop-attributes");
+  EXPECT_EQ(run(job("catmull-clark", "in.ply", "out.pvtp") + "--levels 1 --pieces 2").code, 0);
+}
