@@ -68,6 +68,27 @@ double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>
   return least > 1 ? 0 : smooth_window(least, cos_45, cos_36);
 }
 
+// whether the roundness of the turn is 1 at n, and at all unit vectors that are close to n
+template <class FT>
+bool is_narrow(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
+{
+  constexpr double cosine = 0.8405; // more than that of 36 degrees and the distance of close ones
+  bool has_area = false;
+  for (const auto& corner : fan.corners()) {
+    if (!corner.has_area) continue;
+    const auto d = dot<double, 3>(n, corner.normal);
+    if (!(d > 0 && d * d >= cosine * cosine * corner.squared)) return false;
+    has_area = true;
+  }
+  return has_area;
+}
+
+inline bool is_close(const Coordinates<double, 3>& n, const Coordinates<double, 3>& m)
+{
+  const auto d = difference<double, 3>(n, m);
+  return dot<double, 3>(d, d) <= 0x1p-10;
+}
+
 // Wide fans are round, too, if both normals and all arcs agree: a cube is a sphere.
 inline double regularity(double distance_of_normals, double largest_arc_error)
 {
