@@ -21,7 +21,7 @@
 namespace {
 
 namespace PN = CGAL::PN_subdivision_3;
-using Mode = PN::Limit_interpolation_mode;
+using Mode = PN::Limit_interpolation::Mode;
 
 template <class Scheme>
 void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& scheme, Mode mode)
@@ -31,7 +31,7 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
     data.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR)
       .first;
   PN::estimate_control_normals(data, normals);
-  PN::Limit_interpolation_report report;
+  PN::Limit_interpolation report;
   for ([[maybe_unused]] auto _ : state) {
     Mesh mesh = data;
     const auto map = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
@@ -47,11 +47,11 @@ void interpolate(benchmark::State& state, const Mesh& samples, const Scheme& sch
 
 void quads(benchmark::State& state, Mode mode)
 {
-  interpolate(state, Control_meshes::quads(100, 100), PN::Tuned_CatmullClark_scheme(), mode);
+  interpolate(state, Control_meshes::quads(100, 100), PN::CatmullClark_scheme::Tuned(), mode);
 }
 void triangles(benchmark::State& state, Mode mode)
 {
-  interpolate(state, Control_meshes::triangles(100, 100), PN::Tuned_Loop_scheme(), mode);
+  interpolate(state, Control_meshes::triangles(100, 100), PN::Loop_scheme::Tuned(), mode);
 }
 
 BENCHMARK_CAPTURE(quads, slide, Mode::slide)->Unit(benchmark::kMillisecond);

@@ -74,12 +74,12 @@ void limits(benchmark::State& state, const Mesh& control, const Scheme& scheme, 
 template <class Function>
 void with_quads(const Function& function)
 {
-  function(Control_meshes::quads(40, 40), PN::Tuned_CatmullClark_scheme());
+  function(Control_meshes::quads(40, 40), PN::CatmullClark_scheme::Tuned());
 }
 template <class Function>
 void with_triangles(const Function& function)
 {
-  function(Control_meshes::triangles(40, 40), PN::Tuned_Loop_scheme());
+  function(Control_meshes::triangles(40, 40), PN::Loop_scheme::Tuned());
 }
 
 void quads_round(benchmark::State& state)

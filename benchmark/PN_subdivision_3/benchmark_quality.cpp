@@ -105,8 +105,8 @@ int main(int argc, char** argv)
   print_row(csv, columns);
   if (!csv) print_row(csv, std::vector<std::string>(columns.size(), "---"));
   print_rows(csv, "PN-modified Catmull-Clark", {3, 5, 6, 7, 8, 10, 12}, PN::CatmullClark_scheme(),
-             PN::Tuned_CatmullClark_scheme());
+             PN::CatmullClark_scheme::Tuned());
   print_rows(csv, "PN-modified Loop", {3, 4, 5, 7, 8, 9, 12}, PN::Loop_scheme(),
-             PN::Tuned_Loop_scheme());
+             PN::Loop_scheme::Tuned());
   return EXIT_SUCCESS;
 }

@@ -200,7 +200,7 @@ void add_modified_schemes()
 {
   // the triangles have extraordinary vertices that are separated after a round or two
   const PN::CatmullClark_scheme catmull_clark;
-  const PN::Tuned_CatmullClark_scheme modified_catmull_clark;
+  const PN::CatmullClark_scheme::Tuned modified_catmull_clark;
   const auto add_catmull_clark = [&](const char* size, const Control& control, unsigned rounds) {
     add_modified("modified_CatmullClark", size, control, rounds, catmull_clark,
                  modified_catmull_clark);
@@ -210,7 +210,7 @@ void add_modified_schemes()
   add_catmull_clark("1M-one-round", quads(500, 500), 1);
 
   const PN::Loop_scheme loop;
-  const PN::Tuned_Loop_scheme modified_loop;
+  const PN::Loop_scheme::Tuned modified_loop;
   add_modified("modified_Loop", "100k", triangles(16, 14), 4, loop, modified_loop);
   add_modified("modified_Loop", "1M", triangles(50, 40), 4, loop, modified_loop);
   add_modified("modified_Loop", "1M-one-round", triangles(360, 350), 1, loop, modified_loop);
@@ -440,7 +440,7 @@ template <class Concurrency_tag, class Scheme>
 Job update_job(const Scheme& scheme, bool is_one_normal, std::size_t crease_segments = 0)
 {
   return [=](const Mesh& control, unsigned rounds) -> Result {
-    using Refiner = PN::Surface_refiner<Scheme, Kernel, Concurrency_tag>;
+    using Refiner = PN::Surface_refiner<Mesh, Scheme, Kernel, Concurrency_tag>;
     Mesh mesh = control;
     const auto parameters =
       params::number_of_iterations(rounds).vertex_normal_map(Control_meshes::add_normals(mesh));
@@ -449,7 +449,8 @@ Job update_job(const Scheme& scheme, bool is_one_normal, std::size_t crease_segm
                                                      parameters.edge_is_constrained_map(add_creases(
                                                        mesh, static_cast<int>(crease_segments))));
     const std::size_t n = mesh.number_of_vertices();
-    const auto turn = [&](std::size_t v, double x) {
+    const auto turn = [&](std::size_t i, double x) {
+      const Mesh::Vertex_index v(static_cast<Mesh::size_type>(i));
       refiner.set_normal(v, refiner.control_normal(v) + Kernel::Vector_3(x, 0, 0));
     };
     // along creases, the normals on their sides are estimated and stay so
@@ -464,7 +465,8 @@ Job update_job(const Scheme& scheme, bool is_one_normal, std::size_t crease_segm
     else
       for (std::size_t v = 0; v < n; ++v) {
         if (!is_on_crease(v)) turn(v, 0.1);
-        refiner.set_point(v, refiner.control_point(v));
+        const Mesh::Vertex_index vertex(static_cast<Mesh::size_type>(v));
+        refiner.set_point(vertex, refiner.control_point(vertex));
       }
     return {seconds_of([&] { refiner.update(); }), refiner.number_of_faces()};
   };
@@ -548,12 +550,12 @@ void add_attributes()
     return PN::parameters::attributes();
   });
   add_job("/1-scalar", [scalar](Mesh& mesh) {
-    return PN::parameters::attributes(PN::vertex_attribute(scalar(mesh, "a")));
+    return PN::parameters::attributes(PN::parameters::vertex_attribute(scalar(mesh, "a")));
   });
   add_job("/3-scalars", [scalar](Mesh& mesh) {
-    return PN::parameters::attributes(PN::vertex_attribute(scalar(mesh, "a")),
-                                      PN::vertex_attribute(scalar(mesh, "b")),
-                                      PN::vertex_attribute(scalar(mesh, "c")));
+    return PN::parameters::attributes(PN::parameters::vertex_attribute(scalar(mesh, "a")),
+                                      PN::parameters::vertex_attribute(scalar(mesh, "b")),
+                                      PN::parameters::vertex_attribute(scalar(mesh, "c")));
   });
   add_job("/texture", [](Mesh& mesh) {
     auto uv = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("uv").first;
@@ -564,11 +566,11 @@ void add_attributes()
         for (auto v : mesh.vertices_around_face(mesh.halfedge(f))) x += mesh.point(v).x();
         uv[h] = {mesh.point(mesh.target(h)).y() + (x > 0 ? 10 : 0), mesh.point(mesh.target(h)).z()};
       }
-    return PN::parameters::attributes(PN::corner_attribute(uv));
+    return PN::parameters::attributes(PN::parameters::corner_attribute(uv));
   });
   add_job("/patch-ids", [](Mesh& mesh) {
-    return PN::parameters::attributes(
-      PN::face_attribute(mesh.add_property_map<Mesh::Face_index, int>("patch", 1).first));
+    return PN::parameters::attributes(PN::parameters::face_attribute(
+      mesh.add_property_map<Mesh::Face_index, int>("patch", 1).first));
   });
 }
 

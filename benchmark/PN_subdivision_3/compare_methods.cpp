@@ -132,19 +132,19 @@ Surface subdivided(Mesh mesh, Way way)
   timer.start();
   if (way == Way::linear_solved) {
     PN::interpolate_limit_points(
-      mesh, PN::linear(PN::Tuned_Loop_scheme()),
-      PN::parameters::join(PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::strict),
-                           np));
+      mesh, PN::linear(PN::Loop_scheme::Tuned()),
+      PN::parameters::join(
+        PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::strict), np));
   } else if (way == Way::slide)
-    PN::interpolate_limit_points(mesh, PN::Tuned_Loop_scheme(), np);
+    PN::interpolate_limit_points(mesh, PN::Loop_scheme::Tuned(), np);
   Mesh refined = mesh;
   const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  PN::subdivide(refined, PN::Tuned_Loop_scheme(),
+  PN::subdivide(refined, PN::Loop_scheme::Tuned(),
                 params::number_of_iterations(3).vertex_normal_map(map));
   timer.stop();
   Surface surface;
   surface.nanoseconds = timer.time() / double(refined.number_of_vertices()) * 1e9;
-  surface.samples = limits(mesh, PN::Tuned_Loop_scheme(), is_linear);
+  surface.samples = limits(mesh, PN::Loop_scheme::Tuned(), is_linear);
   return surface;
 }
 

@@ -159,8 +159,8 @@ void print_smoothing()
     normals[v] = order_samples::unit(sphere.point(v) - CGAL::ORIGIN);
     sphere.point(v) = CGAL::ORIGIN + normals[v];
   }
-  const PN::Tuned_Loop_scheme loop;
-  const PN::Tuned_CatmullClark_scheme catmull_clark;
+  const PN::Loop_scheme::Tuned loop;
+  const PN::CatmullClark_scheme::Tuned catmull_clark;
   print_smoothing("a", sphere, loop);
   print_smoothing("b", grid(32, 16, true, false, on_torus), catmull_clark);
   print_smoothing("c", grid(32, 16, true, true, on_torus), loop);
@@ -210,8 +210,8 @@ double interpolation_error(Mesh mesh, const std::string& way)
   if (is_linear)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
   const auto np = PN::parameters::tolerance(1e-9)
-                    .interpolation_mode(way == "slide" ? PN::Limit_interpolation_mode::slide
-                                                       : PN::Limit_interpolation_mode::strict)
+                    .interpolation_mode(way == "slide" ? PN::Limit_interpolation::Mode::slide
+                                                       : PN::Limit_interpolation::Mode::strict)
                     .vertex_normal_map(normals);
   if (way == "linear")
     PN::interpolate_limit_points(mesh, PN::linear(PN::Loop_scheme()), np);
@@ -241,7 +241,7 @@ void print_interpolation()
 void print_convexity()
 {
   std::puts("#table convexity");
-  const PN::Tuned_CatmullClark_scheme scheme;
+  const PN::CatmullClark_scheme::Tuned scheme;
   for (const double thickness : {1., .5, .2, .1}) {
     Mesh mesh = closed_samples::cube(4);
     const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
@@ -350,8 +350,8 @@ void print_models(const std::string& folder)
 int main(int argc, char** argv)
 {
   std::puts("#table noise");
-  print_noise("even quads", closed_samples::cube(12), PN::Tuned_CatmullClark_scheme());
-  print_noise("scattered triangles", closed_samples::scattered(896), PN::Tuned_Loop_scheme());
+  print_noise("even quads", closed_samples::cube(12), PN::CatmullClark_scheme::Tuned());
+  print_noise("scattered triangles", closed_samples::scattered(896), PN::Loop_scheme::Tuned());
   print_smoothing();
   std::puts("#table ellipse");
   print_ellipse("cubic", PN::B_spline_mask(3));

@@ -50,7 +50,7 @@ int main()
   for (Mesh::Vertex_index v : mesh.vertices()) normals[v] = (mesh.point(v) - CGAL::ORIGIN) / radius;
 
   const unsigned int rounds = 5;
-  const auto point_normals = PN::make_point_normal_map(mesh.points(), normals);
+  const auto point_normals = PN::Zipped_point_normal_map(mesh.points(), normals);
   CGAL::Subdivision_method_3::PQQ(
     mesh, PN::make_PN_mask_3<CGAL::CatmullClark_mask_3>(mesh, point_normals),
     params::vertex_point_map(point_normals).number_of_iterations(rounds));

@@ -128,7 +128,7 @@ int main()
 
   const double pull = 0.5;
   const unsigned int rounds = 4;
-  const auto point_normals = PN::make_point_normal_map(mesh.points(), normals);
+  const auto point_normals = PN::Zipped_point_normal_map(mesh.points(), normals);
   CGAL::Subdivision_method_3::PQQ(
     mesh, PN::make_PN_mask_3<Pull_mask_3>(mesh, point_normals, pull),
     params::vertex_point_map(point_normals).number_of_iterations(rounds));

@@ -59,11 +59,12 @@ int main(int argc, char** argv)
     }
   }
 
-  PN::subdivide(mesh, PN::CatmullClark_scheme(),
-                PN::parameters::attributes(PN::vertex_attribute(colors),
-                                           PN::vertex_attribute(heights),
-                                           PN::corner_attribute(uv, PN::Corner_rule::linear))
-                  .number_of_iterations(2));
+  PN::subdivide(
+    mesh, PN::CatmullClark_scheme(),
+    PN::parameters::attributes(PN::parameters::vertex_attribute(colors),
+                               PN::parameters::vertex_attribute(heights),
+                               PN::parameters::corner_attribute(uv, PN::Corner_rule::linear))
+      .number_of_iterations(2));
 
   // averages of heights are heights again
   for (auto v : mesh.vertices())

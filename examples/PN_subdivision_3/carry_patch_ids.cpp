@@ -67,11 +67,11 @@ int main(int argc, char** argv)
     visitor.control_patch.push_back(patches[f]);
   }
 
-  PN::subdivide(
-    mesh, PN::CatmullClark_scheme(),
-    PN::parameters::attributes(PN::face_attribute(boost::make_assoc_property_map(patches)))
-      .number_of_iterations(2)
-      .visitor(std::ref(visitor)));
+  PN::subdivide(mesh, PN::CatmullClark_scheme(),
+                PN::parameters::attributes(
+                  PN::parameters::face_attribute(boost::make_assoc_property_map(patches)))
+                  .number_of_iterations(2)
+                  .visitor(std::ref(visitor)));
 
   std::map<int, std::size_t> sizes;
   for (Face f : faces(mesh)) {

@@ -105,10 +105,10 @@ void print_mesh(const std::string& file, const Plain& plain, const Modified& mod
 
 void print_transfer(data::Index n)
 {
-  const PN::Tuned_CatmullClark_scheme modified;
-  const PN::Transfer_CatmullClark_scheme transfer;
-  const data::Fairness_measure<PN::Tuned_CatmullClark_scheme> without(modified, n);
-  const data::Fairness_measure<PN::Transfer_CatmullClark_scheme> with(transfer, n);
+  const PN::CatmullClark_scheme::Tuned modified;
+  const PN::CatmullClark_scheme::Transfer transfer;
+  const data::Fairness_measure<PN::CatmullClark_scheme::Tuned> without(modified, n);
+  const data::Fairness_measure<PN::CatmullClark_scheme::Transfer> with(transfer, n);
   const data::Values values = data::sampled(with.zoom().net(), data::ellipsoid, .15);
   const double k = data::exact_curvature(data::ellipsoid, 0, 0).gaussian;
   const data::Fairness a = without(values, data::ellipsoid), b = with(values, data::ellipsoid);
@@ -128,8 +128,8 @@ int main(int argc, char** argv)
       return argc > 1 ? argv[1] + ("/" + name) : CGAL::data_file_path("meshes/" + name);
     };
     const PN::CatmullClark_scheme plain;
-    const PN::Tuned_CatmullClark_scheme modified;
-    const PN::Transfer_CatmullClark_scheme transfer;
+    const PN::CatmullClark_scheme::Tuned modified;
+    const PN::CatmullClark_scheme::Transfer transfer;
     for (const auto& example : local_examples::all()) {
       std::printf("%s\n", example.file.c_str());
       print_rows(local_examples::read(file(example.file)), plain, modified, transfer);

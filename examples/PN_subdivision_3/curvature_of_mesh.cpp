@@ -39,15 +39,14 @@ void print_curvatures(const char* name, Mesh mesh, const Scheme& scheme)
   auto curvatures = mesh.add_property_map<Mesh::Vertex_index, Curvature>("v:curvature").first;
   PN::estimate_curvature(mesh, curvatures); // of the points: control normals are not its normals
 
-  const auto gaussian = PN::gaussian_curvature_map(curvatures); // for what takes a scalar map
   const auto less = [&](Mesh::Vertex_index v, Mesh::Vertex_index w) {
-    return get(gaussian, v) < get(gaussian, w);
+    return curvatures[v].gaussian < curvatures[w].gaussian;
   };
   const auto [least, greatest] =
     std::minmax_element(mesh.vertices_begin(), mesh.vertices_end(), less);
   const Curvature& c = curvatures[*greatest];
-  std::cout << name << ": Gaussian curvature from " << get(gaussian, *least) << " to " << c.gaussian
-            << "; there principal curvatures " << c.minimal << " in direction "
+  std::cout << name << ": Gaussian curvature from " << curvatures[*least].gaussian << " to "
+            << c.gaussian << "; there principal curvatures " << c.minimal << " in direction "
             << c.minimal_direction << " and " << c.maximal << " in direction "
             << c.maximal_direction << std::endl;
 }

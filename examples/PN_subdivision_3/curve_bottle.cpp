@@ -12,6 +12,7 @@
 //
 //   curve_bottle [OUTPUT.svg]
 
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 #include <CGAL/PN_subdivision_curve.h>
 

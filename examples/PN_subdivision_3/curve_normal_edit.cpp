@@ -84,7 +84,7 @@ int main(int argc, char** argv)
   std::vector<curve_svg::Panel> panels;
   for (const int degrees : {40, 90, 150}) {
     Curve polygon = circle(12);
-    PN::rotate_control_normals(polygon, degrees * pi / 180, PN::take_every_kth_vertex(polygon, 2));
+    PN::rotate_control_normals(polygon, degrees * pi / 180, {0, 2, 4, 6, 8, 10});
     const Curve curve = PN::subdivide_curve(polygon, PN::Dubuc_Deslauriers_mask(10), closed,
                                             CGAL::parameters::number_of_iterations(rounds));
     std::cout << degrees << " degrees: ";

@@ -50,7 +50,7 @@ int main(int argc, char** argv)
             << " refined ones, " << refiner.memory() / 1000000 << " MB kept" << std::endl;
 
   // The normal of a vertex in the middle is turned in a circle.
-  const std::size_t edited = control.number_of_vertices() / 2;
+  const Mesh::Vertex_index edited(control.number_of_vertices() / 2);
   const Vector normal = refiner.control_normal(edited);
   std::size_t reached = 0;
   const int frames = 200;
@@ -59,9 +59,8 @@ int main(int argc, char** argv)
     const double angle = 0.1 * i;
     refiner.set_normal(edited, normal + Vector(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0));
     // Only what the normal reaches is computed, and only that is put.
-    const auto& changed = refiner.update();
-    for (auto v : changed) refined.point(Mesh::Vertex_index(v)) = refiner.points()[v];
-    reached = changed.size();
+    reached = refiner.update().size();
+    refiner.update_mesh(refined);
     if (i == 0) start = std::chrono::steady_clock::now(); // the first call has more to find out
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -84,8 +84,8 @@ int main(int argc, char** argv)
                           0,
                           {}};
   plot.panels.push_back(table("Catmull-Clark: PN (dashed) and PN-modified", 4,
-                              PN::CatmullClark_scheme(), PN::Tuned_CatmullClark_scheme()));
+                              PN::CatmullClark_scheme(), PN::CatmullClark_scheme::Tuned()));
   plot.panels.push_back(
-    table("Loop: PN (dashed) and PN-modified", 6, PN::Loop_scheme(), PN::Tuned_Loop_scheme()));
+    table("Loop: PN (dashed) and PN-modified", 6, PN::Loop_scheme(), PN::Loop_scheme::Tuned()));
   return log_plot_svg::write(output, plot) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

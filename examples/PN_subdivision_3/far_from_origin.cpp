@@ -21,6 +21,7 @@
 #include "Sampled_shapes.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

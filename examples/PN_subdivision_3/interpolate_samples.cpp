@@ -35,7 +35,7 @@ namespace {
 // The surface of a control net after two rounds, on its limit; its error and curvature.
 template <class Scheme>
 bool show(const std::string& title, const std::string& file, const Shape& shape, Mesh mesh,
-          const Scheme& scheme, const PN::Limit_interpolation_report& report)
+          const Scheme& scheme, const PN::Limit_interpolation& report)
 {
   const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   PN::subdivide(mesh, scheme, params::number_of_iterations(2).vertex_normal_map(normals));
@@ -59,15 +59,21 @@ bool show(const std::string& title, const std::string& file, const Shape& shape,
 
 bool interpolate(const Shape& shape, const std::string& folder)
 {
-  const PN::Tuned_CatmullClark_scheme scheme;
+  const PN::CatmullClark_scheme::Tuned scheme;
   Mesh samples = shape.samples();
   const Normals normals =
     samples.add_property_map<Mesh::Vertex_index, Vector>("v:normal", CGAL::NULL_VECTOR).first;
-  // the normals of the surface that slides along them
-  PN::natural_normals(samples, scheme, normals);
+  // the normals of the surface that slides along them; all surfaces get them
+  Mesh slid = samples;
+  const Normals natural = slid.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  PN::interpolate_limit_points(
+    slid, scheme,
+    PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural)
+      .vertex_normal_map(natural));
+  for (const auto v : samples.vertices()) normals[v] = natural[v];
   std::printf("%s, %u points\n", shape.name.c_str(), unsigned(samples.number_of_vertices()));
 
-  PN::Limit_interpolation_mode mode = PN::Limit_interpolation_mode::strict;
+  PN::Limit_interpolation::Mode mode = PN::Limit_interpolation::Mode::strict;
   const auto run = [&](const std::string& title, const std::string& name, const auto& s) {
     Mesh net = samples;
     const Normals map = net.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
@@ -77,7 +83,7 @@ bool interpolate(const Shape& shape, const std::string& folder)
   };
   bool good = run("linear", "linear", PN::linear(scheme));
   good = run("point-normal, limit points", "points", scheme) && good;
-  mode = PN::Limit_interpolation_mode::slide;
+  mode = PN::Limit_interpolation::Mode::slide;
   return run("point-normal, slide", "slide", scheme) && good;
 }
 

@@ -40,7 +40,7 @@ int main(int argc, char** argv)
   std::cout << "The limit surface lies in " << surface.bbox() << '\n';
 
   // some places in the first faces, all at once
-  std::vector<PN::Limit_surface_location<Mesh::Face_index>> places;
+  std::vector<PN::Limit_surface<Mesh>::Location> places;
   for (Mesh::Face_index f : control.faces())
     if (f.idx() < 3)
       for (const double u : {0.25, 0.7}) places.push_back({f, u, 0.4});
@@ -59,7 +59,7 @@ int main(int argc, char** argv)
     if (control.degree(f) != 4) continue;
     std::vector<Kernel::Point_3> points;
     std::vector<Kernel::Vector_3> normals;
-    for (const auto& s : surface.evaluate(std::vector<PN::Limit_surface_location<Mesh::Face_index>>{
+    for (const auto& s : surface.evaluate(std::vector<PN::Limit_surface<Mesh>::Location>{
            {f, 0, 0}, {f, 1, 0}, {f, 1, 1}, {f, 0, 1}})) {
       points.push_back(s.point);
       normals.push_back(s.normal);

@@ -49,7 +49,7 @@ void print_table(const std::string& file, const local_examples::Local_example& e
   for (int m : {0, 3, 6, 12}) std::printf(" %22d", m);
   std::printf("  predicted\n");
   const PN::CatmullClark_scheme plain;
-  const PN::Tuned_CatmullClark_scheme modified;
+  const PN::CatmullClark_scheme::Tuned modified;
   print_row("linear", mesh, PN::linear(plain), false);
   print_row("modified linear", mesh, PN::linear(modified), true);
   print_row("PN", mesh, plain, false);

@@ -38,7 +38,7 @@ namespace params = CGAL::parameters;
 
 namespace {
 
-const PN::Tuned_CatmullClark_scheme scheme;
+const PN::CatmullClark_scheme::Tuned scheme;
 
 // A mesh with control normals and what is prescribed.
 struct Design
@@ -71,7 +71,7 @@ struct Design
 
   void solve(const std::string& title)
   {
-    const PN::Limit_interpolation_report report =
+    const PN::Limit_interpolation report =
       PN::prescribe_limit_data(mesh, scheme,
                                PN::parameters::prescribed_point_map(points_of_limit)
                                  .prescribed_normal_map(normals_of_limit)

@@ -149,7 +149,8 @@ Input read(const std::filesystem::path& file, std::optional<double> degrees)
   input.sharp_edges = find_sharp_edges(input.mesh, control.has_normals, degrees);
   const auto corners = corner_normals(input.mesh);
   if (!control.has_normals || input.sharp_edges > 0)
-    PN::estimate_corner_normals(input.mesh, sharp_edges(input.mesh), corners);
+    PN::estimate_control_normals(
+      input.mesh, corners, CGAL::parameters::edge_is_constrained_map(sharp_edges(input.mesh)));
   else {
     const auto normals = vertex_normals(input.mesh);
     for (const Mesh::Halfedge_index h : input.mesh.halfedges())

@@ -11,16 +11,15 @@
 
 /*!
 \file PN_subdivision_3.h
-Schemes and the functions that subdivide meshes and curves. Not included are what needs other packages or
-libraries (`PN_mask_3.h`, `analysis/subdivision_matrix.h`, `estimate_curvature.h`), what measures results
-(`reproduction.h`, `analysis/extraordinary_curvature.h`, `analysis/extraordinary_eigenvalues.h`), the limit surface
-(`limit_points.h`, `subdivide_to_limit.h`, `tessellate.h`, `curve_limit_points.h`,
-`interpolate_limit_points.h`, `interpolate_curve.h`, `prescribe_limit_data.h`), and surfaces that follow their control data (`Surface_refiner.h`).
+Schemes and the functions that subdivide meshes and curves. Not included are the limit surface, interpolation and
+`Surface_refiner` (`PN_subdivision_limit_3.h`), limits and interpolation of curves (`curve_limit_points.h`, `interpolate_curve.h`),
+pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate_planes.h`), `smooth_control_normals.h`,
+`compare_with_linear.h`, `estimate_curvature.h`, schemes by name (`schemes/scheme_by_name.h`), what is for \cgal's subdivision methods
+(`PN_mask_3.h`, `Subdivision_method_3.h`), and what measures results (`reproduction.h`, `enclose.h`, the folder `analysis`).
 */
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
 #include <CGAL/PN_subdivision_3/estimate_control_normals.h>
-#include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>

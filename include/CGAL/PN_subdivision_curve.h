@@ -11,14 +11,15 @@
 
 /*!
 \file PN_subdivision_curve.h
-Point-normal subdivision of curves in the plane and in space.
+Point-normal subdivision of curves in the plane and in space. Not included are their limits (`curve_limit_points.h`),
+interpolation (`interpolate_curve.h`), and what measures them (`analysis/curve_analysis.h`).
 */
 
-#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/curves/Curve_end.h>
 #include <CGAL/PN_subdivision_3/curves/curve_control_normals.h>
 #include <CGAL/PN_subdivision_3/curves/curve_corners.h>
 #include <CGAL/PN_subdivision_3/curves/curve_masks.h>
+#include <CGAL/PN_subdivision_3/curves/recognize_arcs.h>
 #include <CGAL/PN_subdivision_3/subdivide_curve.h>
 
 #endif // CGAL_PN_SUBDIVISION_CURVE_H

@@ -22,10 +22,9 @@ namespace PN = CGAL::PN_subdivision_3;
 namespace params = CGAL::parameters;
 
 template <class Refiner>
-Result update(Refiner& refiner)
+Result update(Refiner& refiner, const Surface_mesh& mesh)
 {
-  for (std::size_t v = 0; v < refiner.number_of_control_vertices(); ++v)
-    refiner.set_point(v, refiner.control_point(v));
+  for (const auto v : mesh.vertices()) refiner.set_point(v, refiner.control_point(v));
   Result result = timed([&] { refiner.update(); });
   result.faces = refiner.number_of_faces();
   return result;
@@ -36,18 +35,19 @@ Result with_normals(const Scheme& scheme, const Control& control, unsigned round
 {
   Surface_mesh mesh = surface_mesh(control);
   const Normals normals = add_normals(mesh);
-  PN::Surface_refiner<Scheme, Kernel, Concurrency_tag> refiner(
+  PN::Surface_refiner<Surface_mesh, Scheme, Kernel, Concurrency_tag> refiner(
     mesh, scheme, params::number_of_iterations(rounds).vertex_normal_map(normals));
-  return update(refiner);
+  return update(refiner, mesh);
 }
 
 template <class Concurrency_tag, class Scheme>
 Result of_points(const Scheme& scheme, const Control& control, unsigned rounds)
 {
   using Linear = decltype(PN::linear(scheme));
-  PN::Surface_refiner<Linear, Kernel, Concurrency_tag> refiner(
-    surface_mesh(control), PN::linear(scheme), params::number_of_iterations(rounds));
-  return update(refiner);
+  const Surface_mesh mesh = surface_mesh(control);
+  PN::Surface_refiner<Surface_mesh, Linear, Kernel, Concurrency_tag> refiner(
+    mesh, PN::linear(scheme), params::number_of_iterations(rounds));
+  return update(refiner, mesh);
 }
 
 template <class Scheme>

@@ -18,7 +18,7 @@
 #include "io/soup_repair.h"
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
-#include <CGAL/PN_subdivision_3/estimate_corner_normals.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -296,8 +296,9 @@ Control_mesh::Estimate Control_mesh::estimate() const
   const auto normals =
     copy.add_property_map<Halfedge, Vector_3>("h:estimate", CGAL::NULL_VECTOR).first;
   const Roundness_map roundness = pn_subdivide::add_roundness(copy);
-  PN::estimate_corner_normals(copy, sharpness_, normals,
-                              PN::parameters::vertex_roundness_map(roundness));
+  PN::estimate_control_normals(
+    copy, normals,
+    PN::parameters::vertex_roundness_map(roundness).edge_is_constrained_map(sharpness_));
   Estimate result;
   result.normals.reserve(copy.number_of_halfedges());
   for (const Halfedge h : copy.halfedges()) result.normals.push_back(normals[h]);

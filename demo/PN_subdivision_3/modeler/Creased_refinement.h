@@ -75,7 +75,7 @@ private:
     using Halfedge = Surface::Halfedge_index;
     Surface surface = mesh.surface();
     const auto sharpness = sharpness_of(surface);
-    const auto np = PN::parameters::attributes(PN::edge_attribute(sharpness))
+    const auto np = PN::parameters::attributes(PN::parameters::edge_attribute(sharpness))
                       .number_of_iterations(rounds_)
                       .edge_is_constrained_map(sharpness);
     if constexpr (is_linear)

@@ -19,7 +19,7 @@ namespace pn_demo {
 template <class S, bool is_linear>
 class Refiner_refinement : public Refinement
 {
-  using Refiner = CGAL::PN_subdivision_3::Surface_refiner<S, pn_subdivide::Kernel>;
+  using Refiner = CGAL::PN_subdivision_3::Surface_refiner<Surface, S, pn_subdivide::Kernel>;
 
 public:
   Refiner_refinement(const Control_mesh& mesh, const S& scheme, unsigned rounds)
@@ -35,8 +35,8 @@ public:
   {
     const Surface& surface = mesh.surface();
     const Surface::Vertex_index v{Surface::size_type(vertex)};
-    refiner_->set_point(vertex, surface.point(v));
-    if constexpr (!is_linear) refiner_->set_normal(vertex, normal_at(mesh, v));
+    refiner_->set_point(v, surface.point(v));
+    if constexpr (!is_linear) refiner_->set_normal(v, normal_at(mesh, v));
   }
 
   const std::vector<Index>& update(const Control_mesh&) override { return refiner_->update(); }

@@ -17,10 +17,10 @@ const classes: Record<string, string> = {
   butterfly: "Butterfly_scheme",
   "doo-sabin": "DooSabin_scheme",
   sqrt3: "Sqrt3_scheme",
-  "modified-catmull-clark": "Tuned_CatmullClark_scheme",
-  "modified-loop": "Tuned_Loop_scheme",
-  "ct-catmull-clark": "Transfer_CatmullClark_scheme",
-  "ct-loop": "Transfer_Loop_scheme",
+  "modified-catmull-clark": "CatmullClark_scheme::Tuned",
+  "modified-loop": "Loop_scheme::Tuned",
+  "ct-catmull-clark": "CatmullClark_scheme::Transfer",
+  "ct-loop": "Loop_scheme::Transfer",
   midpoint: "Midpoint_scheme",
   bilinear: "Bilinear_scheme",
 };
@@ -56,8 +56,8 @@ export function programFor(editor: Editor): string {
   let parameters = `CGAL::parameters::number_of_iterations(${settings.rounds})`;
   if (!isLinear) parameters += ".vertex_normal_map(normals)";
   if (editor.mesh.numberOfSharpEdges() > 0) parameters += ".edge_is_constrained_map(creases)";
-  if (!isLinear && roundness === undefined) parameters = `PN::parameters::vertex_roundness_map(roundness, ${parameters})`;
-  else if (!isLinear && roundness !== 1) parameters = `PN::parameters::roundness(${roundness}, ${parameters})`;
+  if (!isLinear && roundness === undefined) parameters = `PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), ${parameters})`;
+  else if (!isLinear && roundness !== 1) parameters = `PN::parameters::join(PN::parameters::roundness(${roundness}), ${parameters})`;
   return [
     "#include <CGAL/PN_subdivision_3.h>",
     "namespace PN = CGAL::PN_subdivision_3;",

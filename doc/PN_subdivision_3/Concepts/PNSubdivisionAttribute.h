@@ -8,7 +8,7 @@
 \cgalConcept
 
 A value at vertices or corners that `CGAL::PN_subdivision_3::subdivide()` refines by the linear rows of a scheme, see
-`CGAL::PN_subdivision_3::vertex_attribute()`. Numbers and arrays of them are, and points and vectors of \cgal. Other types
+`CGAL::PN_subdivision_3::parameters::vertex_attribute()`. Numbers and arrays of them are, and points and vectors of \cgal. Other types
 specialize `CGAL::PN_subdivision_3::Attribute_traits`, or have what follows; values of corners are compared by `==`, too.
 
 Models are built-in numbers, number types of \cgal, `std::array` of them, `CGAL::Point_2`, `CGAL::Point_3`, `CGAL::Vector_2` and

@@ -21,11 +21,11 @@ the weights of the new vertices. Parameters such as a tension are members of the
 \cgalHasModels{CGAL::PN_subdivision_3::Kobbelt_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Midpoint_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Bilinear_scheme}
-\cgalHasModels{CGAL::PN_subdivision_3::Grid_CatmullClark_scheme}
-\cgalHasModels{CGAL::PN_subdivision_3::Tuned_CatmullClark_scheme}
-\cgalHasModels{CGAL::PN_subdivision_3::Tuned_Loop_scheme}
-\cgalHasModels{CGAL::PN_subdivision_3::Transfer_CatmullClark_scheme}
-\cgalHasModels{CGAL::PN_subdivision_3::Transfer_Loop_scheme}
+\cgalHasModels{CGAL::PN_subdivision_3::CatmullClark_scheme::Grid}
+\cgalHasModels{CGAL::PN_subdivision_3::CatmullClark_scheme::Tuned}
+\cgalHasModels{CGAL::PN_subdivision_3::Loop_scheme::Tuned}
+\cgalHasModels{CGAL::PN_subdivision_3::CatmullClark_scheme::Transfer}
+\cgalHasModels{CGAL::PN_subdivision_3::Loop_scheme::Transfer}
 \cgalHasModels{CGAL::PN_subdivision_3::Any_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Linear_scheme}
 \cgalHasModels{CGAL::PN_subdivision_3::Scheme_with_normals}

@@ -37,54 +37,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
-/// \ingroup PkgPNSubdivision3LimitSurface
-/// A place on a limit surface: a face of the control mesh, and parameters in it as `Limit_surface` has them.
-template <class Face>
-struct Limit_surface_location
-{
-  /// the face.
-  Face face;
-  /// the first parameter.
-  double u;
-  /// the second one.
-  double v;
-};
-
-/// \ingroup PkgPNSubdivision3LimitSurface
-/// What `Limit_surface::evaluate()` tells of a point of a limit surface.
-template <class GeomTraits>
-struct Limit_surface_point
-{
-  /// a point.
-  using Point_3 = typename GeomTraits::Point_3;
-  /// a vector.
-  using Vector_3 = typename GeomTraits::Vector_3;
-
-  /// the point.
-  Point_3 point;
-  /// the unit normal of the surface; where it has none, at vertices that are cusps or on creases of point-normal schemes, the limit of the
-  /// control normals, and zero with a linear scheme.
-  Vector_3 normal;
-  /// the derivative by the first parameter of the face, if `derivatives` is at least 1.
-  Vector_3 du;
-  /// the same by the second one.
-  Vector_3 dv;
-  /// the second derivative by the first parameter, if `derivatives` is 2.
-  Vector_3 duu;
-  /// by both.
-  Vector_3 duv;
-  /// by the second one.
-  Vector_3 dvv;
-  /// up to which order derivatives are given, 2, 1 or 0; the others are zero.
-  unsigned derivatives = 0;
-  /// the estimated distance of `point` from the limit; with a linear scheme, where it is exact, a bound of rounding.
-  double error = 0;
-  /// the estimated error of the normal in radians, infinite where the surface has none.
-  double normal_error = 0;
-  /// how many rounds were done about the point.
-  unsigned rounds = 0;
-};
-
 /*!
 \ingroup PkgPNSubdivision3LimitSurface
 
@@ -115,12 +67,13 @@ The mesh is read by the constructor, and is needed no longer. Calls from several
 All is computed in `double`, from coordinates of any number type, which are rounded.
 
 \tparam FaceGraph a model of `FaceListGraph`
-\tparam GeomTraits a kernel, in which points are returned
+\tparam GeomTraits a kernel, in which points are returned, by default that of the points of the mesh
 
 \sa `tessellate()`
 \sa `limit_points()`
 */
-template <class FaceGraph, class GeomTraits>
+template <class FaceGraph, class GeomTraits = typename internal::Surface_parameters<
+                             FaceGraph, parameters::Default_named_parameters>::Geom_traits>
 class Limit_surface
 {
 public:
@@ -130,10 +83,45 @@ public:
   using Point_3 = typename GeomTraits::Point_3;
   /// a vector.
   using Vector_3 = typename GeomTraits::Vector_3;
-  /// what is evaluated.
-  using Location = Limit_surface_location<Face>;
-  /// what evaluation returns.
-  using Surface_point = Limit_surface_point<GeomTraits>;
+
+  /// A place on a limit surface: a face of the control mesh, and parameters in it see above.
+  struct Location
+  {
+    /// the face.
+    Face face;
+    /// the first parameter.
+    double u;
+    /// the second one.
+    double v;
+  };
+
+  /// What `evaluate()` tells of a point of a limit surface.
+  struct Surface_point
+  {
+    /// the point.
+    Point_3 point;
+    /// the unit normal of the surface; where it has none, at vertices that are cusps or on creases of point-normal schemes, the limit of the
+    /// control normals, and zero with a linear scheme.
+    Vector_3 normal;
+    /// the derivative by the first parameter of the face, if `derivatives` is at least 1.
+    Vector_3 du;
+    /// the same by the second one.
+    Vector_3 dv;
+    /// the second derivative by the first parameter, if `derivatives` is 2.
+    Vector_3 duu;
+    /// by both.
+    Vector_3 duv;
+    /// by the second one.
+    Vector_3 dvv;
+    /// up to which order derivatives are given, 2, 1 or 0; the others are zero.
+    unsigned derivatives = 0;
+    /// the estimated distance of `point` from the limit; with a linear scheme, where it is exact, a bound of rounding.
+    double error = 0;
+    /// the estimated error of the normal in radians, infinite where the surface has none.
+    double normal_error = 0;
+    /// how many rounds were done about the point.
+    unsigned rounds = 0;
+  };
 
   /*!
   reads a control mesh.
@@ -143,9 +131,10 @@ public:
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `vertex_normal_map` with the control normals (without it
     they are estimated), `vertex_roundness_map` or `roundness`, `control_normal_estimate`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in
-    `subdivide()`, and `number_of_iterations`, the most rounds that are done about a point, 12 by default. The maps are read only
+    `subdivide()`; `parameters::tolerance()` of points (by default 10<sup>-7</sup>), `parameters::normal_tolerance()`, and `number_of_iterations`, the most
+    rounds that are done about a point, 12 by default. The maps are read only
 
-  \throws std::invalid_argument as `limit_points()` does, and if the scheme does not split edges in halves
+  \throws std::invalid_argument as `limit_points()` does, if the scheme does not split edges in halves, and if a tolerance is negative or not a number
   */
   template <class Scheme, class NamedParameters = parameters::Default_named_parameters>
   Limit_surface(const FaceGraph& mesh, const Scheme& scheme,
@@ -161,17 +150,10 @@ public:
   /// \name Tolerances
   /// @{
 
-  /// the largest estimated error of a point, in the unit of the coordinates: by default 10<sup>-7</sup> of the largest side of the bounding box of the control
-  /// points.
+  /// the largest estimated error of a point, in the unit of the coordinates.
   double tolerance() const { return demand_.tolerance; }
-  /// sets it.
-  /// \throws std::invalid_argument if it is negative or not a number
-  void set_tolerance(double x) { demand_.tolerance = checked_tolerance(x); }
-  /// the largest estimated error of a normal in radians, by default 10<sup>-3</sup>.
+  /// the largest estimated error of a normal in radians.
   double normal_tolerance() const { return demand_.normal_tolerance; }
-  /// sets it.
-  /// \throws std::invalid_argument if it is negative or not a number
-  void set_normal_tolerance(double x) { demand_.normal_tolerance = checked_tolerance(x); }
   /// @}
 
   /// \name Evaluation
@@ -188,7 +170,7 @@ public:
     return evaluate(std::vector<Location>(1, Location{face, u, v})).front();
   }
   /// the same of many places, in their order.
-  /// \tparam Locations a range of `Limit_surface_location`
+  /// \tparam Locations a range of `Location`
   template <class Locations>
   std::vector<Surface_point> evaluate(const Locations& locations) const
   {
@@ -319,7 +301,11 @@ private:
       internal::require_sharp_for_ever<double>(access, creases, 0);
       of_mesh.read_tangents(creases);
       level.values = of_mesh.values(level.level, points, normals, creases);
-      demand_.tolerance = 1e-7 * internal::box_size(level);
+      demand_.tolerance =
+        checked_tolerance(internal::parameter_or<internal::tolerance_t>(np, 1e-7)) *
+        internal::box_size(level);
+      demand_.normal_tolerance = checked_tolerance(
+        internal::parameter_or<internal::normal_tolerance_t>(np, demand_.normal_tolerance));
       evaluation_ = std::make_unique<internal::Scheme_evaluation<Scheme, decltype(creases)>>(
         internal::kept_scheme(scheme, *roundness_), std::move(level), std::move(creases));
     }

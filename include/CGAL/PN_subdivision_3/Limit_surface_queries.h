@@ -36,23 +36,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 
-/// \ingroup PkgPNSubdivision3LimitSurface
-/// A point of a limit surface that `Limit_surface_queries` has found.
-template <class Face, class GeomTraits>
-struct Limit_surface_hit
-{
-  /// where it is.
-  Limit_surface_location<Face> location;
-  /// the point.
-  typename GeomTraits::Point_3 point;
-  /// the unit normal of the surface there.
-  typename GeomTraits::Vector_3 normal;
-  /// the distance from the point that was asked for, or from the source of the ray.
-  double distance = 0;
-  /// of a closest point: by how much the surface may still be closer, by estimate; of a ray: how far the point is from the ray.
-  double error = 0;
-};
-
 namespace internal {
 
 // A flat triangle between limit points.
@@ -110,10 +93,10 @@ The squares of distances have to be in the range of `double`, here and in `AABB_
 `AABB_tree` is under the GPL: this header is \cgal's package `AABB_tree` in all that includes it, and no other header of the package includes it.
 
 \tparam FaceGraph a model of `FaceListGraph`
-\tparam GeomTraits a kernel
-
+\tparam GeomTraits a kernel, as that of `Limit_surface`
 */
-template <class FaceGraph, class GeomTraits>
+template <class FaceGraph, class GeomTraits = typename internal::Surface_parameters<
+                             FaceGraph, parameters::Default_named_parameters>::Geom_traits>
 class Limit_surface_queries
 {
 public:
@@ -123,8 +106,21 @@ public:
   using Point_3 = typename GeomTraits::Point_3;
   /// a vector.
   using Vector_3 = typename GeomTraits::Vector_3;
-  /// what is found.
-  using Hit = Limit_surface_hit<typename Surface::Face, GeomTraits>;
+
+  /// A point of a limit surface that was found.
+  struct Hit
+  {
+    /// where it is.
+    typename Surface::Location location;
+    /// the point.
+    Point_3 point;
+    /// the unit normal of the surface there.
+    Vector_3 normal;
+    /// the distance from the point that was asked for, or from the source of the ray.
+    double distance = 0;
+    /// of a closest point: by how much the surface may still be closer, by estimate; of a ray: how far the point is from the ray.
+    double error = 0;
+  };
 
   /*!
   makes the triangles.
@@ -249,7 +245,7 @@ private:
   void add_piece(Face face, std::size_t piece, unsigned n)
   {
     const bool is_triangle = surface_.is_triangular();
-    std::vector<Limit_surface_location<Face>> places;
+    std::vector<typename Surface::Location> places;
     for (unsigned j = 0; j <= n; ++j)
       for (unsigned i = 0; i <= (is_triangle ? n - j : n); ++i)
         places.push_back({face, 2. * double(piece) + double(i) / n, double(j) / n});
@@ -266,7 +262,7 @@ private:
     }
   }
 
-  void add(Face face, std::size_t piece, const std::vector<Limit_surface_location<Face>>& places,
+  void add(Face face, std::size_t piece, const std::vector<typename Surface::Location>& places,
            const std::vector<Surface_point>& points, const std::array<std::size_t, 3>& at)
   {
     Triangle t;

@@ -34,7 +34,7 @@ and independent of how this package evaluates its own schemes; to subdivide a me
 these, use `subdivide()`.
 
 \code
-auto point_normals = make_point_normal_map(get(CGAL::vertex_point, mesh), normals);
+auto point_normals = Zipped_point_normal_map(get(CGAL::vertex_point, mesh), normals);
 CGAL::Subdivision_method_3::PQQ(
     mesh, make_PN_mask_3<CGAL::CatmullClark_mask_3>(mesh, point_normals),
     CGAL::parameters::vertex_point_map(point_normals).number_of_iterations(5));

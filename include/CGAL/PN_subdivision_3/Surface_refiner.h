@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/Control_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
@@ -52,12 +53,14 @@ and normals turned. The result is that of `subdivide()`, bit for bit.
 Surface_refiner refiner(mesh, CatmullClark_scheme(),
                         CGAL::parameters::number_of_iterations(4).vertex_normal_map(normals));
 refiner.build_mesh(refined);
-refiner.set_normal(17, Vector_3(0, 0, 1));
-for (auto v : refiner.update()) refined.point(Vertex_index(v)) = refiner.points()[v];
+refiner.set_normal(v, Vector_3(0, 0, 1)); // v: a vertex of mesh
+refiner.update();
+refiner.update_mesh(refined);
 \endcode
 
-Vertices are numbered: those of the control mesh as `vertices(mesh)` enumerates them, those of the
-refined mesh as in the result of `subdivide()`. The refiner keeps no reference to the mesh.
+Control vertices are named by their descriptors in the control mesh. The refiner keeps its `vertex_index_map`, but no
+reference to the mesh. Flat arrays, for what draws the surface, have the refined vertices as `vertices()` of the built
+mesh enumerates them.
 
 Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
 `update()` after a point was set; a normal that is set stays as it is.
@@ -81,13 +84,18 @@ next call evaluates everything. All other members have the strong guarantee.
 
 Different refiners may be used by different threads at the same time, one of them by one thread only.
 
+\tparam PolygonMesh a model of `FaceListGraph`: the control mesh
 \tparam Scheme a model of `PNSubdivisionScheme_3`, or its `linear()` twin; none that transfers curvature,
-  such as `Transfer_Loop_scheme`
-\tparam GeomTraits a model of `Kernel`; its `FT` is the number type of all computations
+  such as `Loop_scheme::Transfer`
+\tparam GeomTraits a model of `Kernel`, by default that of the points of the mesh; its `FT` is the number type of all
+  computations
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
   `Parallel_if_available_tag`. The result is the same, bit for bit, for any number of threads.
 */
-template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag>
+template <class PolygonMesh, class Scheme,
+          class GeomTraits = typename internal::Surface_parameters<
+            PolygonMesh, parameters::Default_named_parameters>::Geom_traits,
+          class Concurrency_tag = Sequential_tag>
 class Surface_refiner
 {
   static_assert(internal::check_no_grid_rows<Scheme>());
@@ -106,26 +114,33 @@ public:
   using Point_3 = typename GeomTraits::Point_3;
   /// a normal.
   using Vector_3 = typename GeomTraits::Vector_3;
-  /// the number of a vertex.
+  /// a vertex of the control mesh.
+  using vertex_descriptor = typename boost::graph_traits<PolygonMesh>::vertex_descriptor;
+  /// the number of a refined vertex in the flat arrays.
   using Index = Level_connectivity::Index;
+
+  /// the refiner of an empty mesh, to which another one can be assigned.
+  Surface_refiner() = default;
 
   /*!
   reads a mesh, and computes its refinement.
 
-  \tparam PolygonMesh a model of `FaceListGraph`
   \param mesh an oriented 2-manifold with border; it is not needed afterwards
   \param scheme the scheme
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters":
-    `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
+    `vertex_index_map`, a model of `ReadablePropertyMap` with different integers for different vertices, by default that of
+    the mesh; `number_of_iterations`, `vertex_point_map`, `vertex_normal_map` with the control normals (without it
     they are estimated), `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `control_normal_estimate`, `attributes` and `geom_traits`, as in
     `subdivide()`; maps and attributes are read only
 
+  \throws std::invalid_argument if two vertices have one index, or an index is negative
   \throws std::invalid_argument, std::length_error, std::overflow_error, std::domain_error as
     `subdivide()` does
   */
-  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
+  template <class NamedParameters = parameters::Default_named_parameters>
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
+    : control_vertices_(mesh, np)
   {
     if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
       internal::with_scheme_of_call(
@@ -138,20 +153,21 @@ public:
   /// @{
 
   /// the number of vertices of the control mesh.
-  std::size_t number_of_control_vertices() const { return control_->size(); }
+  std::size_t number_of_control_vertices() const { return control_ ? control_->size() : 0; }
   /// the number of refined vertices.
   std::size_t number_of_vertices() const { return points_.size(); }
   /// the number of refined faces.
   std::size_t number_of_faces() const
   {
-    return static_cast<std::size_t>(rounds_->refined_size().faces);
+    return rounds_ ? static_cast<std::size_t>(rounds_->refined_size().faces) : 0;
   }
   /// the bytes that the refiner keeps, without what the masks of a scheme may keep.
   std::size_t memory() const
   {
-    return rounds_->memory() + control_->memory() + points_.capacity() * sizeof(Point_3) +
-           normals_.capacity() * sizeof(Vector_3) + changed_.capacity() * sizeof(Index) +
-           attributes_.memory();
+    if (!rounds_) return 0;
+    return rounds_->memory() + control_->memory() + control_vertices_.memory() +
+           points_.capacity() * sizeof(Point_3) + normals_.capacity() * sizeof(Vector_3) +
+           changed_.capacity() * sizeof(Index) + attributes_.memory();
   }
   /// @}
 
@@ -159,36 +175,36 @@ public:
   /// What is set counts from the next `update()` on.
   /// @{
 
-  /// \throws std::out_of_range if there is no such vertex
+  /// \throws std::out_of_range if the control mesh had no such vertex
   /// \throws std::invalid_argument if the point is not finite
-  void set_point(std::size_t v, const Point_3& p)
+  void set_point(vertex_descriptor v, const Point_3& p)
   {
-    control_->set_point(v, internal::coordinates_3<FT>(p));
+    control_->set_point(control_vertices_.position(v), internal::coordinates_3<FT>(p));
   }
 
   /// the zero vector means that the vertex has no control normal, vectors of other lengths are
   /// normalized.
-  /// \throws std::out_of_range if there is no such vertex
+  /// \throws std::out_of_range if the control mesh had no such vertex
   /// \throws std::invalid_argument if the vector is not finite, or if the vertex has several normals, one on
   /// each side of its creases
-  void set_normal(std::size_t v, const Vector_3& n)
+  void set_normal(vertex_descriptor v, const Vector_3& n)
   {
     static_assert(is_pn, "PN_subdivision_3: a linear scheme has no control normals");
-    control_->set_normal(v, internal::coordinates_3<FT>(n));
+    control_->set_normal(control_vertices_.position(v), internal::coordinates_3<FT>(n));
   }
 
-  /// \throws std::out_of_range if there is no such vertex
-  Point_3 control_point(std::size_t v) const
+  /// \throws std::out_of_range if the control mesh had no such vertex
+  Point_3 control_point(vertex_descriptor v) const
   {
-    const Coordinates& p = internal::point_of((*control_)[v]);
+    const Coordinates& p = internal::point_of((*control_)[control_vertices_.position(v)]);
     return Point_3(p[0], p[1], p[2]);
   }
   /// the normal that was set or read, normalized; an estimated one as of the last `update()`.
-  /// \throws std::out_of_range if there is no such vertex
-  Vector_3 control_normal(std::size_t v) const
+  /// \throws std::out_of_range if the control mesh had no such vertex
+  Vector_3 control_normal(vertex_descriptor v) const
   {
     static_assert(is_pn, "PN_subdivision_3: a linear scheme has no control normals");
-    const Coordinates& n = (*control_)[v].normal;
+    const Coordinates& n = (*control_)[control_vertices_.position(v)].normal;
     return Vector_3(n[0], n[1], n[2]);
   }
   /// @}
@@ -198,7 +214,7 @@ public:
 
   /*!
   computes what the control points and normals that were set since the last call reach.
-  \returns the refined vertices that were computed, in increasing order, valid until the next call
+  \returns the numbers of the refined vertices that were computed, in increasing order, valid until the next call
   \throws std::overflow_error if a new point is out of the range of a floating point type
   \throws std::domain_error if an interval number type leaves a comparison undecided
   <br><b>Cost:</b> linear in the number of vertices that are reached; the first call that does not reach all of
@@ -206,6 +222,7 @@ public:
   */
   const std::vector<Index>& update()
   {
+    if (!rounds_) return changed_;
     try {
       std::vector<Index> changed = rounds_->take(*control_);
       // where many vertices are changed nearly all are reached
@@ -227,7 +244,10 @@ public:
 
   /// the connectivity of the refined surface, as flat arrays.
   /// <br><b>Cost:</b> linear in the size of the refined surface, in each call
-  Level_connectivity connectivity() const { return rounds_->refined_level(); }
+  Level_connectivity connectivity() const
+  {
+    return rounds_ ? rounds_->refined_level() : Level_connectivity();
+  }
 
   /*!
   makes a mesh of the refined surface.
@@ -240,13 +260,13 @@ public:
   \throws std::invalid_argument if the mesh is not empty, or if the attributes are others
   \throws std::length_error if the index type of the mesh cannot number the elements
   */
-  template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
-  void build_mesh(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values()) const
+  template <class RefinedMesh, class NamedParameters = parameters::Default_named_parameters>
+  void build_mesh(RefinedMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
-    if constexpr (internal::check_build_arguments<PolygonMesh, NamedParameters, true>() &&
-                  internal::check_attributes<PolygonMesh, NamedParameters>()) {
+    if constexpr (internal::check_build_arguments<RefinedMesh, NamedParameters, true>() &&
+                  internal::check_attributes<RefinedMesh, NamedParameters>()) {
       const Level_connectivity refined = connectivity();
-      using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
+      using Parameters = internal::Surface_parameters<RefinedMesh, NamedParameters>;
       internal::with_mesh_access(mesh, [&](auto& access) {
         auto given = Parameters::attributes(np);
         auto& attributes = internal::unwrapped(given);
@@ -262,12 +282,44 @@ public:
       });
     }
   }
+
+  /*!
+  puts the points and normals that the last `update()` computed into a mesh that `build_mesh()` made and that has not
+  changed since.
+  \tparam RefinedMesh the type of mesh that `build_mesh()` was given
+  \param mesh the mesh
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
+    `vertex_normal_map` of vertices, which are written
+  \throws std::invalid_argument if the mesh has another number of vertices
+  <br><b>Cost:</b> linear in the number of vertices computed for a `Surface_mesh`, in that of all for other meshes
+  */
+  template <class RefinedMesh, class NamedParameters = parameters::Default_named_parameters>
+  void update_mesh(RefinedMesh& mesh,
+                   const NamedParameters& np = parameters::default_values()) const
+  {
+    if constexpr (internal::check_build_arguments<RefinedMesh, NamedParameters>()) {
+      using Parameters = internal::Surface_parameters<RefinedMesh, NamedParameters>;
+      const auto map = Parameters::normal_map(np);
+      const auto points = Parameters::point_map(mesh, np);
+      internal::with_mesh_access(mesh, [&](auto& access) {
+        if (access.size().vertices != number_of_vertices())
+          throw std::invalid_argument(
+            "PN_subdivision_3: the mesh has another number of vertices than the refined surface");
+        for (const Index v : changed_) {
+          put(points, access.vertex(v), points_[v]);
+          if constexpr (is_pn &&
+                        !std::is_same_v<std::decay_t<decltype(map)>, internal::No_normal_map>)
+            put(map, access.vertex(v), normals_[v]);
+        }
+      });
+    }
+  }
   /// @}
 
 private:
   using Coordinates = PN_subdivision_3::Coordinates<FT, 3>;
 
-  template <class PolygonMesh, class Scheme_of_call, class NamedParameters>
+  template <class Scheme_of_call, class NamedParameters>
   void read_scheme(const PolygonMesh& mesh, const Scheme_of_call& scheme, const NamedParameters& np)
   {
     if constexpr (internal::Is_any<Scheme>::value)
@@ -283,7 +335,7 @@ private:
   }
 
   // the scheme has a host
-  template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
+  template <class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
   {
     if constexpr (internal::check_refiner_arguments<PolygonMesh, Hosted_scheme,
@@ -388,6 +440,7 @@ private:
     if constexpr (is_pn) normals_[v] = Vector_3(value.normal[0], value.normal[1], value.normal[2]);
   }
 
+  internal::Control_vertices<PolygonMesh> control_vertices_;
   std::unique_ptr<Control> control_;
   std::unique_ptr<internal::Kept_refinement<Average>> rounds_;
   std::vector<Point_3> points_;
@@ -401,7 +454,8 @@ template <class PolygonMesh, class Scheme,
 Surface_refiner(const PolygonMesh&, const Scheme&,
                 const NamedParameters& = parameters::default_values())
   -> Surface_refiner<
-    Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
+    PolygonMesh, Scheme,
+    typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

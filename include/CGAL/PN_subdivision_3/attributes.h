@@ -36,6 +36,8 @@ attributes of edges and seams of attributes of corners, the others (Doo-Sabin, \
 template <class Scheme>
 constexpr bool splits_edges_v = internal::Splits_edges<typename Scheme::Host>::value;
 
+namespace parameters {
+
 /// \ingroup PkgPNSubdivision3Attributes
 /// a map whose values at vertices are refined by the scheme's linear rows, see `Attribute_traits`. Keys are
 /// vertices.
@@ -98,6 +100,8 @@ internal::Edge_parents<Map> edge_parents(Map map)
 {
   return {map};
 }
+
+} // namespace parameters
 
 /*!
 \ingroup PkgPNSubdivision3Attributes

@@ -205,7 +205,8 @@ point of the mesh and to its size, in `double`.
 <br><b>Cost:</b> that of both subdivisions; both results are held in flat arrays
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_same_v<Scheme, NamedParameters>, int> = 0>
 Comparison_with_linear compare_with_linear(const PolygonMesh& mesh, const Scheme& scheme,
                                            const NamedParameters& np = parameters::default_values())
 {
@@ -260,11 +261,11 @@ template <class ControlMesh, class PolygonMesh,
           class ResultParameters = parameters::Default_named_parameters,
           class LinearParameters = parameters::Default_named_parameters>
 Comparison_with_linear
-compare_results_with_linear(const ControlMesh& control, const PolygonMesh& result,
-                            const PolygonMesh& linear_result,
-                            const NamedParameters& np = parameters::default_values(),
-                            const ResultParameters& np_result = parameters::default_values(),
-                            const LinearParameters& np_linear = parameters::default_values())
+compare_with_linear(const ControlMesh& control, const PolygonMesh& result,
+                    const PolygonMesh& linear_result,
+                    const NamedParameters& np = parameters::default_values(),
+                    const ResultParameters& np_result = parameters::default_values(),
+                    const LinearParameters& np_linear = parameters::default_values())
 {
   using Parameters = internal::Surface_parameters<ControlMesh, NamedParameters>;
   using FT = typename Parameters::FT;

@@ -10,6 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_ESTIMATE_CONTROL_NORMALS_H
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
+#include <CGAL/PN_subdivision_3/internal/creases/estimate_corner_normals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
@@ -101,6 +102,12 @@ would have none but for the rounding of their coordinates.
 
 A vertex without faces, or one at which the sum vanishes, gets the zero vector, "no control normal".
 
+<b>Corners.</b> A map of half-edges gets a normal for every corner of a face, for meshes with creases: those that `subdivide()`
+takes for the wedges of vertices between sharp edges where none are given. The normals of a wedge are estimated from its
+faces alone, then made orthogonal to the tangents of the creases beside it, which come from the points along the creases.
+Corners of one wedge get the same normal. With all edges of a straight prism sharp but those along its sides, the normals
+are those of the cylinder through its points, and of its flat ends. Vertices on creases and corners are round.
+
 <b>Number types.</b> In exact number types the reciprocal normals of interior vertices where s = 1, or \f$ \alpha
 \f$ is at most 40 degrees, have their exact direction; in multiprecision types they are as precise as
 the type, as are angle-weighted ones where the type has its own `atan2()` (`Gmpfr`, Boost's floats). Everything else (the choice
@@ -108,18 +115,19 @@ between the two, its weights, borders, areas, angles, roundness) is computed in 
 
 \tparam PolygonMesh a model of `FaceListGraph`
 \tparam VertexNormalMap a model of `WritablePropertyMap` with
-  `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and a `Vector_3` as value type
+  `boost::graph_traits<PolygonMesh>::%vertex_descriptor` or `%halfedge_descriptor` as key type and a `Vector_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh an oriented 2-manifold with border
-\param normals the map to write; if it throws, some normals may have been written
+\param normals the map to write, of vertices, or of half-edges: of those that have a face, the normal of the corner of that face at the
+  target; if it throws, some normals may have been written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
   and `geom_traits` as in `subdivide()`, and `parameters::vertex_roundness_map()` with a model of
   `WritablePropertyMap` whose values are numbers: the roundness is written into it; also
-  `parameters::control_normal_estimate()`
+  `parameters::control_normal_estimate()`; for corners `edge_is_constrained_map` and `vertex_is_constrained_map`, as in `subdivide()`
 
-\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border or a point is
-  not finite; nothing has been written then
+\throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point is
+  not finite, or a sharpness is negative or not a number; nothing has been written then
 <br><b>Cost:</b> linear in the size of the mesh
 */
 template <class PolygonMesh, class VertexNormalMap,
@@ -135,17 +143,22 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
     using Index = Level_connectivity::Index;
     const auto points = Parameters::const_point_map(mesh, np);
     internal::with_mesh_access(mesh, [&](const auto& access) {
-      const Level_connectivity level = internal::checked_level(access);
-      const Control_normal_estimate estimate =
-        internal::parameter_or<internal::control_normal_estimate_t>(
-          np, Control_normal_estimate::coherent);
-      const auto values = internal::read_values<internal::Estimated_values<FT>>(
-        access, level, points, internal::No_normal_map(), estimate);
-      for (Index v = 0; v < level.number_of_vertices(); ++v) {
-        const Coordinates<FT, 3>& n = values[v].normal;
-        put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
-        internal::put_roundness(Parameters::roundness_map(np), access.vertex(v),
-                                values[v].roundness);
+      if constexpr (internal::is_of_halfedges_v<std::decay_t<decltype(access)>, VertexNormalMap>) {
+        internal::estimate_corner_normals(access, mesh, normals, np);
+        return;
+      } else {
+        const Level_connectivity level = internal::checked_level(access);
+        const Control_normal_estimate estimate =
+          internal::parameter_or<internal::control_normal_estimate_t>(
+            np, Control_normal_estimate::coherent);
+        const auto values = internal::read_values<internal::Estimated_values<FT>>(
+          access, level, points, internal::No_normal_map(), estimate);
+        for (Index v = 0; v < level.number_of_vertices(); ++v) {
+          const Coordinates<FT, 3>& n = values[v].normal;
+          put(normals, access.vertex(v), Normal(n[0], n[1], n[2]));
+          internal::put_roundness(Parameters::roundness_map(np), access.vertex(v),
+                                  values[v].roundness);
+        }
       }
     });
   }

@@ -202,8 +202,8 @@ header is not part of `CGAL/PN_subdivision_3.h`, since it needs \ref thirdpartyE
   normal is not finite; nothing has been written then. The message names the element.
 <br><b>Cost:</b> linear in the size of the mesh, while the degrees of the faces and the valences are bounded
 
-\sa `gaussian_curvature_map()`
-\sa `mean_curvature_map()`
+Functions that take a number for each vertex get one by
+`boost::make_transform_value_property_map<double>([](const auto& c) { return c.mean; }, curvatures)`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class CurvatureMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -235,33 +235,6 @@ void estimate_curvature(const PolygonMesh& mesh, CurvatureMap curvatures,
             internal::to_vertex_curvature<Value>(results[i]));
     }
   });
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-returns a readable property map with the Gaussian curvatures of a map of `Vertex_curvature`, for
-functions that take a scalar for each vertex.
-*/
-template <class CurvatureMap>
-auto gaussian_curvature_map(CurvatureMap curvatures)
-{
-  using Value = typename boost::property_traits<CurvatureMap>::value_type;
-  return boost::make_transform_value_property_map<double>([](const Value& c) { return c.gaussian; },
-                                                          curvatures);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-returns a readable property map with the mean curvatures of a map of `Vertex_curvature`.
-*/
-template <class CurvatureMap>
-auto mean_curvature_map(CurvatureMap curvatures)
-{
-  using Value = typename boost::property_traits<CurvatureMap>::value_type;
-  return boost::make_transform_value_property_map<double>([](const Value& c) { return c.mean; },
-                                                          curvatures);
 }
 
 } // namespace PN_subdivision_3

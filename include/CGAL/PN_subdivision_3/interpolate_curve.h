@@ -91,13 +91,13 @@ Interpolation_result<dimension> interpolate_polygon(bool is_closed, const Option
                                                     Interpolation_data<dimension>& data)
 {
   Curve_limit_functionals<dimension> source(is_closed);
-  if (options.mode == Limit_interpolation_mode::slide) {
+  if (options.mode == Limit_interpolation::Mode::slide) {
     const std::size_t left_out = leave_out_without_normal(data);
     auto result = Slide_interpolation<dimension, 1>(data, source)();
     result.report.left_out = left_out;
     return result;
   }
-  const bool solves = options.normals == Limit_interpolation_normals::solved && data.takes_normals;
+  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
   Solved_normals<dimension> normals = solved_or_given<dimension, 1>(solves, data, source);
   auto result = Strict_interpolation<dimension, 1>(data, source)(std::move(normals.normals));
   normals.note(result.report);
@@ -196,19 +196,22 @@ auto interpolate_curve(const Range& polygon, const Mask& mask, Curve_end end,
   constexpr int dimension = Points::dimension;
   const internal::Interpolation_options options = internal::interpolation_options(np);
   internal::check_interpolation_options(options);
-  if (options.free != Limit_interpolation_free::fixed)
+  if (options.free != Limit_interpolation::Free::fixed)
     throw std::invalid_argument("PN_subdivision_3: all points of a curve are interpolated: take "
-                                "Limit_interpolation_free::fixed");
+                                "Limit_interpolation::Free::fixed");
+  if (options.normals == Limit_interpolation::Normals::natural)
+    throw std::invalid_argument("PN_subdivision_3: a curve has no natural normals here: take "
+                                "estimate_control_normals()");
   const internal::Curve_limit limit = internal::curve_limit_of(mask);
   if (end == Curve_end::none)
     throw std::invalid_argument("PN_subdivision_3: a curve without its ends does not pass through "
                                 "them: take Curve_end::reflect");
   const auto roundness = internal::Curve_parameters<Range, NamedParameters>::roundness(np);
   auto result = internal::points_with_normals(polygon, np);
-  Limit_interpolation_report report;
+  Limit_interpolation report;
   if (limit == internal::Curve_limit::cubic) {
     constexpr bool is_linear = internal::Is_linear_mask<Mask>::value;
-    const bool slides = options.mode == Limit_interpolation_mode::slide;
+    const bool slides = options.mode == Limit_interpolation::Mode::slide;
     if (slides || (!is_linear && !Points::has_normals)) internal::estimate_missing(result, end);
     internal::Interpolation_data<dimension> data = internal::curve_data<dimension>(result);
     internal::divide_by_size(data);

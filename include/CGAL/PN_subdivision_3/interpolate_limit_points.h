@@ -12,7 +12,6 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Creased_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Estimated_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/Natural_normals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
@@ -49,7 +48,7 @@ replaces the points of a mesh by control points of a surface that passes through
 normals the limit points of point-normal subdivision are linear in the control points, so that this
 takes one sparse linear solve or few of them.
 
-<b>`Limit_interpolation_mode::slide`.</b> The normals of the data become the control normals, and the
+<b>`Limit_interpolation::Mode::slide`.</b> The normals of the data become the control normals, and the
 control point of a vertex moves along its normal, until the data point lies on the limit surface. This
 is one unknown a vertex. The data point is not the limit point of the vertex then: that has slipped along
 the surface, by a tenth of an edge or so, and between the two the surface is taken to be the circular
@@ -57,8 +56,8 @@ arc with their normals. Samples of spheres and circular cylinders with exact nor
 net: nothing is solved. On borders, and wherever the iteration does not come to its end (then the report
 says `fallback`), the limit control normal stands for the surface normal.
 
-<b>`Limit_interpolation_mode::strict`.</b> The limit point of each vertex is the data point, up to
-the tolerance. Control normals are the given ones, or with `Limit_interpolation_normals::solved` those
+<b>`Limit_interpolation::Mode::strict`.</b> The limit point of each vertex is the data point, up to
+the tolerance. Control normals are the given ones, or with `Limit_interpolation::Normals::solved` those
 whose limits are the given ones; vertices where these cannot be found keep the given ones and are counted
 in `left_out`.
 
@@ -68,15 +67,22 @@ the given normals, or estimated ones. Schemes that interpolate return the net as
 <b>Normals.</b> The `vertex_normal_map` holds normals of the data, and control normals afterwards. Where
 it is zero, `slide` estimates a normal, and `strict` does as linear subdivision does.
 
+<b>Only points.</b> With `Limit_interpolation::Normals::natural` the map of normals is written only: its normals become those that the surface has at the points
+along which it slides. The estimate of `estimate_control_normals()` comes first, then the normals at the points of the
+surface that slides along it, up to ten times, as long as the change falls by a fifth. Where no solve is needed the
+estimate is kept: spheres, and cylinders in grids. On borders the estimate stays. Tuned schemes know the curvature
+of the surface everywhere, and are the better choice. On uneven samples of smooth surfaces the errors are a tenth to a
+fiftieth of those of the estimate.
+
 <b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
 one estimate from the control points, and in either mode the limit point of each vertex is the data point: an iteration of at
 most `max_steps` evaluations (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965) finds the points.
-Smoother surfaces are those with a map of `natural_normals()`.
+Smoother surfaces are those with a map and `Limit_interpolation::Normals::natural`.
 
 <b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays what it is: further calls that refine the
 result take it, too. `estimate_control_normals()` tells it.
 
-<b>Creases</b> that are sharp for ever are for `Limit_interpolation_mode::strict` with given normals: the normals of
+<b>Creases</b> that are sharp for ever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
 the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
 points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
 the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
@@ -109,17 +115,17 @@ the user's whose `put()` throws also while old values are put back.
   and it is never further from the data than the data taken as control net.
 
 \throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
-  an edge, a vertex or the border is sharp in mode `slide`, by a finite sharpness, or without what takes its normals and
-  tangents (the message names it), or if `Limit_interpolation_free::smooth`
-  is asked for in mode `slide` or without a map of normals; nothing has been written then
+  an edge, a vertex or the border is sharp in mode `slide` or with natural normals, by a finite sharpness, or without what takes its normals and
+  tangents (the message names it), or if `Limit_interpolation::Free::smooth`
+  is asked for in mode `slide` or without a map of normals, or natural normals of a linear scheme or without a map; nothing has been written then
 <br><b>Cost:</b> linear in the size of the mesh but for the factor of a sparse matrix with one row a vertex; about
   2 kB a vertex of memory
 
-\sa `natural_normals()`, `prescribe_limit_data()`, `interpolate_curve()`
+\sa `prescribe_limit_data()`, `interpolate_curve()`
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
-Limit_interpolation_report
+Limit_interpolation
 interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
                          const NamedParameters& np = parameters::default_values())
 {
@@ -128,7 +134,7 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
       return interpolate_limit_points<Concurrency_tag>(mesh, s, others);
     });
   else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation_report,
+    return internal::on_interpolated_host<Limit_interpolation,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme,
       [&](const auto& s) { return interpolate_limit_points<Concurrency_tag>(mesh, s, np); });
@@ -139,12 +145,15 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
     constexpr bool estimates =
       internal::is_pn_v<Scheme> &&
       std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
+    constexpr bool finds_normals =
+      internal::is_pn_v<Scheme> &&
+      !std::is_same_v<typename Parameters::Normal_map, internal::No_normal_map>;
     const internal::Interpolation_options options = internal::interpolation_options(np);
     internal::check_interpolation_options(options);
     const auto vertices =
       internal::parameter_or<internal::vertex_is_interpolated_map_t>(np, internal::All_vertices());
     const auto points = Parameters::point_map(mesh, np);
-    Limit_interpolation_report report;
+    Limit_interpolation report;
     internal::with_mesh_access(mesh, [&](auto& access) {
       const Level_connectivity level = internal::checked_level(access);
       using Access = std::decay_t<decltype(access)>;
@@ -163,21 +172,38 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
           return;
         }
       if constexpr (!internal::is_of_halfedges_v<Access, typename Parameters::Normal_map>) {
-        internal::Interpolation_data<3> data =
-          internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+        const auto normal_map = Parameters::normal_map(np);
+        const auto read = [&](const auto& normals) {
+          return internal::read_interpolation_data<FT>(access, scheme, level, mesh, np, normals);
+        };
+        const auto for_chunks = internal::For_chunks::with(Concurrency_tag());
+        const bool is_natural = options.normals == Limit_interpolation::Normals::natural;
+        using Natural =
+          std::conditional_t<finds_normals,
+                             internal::Changed_values<Access, typename Parameters::Normal_map>,
+                             internal::Nothing_changed>;
+        Natural natural(access, normal_map);
+        if (is_natural) {
+          if constexpr (finds_normals)
+            internal::put_natural_normals<FT>(scheme, level, for_chunks,
+                                              read(internal::No_normal_map()), natural);
+          else
+            throw std::invalid_argument("PN_subdivision_3: natural normals need a "
+                                        "vertex_normal_map, and a scheme that is not linear");
+        }
+        internal::Interpolation_data<3> data = read(normal_map);
         for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
           if (internal::is_interpolated(access, vertices, v)) data.vertices.push_back(v);
         data.tolerance = options.tolerance * internal::box_size(data.points);
         data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
         data.max_steps = options.max_steps;
         const internal::Vectors<3> old_normals = data.normals;
-        internal::Mesh_limit_functionals<Scheme> source(
-          scheme, level, internal::For_chunks::with(Concurrency_tag()));
-        if (estimates && options.free == Limit_interpolation_free::smooth)
+        internal::Mesh_limit_functionals<Scheme> source(scheme, level, for_chunks);
+        if (estimates && options.free == Limit_interpolation::Free::smooth)
           throw std::invalid_argument(
             "PN_subdivision_3: without normals control points move where they "
             "are interpolated only: give a vertex_normal_map, or take "
-            "Limit_interpolation_free::fixed");
+            "Limit_interpolation::Free::fixed");
         const Control_normal_estimate estimate = internal::normal_estimate(scheme);
         auto result = estimates
                         ? internal::Estimated_interpolation(level, estimate, data, source)()
@@ -187,76 +213,16 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
         internal::multiply_by_size<FT, 3>(data.exponent, data.points);
         internal::multiply_by_size<FT, 3>(data.exponent, result.points);
         report.normal_angle = internal::largest_normal_angle(level, data.normals);
-        if constexpr (internal::is_pn_v<Scheme> && !estimates)
-          internal::write_control_net<FT>(access, points, Parameters::normal_map(np), data.points,
-                                          result.points, old_normals, result.normals);
-        else
+        if constexpr (finds_normals) {
+          internal::write_control_net<FT>(access, points, normal_map, data.points, result.points,
+                                          old_normals, result.normals);
+          natural.keep();
+        } else
           internal::write_control_net<FT>(access, points, internal::No_normal_map(), data.points,
                                           result.points, old_normals, result.normals);
       }
     });
     return report;
-  }
-}
-
-/*!
-\ingroup PkgPNSubdivision3Interpolation
-
-estimates the normals of points by the surface that interpolates them: those with which it has, at the
-points, the normals that it slides along. The estimate of `estimate_control_normals()` comes first. Then
-`interpolate_limit_points()` in mode `slide` makes a surface, whose normals at the points are the next
-ones, up to ten times, as long as the change falls by a fifth. Where no solve is needed the estimate is
-kept: spheres, and cylinders in grids. On borders the estimate stays. Modified schemes know the curvature
-of the surface everywhere, and are the better choice.
-
-On uneven samples of smooth surfaces the errors are a tenth to a fiftieth of those of the estimate. The mesh is
-not changed.
-
-\param mesh an oriented 2-manifold with border
-\param scheme a point-normal scheme, as for `interpolate_limit_points()`
-\param normals a model of `WritablePropertyMap` from vertices to vectors; it may be the one that is given to
-  `interpolate_limit_points()` next
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
-  `geom_traits`, and `vertex_roundness_map` or `roundness`, which tell how round the surface is
-
-\throws std::invalid_argument as `interpolate_limit_points()` does; nothing has been written then
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
-          class VertexNormalMap, class NamedParameters = parameters::Default_named_parameters>
-void natural_normals(const PolygonMesh& mesh, const Scheme& scheme, VertexNormalMap normals,
-                     const NamedParameters& np = parameters::default_values())
-{
-  if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-    return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
-      return natural_normals<Concurrency_tag>(mesh, s, normals, others);
-    });
-  else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<void,
-                                          internal::Surface_call<PolygonMesh, NamedParameters>>(
-      scheme,
-      [&](const auto& s) { return natural_normals<Concurrency_tag>(mesh, s, normals, np); });
-  else {
-    internal::check_interpolation_arguments<PolygonMesh, Scheme, NamedParameters>();
-    static_assert(!internal::Is_linear<Scheme>::value,
-                  "PN_subdivision_3: linear schemes have no control normals");
-    using FT = typename internal::Surface_parameters<PolygonMesh, NamedParameters>::FT;
-    using Normal = typename boost::property_traits<VertexNormalMap>::value_type;
-    internal::with_mesh_access(mesh, [&](const auto& access) {
-      const Level_connectivity level = internal::checked_level(access);
-      internal::Interpolation_data<3> data =
-        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
-      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-        if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
-      data.tolerance = 1e-9 * internal::box_size(data.points);
-      internal::Mesh_limit_functionals<Scheme> source(
-        scheme, level, internal::For_chunks::with(Concurrency_tag()));
-      internal::Natural_normals natural(data, source);
-      natural();
-      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
-        const auto& n = data.normals[v];
-        put(normals, access.vertex(v), Normal(FT(n[0]), FT(n[1]), FT(n[2])));
-      }
-    });
   }
 }
 

@@ -136,7 +136,7 @@ auto crease_tangent_map(const HalfedgeVectorMap& map)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-into how many pieces `Surface_pieces` and `for_each_piece()` divide a surface, by default 1.
+into how many pieces `Surface_pieces` divides a surface, by default 1.
 \param n at least 1
 */
 template <class Number>
@@ -286,8 +286,8 @@ auto to_limit(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what interpolation makes of a vertex, by default `Limit_interpolation_mode::slide`.
-\param mode a `Limit_interpolation_mode`
+what interpolation makes of a vertex, by default `Limit_interpolation::Mode::slide`.
+\param mode a `Limit_interpolation::Mode`
 */
 template <class Mode>
 auto interpolation_mode(const Mode& mode)
@@ -297,8 +297,8 @@ auto interpolation_mode(const Mode& mode)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-where the control normals of an interpolating surface or curve come from, by default `Limit_interpolation_normals::given`.
-\param normals a `Limit_interpolation_normals`
+where the control normals of an interpolating surface or curve come from, by default `Limit_interpolation::Normals::given`.
+\param normals a `Limit_interpolation::Normals`
 */
 template <class Normals>
 auto interpolation_normals(const Normals& normals)
@@ -308,8 +308,8 @@ auto interpolation_normals(const Normals& normals)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what vertices do that are not interpolated, by default `Limit_interpolation_free::fixed`.
-\param free a `Limit_interpolation_free`
+what vertices do that are not interpolated, by default `Limit_interpolation::Free::fixed`.
+\param free a `Limit_interpolation::Free`
 */
 template <class Free>
 auto free_vertices(const Free& free)
@@ -408,7 +408,7 @@ auto max_curvature_steps(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated irregular vertices: the
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated extraordinary vertices: the
 curvature is bounded there. By default they have not.
 \param yes a `bool`
 */
@@ -420,7 +420,7 @@ auto tuned(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature from regular to irregular vertices, on top of what
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` transfer curvature to the normals at extraordinary vertices, on top of what
 `tuned()` does. By default they do not.
 \param yes a `bool`
 */
@@ -433,7 +433,7 @@ auto curvature_transfer(const Bool& yes)
 /*!
 \ingroup PkgPNSubdivision3Functions
 the least number of facets a full turn for which `recognize_surfaces()` takes a prism for a round that nothing else about the
-part tells to be one.
+part tells to be one, by default 8.
 \param n at least 3
 */
 template <class Number>
@@ -444,7 +444,8 @@ auto min_facets(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-how far vertices may be from the surface that `recognize_surfaces()` takes them to be on.
+how far vertices may be from the surface that `recognize_surfaces()` takes them to be on, by default what the rounding of the
+coordinates and the size of the mesh make of it, see there.
 \param x a positive length
 */
 template <class FT>
@@ -455,7 +456,7 @@ auto surface_tolerance(const FT& x)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the angle from which on edges between facets of no recognized surface are sharp.
+the angle in degrees from which on `surface_creases()` makes edges between facets of no recognized surface sharp, by default 30.
 \param degrees from 0 to 180
 */
 template <class FT>

@@ -161,9 +161,9 @@ the control normals of its 1-ring alike, which keeps the limit point and the tan
 of higher order; these are then restored by the system above. That is repeated while the curvature comes
 closer: by a factor of a thousand a step where the surface is smooth against its edges, of 3 to 10 on coarse
 nets. Where a curvature but no point or no normal is prescribed, limit point and normal stay.
-Curvature can be prescribed where the scheme has it as a limit: at regular vertices, and at irregular ones with the
-modified schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
-settled there (no other irregular vertex next to it, with the modified schemes), and no two of these
+Curvature can be prescribed where the scheme has it as a limit: at regular vertices, and at extraordinary ones with the
+tuned schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
+settled there (no other extraordinary vertex next to it, with the tuned schemes), and no two of these
 vertices may have a vertex of their faces in common: subdivide the mesh first where that is not so.
 
 Computed in `double`, whatever the number type.
@@ -191,16 +191,15 @@ Computed in `double`, whatever the number type.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
-Limit_interpolation_report
-prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
-                     const NamedParameters& np = parameters::default_values())
+Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
+                                         const NamedParameters& np = parameters::default_values())
 {
   if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
     return internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return prescribe_limit_data<Concurrency_tag>(mesh, s, others);
     });
   else if constexpr (internal::Is_any<Scheme>::value)
-    return internal::on_interpolated_host<Limit_interpolation_report,
+    return internal::on_interpolated_host<Limit_interpolation,
                                           internal::Surface_call<PolygonMesh, NamedParameters>>(
       scheme, [&](const auto& s) { return prescribe_limit_data<Concurrency_tag>(mesh, s, np); });
   else {
@@ -226,11 +225,11 @@ prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme,
                   "PN_subdivision_3: prescribed curvatures change the control normals: give a "
                   "vertex_normal_map that takes them");
     const auto point_map = Parameters::point_map(mesh, np);
-    Limit_interpolation_report report;
+    Limit_interpolation report;
     internal::with_mesh_access(mesh, [&](auto& access) {
       const Level_connectivity level = internal::checked_level(access);
-      internal::Interpolation_data<3> data =
-        internal::read_interpolation_data<FT>(access, scheme, level, mesh, np);
+      internal::Interpolation_data<3> data = internal::read_interpolation_data<FT>(
+        access, scheme, level, mesh, np, Parameters::normal_map(np));
       data.tolerance = options.tolerance * internal::box_size(data.points);
       data.max_depth = (std::max)(1u, options.max_depth);
       data.max_steps = (std::numeric_limits<unsigned>::max)();

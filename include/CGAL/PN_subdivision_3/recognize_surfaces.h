@@ -85,7 +85,12 @@ recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-marks the edges between different surfaces, and between faces of unknown surface those at which these meet at an angle.
+makes of recognized surfaces what `subdivide()` takes. It marks the edges between different surfaces, and between faces of
+unknown surface those at which these meet at an angle; and if the named parameters have maps for them, the vertices that
+are corners by themselves, which are apexes of cones, and the normals of the surfaces at all corners of faces.
+
+A corner of a face of an unknown surface gets the normals of the recognized surfaces beside its wedge that it meets at
+no more than 30 degrees; all others, and the apexes of cones, get zero vectors, which stand for no normal.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam FacePatchMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
@@ -98,8 +103,10 @@ marks the edges between different surfaces, and between faces of unknown surface
 \param patch_map the surface of each face, as `recognize_surfaces()` writes it
 \param surfaces the result of `recognize_surfaces()`
 \param edge_map the map to write, the `edge_is_constrained_map` of `subdivide()`; edges on the border are no creases
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()`, and
-  `parameters::sharp_angle()` (default 30 degrees)
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()`,
+  `parameters::sharp_angle()` (default 30 degrees), and, to be written, the `vertex_is_constrained_map` of `subdivide()` and
+  its `vertex_normal_map` of half-edges: the normal of the corner of the face of the half-edge at its target, on the side
+  of the face's own normal; zero for half-edges without a face
 
 \return the number of creases
 \throws std::invalid_argument as `recognize_surfaces()`, and if a face has a number that no surface has
@@ -112,88 +119,37 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
                             EdgeIsCreaseMap edge_map,
                             const NamedParameters& np = parameters::default_values())
 {
+  using Parameters = internal::Surface_parameters<FaceGraph, NamedParameters>;
+  using Index = Level_connectivity::Index;
   std::size_t number = 0;
   internal::with_surface_tags(
     mesh, patch_map, surfaces, np,
     [&](const auto& access, const Level_connectivity& level, const auto& tags) {
-      for (Level_connectivity::Index e = 0; e < level.number_of_edges(); ++e) {
+      for (Index e = 0; e < level.number_of_edges(); ++e) {
         const bool is_crease = tags.is_crease(e);
         put(edge_map, access.edge_at(e), is_crease);
         number += is_crease;
       }
-    });
-  return number;
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-marks the vertices that are corners by themselves, whatever their creases are: apexes of cones.
-
-\tparam VertexIsCornerMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key
-  type and `bool` as value type
-
-\param mesh, patch_map, surfaces, np as in `surface_creases()`
-\param vertex_map the map to write, the `vertex_is_constrained_map` of `subdivide()`
-
-\return the number of such vertices
-\throws std::invalid_argument as `surface_creases()`
-<br><b>Cost:</b> linear in the size of the mesh
-*/
-template <class FaceGraph, class FacePatchMap, class VertexIsCornerMap,
-          class NamedParameters = parameters::Default_named_parameters>
-std::size_t surface_corners(const FaceGraph& mesh, FacePatchMap patch_map,
-                            const std::vector<Recognized_surface>& surfaces,
-                            VertexIsCornerMap vertex_map,
-                            const NamedParameters& np = parameters::default_values())
-{
-  std::size_t number = 0;
-  internal::with_surface_tags(
-    mesh, patch_map, surfaces, np,
-    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
-      for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v) {
-        const bool is_corner = tags.is_corner(v);
-        put(vertex_map, access.vertex(v), is_corner);
-        number += is_corner;
+      using Corner_map = typename Parameters::Vertex_constraint_map;
+      if constexpr (internal::is_constraint_map_v<Corner_map>) {
+        const Corner_map corners = Parameters::vertex_constraint_map(np);
+        for (Index v = 0; v < level.number_of_vertices(); ++v)
+          put(corners, access.vertex(v), tags.is_corner(v));
+      }
+      using Normal_map = typename Parameters::Normal_map;
+      if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {
+        static_assert(internal::is_of_halfedges_v<std::decay_t<decltype(access)>, Normal_map>,
+                      "PN_subdivision_3: the normals of surfaces belong to the corners of faces: "
+                      "the vertex_normal_map must be one of half-edges");
+        using Normal = typename boost::property_traits<Normal_map>::value_type;
+        const Normal_map normals = Parameters::normal_map(np);
+        for (Index h = 0; h < level.number_of_halfedges(); ++h) {
+          const auto n = tags.normal(h);
+          put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
+        }
       }
     });
   return number;
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-computes the normals of the surfaces at all corners of faces.
-
-A corner of a face of an unknown surface gets the normals of the recognized surfaces beside its wedge that it meets at
-no more than 30 degrees; all others, and the apexes of cones, get zero vectors, which stand for no normal.
-
-\tparam HalfedgeNormalMap a model of `WritablePropertyMap` with
-  `boost::graph_traits<FaceGraph>::%halfedge_descriptor` as key type and a `Vector_3` as value type
-
-\param mesh, patch_map, surfaces, np as in `surface_creases()`
-\param normals the map to write, the `vertex_normal_map` of `subdivide()`: the normal of the corner of the face of the half-edge at its
-  target, on the side of the face's own normal; zero for half-edges without a face
-
-\throws std::invalid_argument as `surface_creases()`
-<br><b>Cost:</b> linear in the size of the mesh
-*/
-template <class FaceGraph, class FacePatchMap, class HalfedgeNormalMap,
-          class NamedParameters = parameters::Default_named_parameters>
-void surface_corner_normals(const FaceGraph& mesh, FacePatchMap patch_map,
-                            const std::vector<Recognized_surface>& surfaces,
-                            HalfedgeNormalMap normals,
-                            const NamedParameters& np = parameters::default_values())
-{
-  using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
-  internal::with_surface_tags(
-    mesh, patch_map, surfaces, np,
-    [&](const auto& access, const Level_connectivity& level, const auto& tags) {
-      for (Level_connectivity::Index h = 0; h < level.number_of_halfedges(); ++h) {
-        const auto n = tags.normal(h);
-        put(normals, access.halfedge_at(h), Normal(n.x, n.y, n.z));
-      }
-    });
 }
 
 } // namespace PN_subdivision_3

@@ -270,6 +270,26 @@ public:
       read_scheme(mesh, scheme, np);
   }
 
+  /*!
+  about how many bytes the object takes, with one of its pieces, so that the number of pieces can be chosen. The level
+  that is divided becomes larger with the number of pieces.
+  \param scheme the scheme
+  \param size the size of the control mesh
+  \param rounds the number of rounds
+  \param number_of_pieces how many pieces there are
+  */
+  static double memory([[maybe_unused]] const Scheme& scheme, const Level_size& size,
+                       unsigned rounds, std::size_t number_of_pieces)
+  {
+    if constexpr (internal::Is_any<Scheme>::value)
+      return internal::with_host<double>(scheme, [&](const auto& s) {
+        return memory_with<typename std::decay_t<decltype(s)>::Host>(size, rounds,
+                                                                     number_of_pieces);
+      });
+    else
+      return memory_with<typename Scheme::Host>(size, rounds, number_of_pieces);
+  }
+
   /// the number of pieces.
   std::size_t number_of_pieces() const { return number_of_pieces_; }
   /// whether a piece has neither faces nor vertices, because there are too few.
@@ -434,6 +454,27 @@ private:
     return piece;
   }
 
+  template <class Host>
+  static double memory_with(const Level_size& size, unsigned rounds, std::size_t number_of_pieces)
+  {
+    const auto bytes_of_level = [](const Level_size& s) {
+      constexpr double value = 8 * sizeof(FT);
+      return double(s.halfedges()) * 12 + double(s.vertices) * (value + 12) + double(s.faces) * 20;
+    };
+    const unsigned base_round = internal::dividing_round<Host>(size, rounds, number_of_pieces);
+    Level_size base = size, parent = size, result = size;
+    for (unsigned k = 1; k <= rounds; ++k) {
+      if (k <= base_round) base = Host::refined_size(base, k);
+      parent = result;
+      result = Host::refined_size(result, k);
+    }
+    // the last level twice: with its rings, and without them
+    constexpr double rings = 1.1, unequal = 1.1;
+    const auto pieces = double(number_of_pieces);
+    return 2 * bytes_of_level(base) +
+           rings * unequal * (bytes_of_level(parent) + 2 * bytes_of_level(result)) / pieces;
+  }
+
   // the scheme has a host
   template <class PolygonMesh, class Hosted_scheme, class NamedParameters>
   void read_mesh(const PolygonMesh& mesh, const Hosted_scheme& scheme, const NamedParameters& np)
@@ -547,77 +588,6 @@ Surface_pieces(const PolygonMesh&, const Scheme&,
                const NamedParameters& = parameters::default_values())
   -> Surface_pieces<
     Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-returns about how many bytes `Surface_pieces` takes, with one of its pieces, so that the number of pieces can be
-chosen. The level that is divided becomes larger with the number of pieces.
-
-\tparam Scheme the scheme
-\tparam GeomTraits the model of `Kernel`
-\param size the size of the control mesh
-\param rounds the number of rounds
-\param number_of_pieces how many pieces there are
-*/
-template <class Scheme, class GeomTraits>
-double memory_of_pieces(const Level_size& size, unsigned rounds, std::size_t number_of_pieces)
-{
-  using Host = typename Scheme::Host;
-  const auto bytes_of_level = [](const Level_size& s) {
-    constexpr double value = 8 * sizeof(typename GeomTraits::FT);
-    return double(s.halfedges()) * 12 + double(s.vertices) * (value + 12) + double(s.faces) * 20;
-  };
-  const unsigned base_round = internal::dividing_round<Host>(size, rounds, number_of_pieces);
-  Level_size base = size, parent = size, result = size;
-  for (unsigned k = 1; k <= rounds; ++k) {
-    if (k <= base_round) base = Host::refined_size(base, k);
-    parent = result;
-    result = Host::refined_size(result, k);
-  }
-  // the last level twice: with its rings, and without them
-  constexpr double rings = 1.1, unequal = 1.1;
-  const auto pieces = double(number_of_pieces);
-  return 2 * bytes_of_level(base) +
-         rings * unequal * (bytes_of_level(parent) + 2 * bytes_of_level(result)) / pieces;
-}
-
-/// \ingroup PkgPNSubdivision3Functions
-/// does the same for a scheme, or an `Any_scheme`.
-template <class GeomTraits, class Scheme>
-double memory_of_pieces(const Scheme& scheme, const Level_size& size, unsigned rounds,
-                        std::size_t number_of_pieces)
-{
-  if constexpr (internal::Is_any<Scheme>::value)
-    return internal::with_host<double>(scheme, [&](const auto& s) {
-      return memory_of_pieces<std::decay_t<decltype(s)>, GeomTraits>(size, rounds,
-                                                                     number_of_pieces);
-    });
-  else
-    return memory_of_pieces<Scheme, GeomTraits>(size, rounds, number_of_pieces);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-refines a mesh piece by piece, and calls `f(piece)` with each `Surface_piece`, in their order. The mesh is not
-changed; `f` may keep what it needs.
-
-\param mesh as that of `Surface_pieces`
-\param scheme the scheme
-\param f a function of a `const Surface_piece<GeomTraits>&`
-\param np as that of `Surface_pieces`
-
-\throws as `Surface_pieces` does, and what `f` throws
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme, class Function,
-          class NamedParameters = parameters::Default_named_parameters>
-void for_each_piece(const PolygonMesh& mesh, const Scheme& scheme, const Function& f,
-                    const NamedParameters& np = parameters::default_values())
-{
-  using Geom_traits =
-    typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits;
-  const Surface_pieces<Scheme, Geom_traits, Concurrency_tag> pieces(mesh, scheme, np);
-  for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) f(pieces.piece(i));
-}
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -168,9 +168,8 @@ back, and what such a map stores for vertices that exist no longer. An exception
                    negative; the largest value of a built-in integer type is infinitely sharp)}
     \cgalParamDefault{no edge is sharp}
     \cgalParamExtra{A sharp border edge is infinitely sharp, and a border vertex with a sharp edge that
-                    is not on the border is a corner. Butterfly, Kobbelt's scheme and
-                    \f$ \sqrt{3} \f$ subdivision refuse sharp edges, and so does Doo-Sabin
-                    subdivision, which keeps no edges.}
+                    is not on the border is a corner. Schemes without rules for creases, all but
+                    Catmull-Clark, Loop and their variants `Tuned` and `Transfer`, refuse sharp edges.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{the corners of `mesh`, as with edges}

@@ -39,30 +39,32 @@ of creases have their own, and `crease_tangent_map` gets the tangents of the lim
 vertices the mean counts. *The mesh is no control mesh any more:* its points and normals are not meant to be
 subdivided further.
 
+<b>Creases.</b> With `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `crease_tangent_map` the mesh
+has creases as in `subdivide()`, and the limits are those of `limit_points()`: what is sharp for a finite number of
+rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are those
+of the limit.
+
+<b>Attributes</b> are those that `subdivide()` leaves after as many rounds, bit for bit: values of vertices and corners are
+not moved to their limits. With 0 rounds they stay as they are, and the visitor is not called. It may cancel the call by
+an exception of `round_done()`, also of the last round, after which limits are computed.
+
 <b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
 the user's whose `put()` throws also while old values are put back.
 
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `number_of_iterations`,
-  `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`, `vertex_is_constrained_map`, `geom_traits`, `visitor`, `border`, `crease_tangent_map` and
-  `attributes`,
-  as in `subdivide()`, and those of `limit_points()` that say what is computed; `rounds_done` counts with 0 rounds only, since the call counts its rounds itself
+  `vertex_point_map`, `vertex_normal_map` with the control normals (without it they are estimated), `control_normal_estimate`,
+  `vertex_roundness_map` or `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`,
+  `crease_tangent_map`, `attributes`, `visitor` and `geom_traits` as in `subdivide()`; `tolerance`, `normal_tolerance`, `max_depth`,
+  `points` and `surface_normals` as in `limit_points()`, and `rounds_done` with 0 rounds, since otherwise the call counts its rounds
+  itself
 
 \returns what was reached
 
 \throws std::invalid_argument as `subdivide()` and `limit_points()` do, and if `rounds_done` is not 0 where there are rounds
 \throws std::length_error,std::overflow_error,std::domain_error as `subdivide()` and `limit_points()` do
 <br><b>Cost:</b> that of both functions; the refined level is kept in memory besides the mesh
-
-With `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `crease_tangent_map` the mesh
-has creases as in `subdivide()`, and the limits are those of `limit_points()`: what is sharp for a finite number of
-rounds has to be smooth after those of the call. The maps are written as by `subdivide()`; the tangents are those
-of the limit.
-
-Attributes are those that `subdivide()` leaves after as many rounds, bit for bit: values of vertices and corners are
-not moved to their limits. With 0 rounds they stay as they are, and the visitor is not called. It may cancel the call by
-an exception of `round_done()`, also of the last round, after which limits are computed.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>

@@ -52,15 +52,16 @@ void subdivide_by_variant(PolygonMesh& mesh, const NamedParameters& np)
 applies point-normal Catmull-Clark subdivision, for polygons of any degree. The same as
 `subdivide(mesh, CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
 exceptions. The order of the new vertices is that of `PQQ_host`. With `parameters::tuned()` it is
-`Tuned_CatmullClark_scheme`, with cap 1/2, and with `parameters::curvature_transfer()` it is `Transfer_CatmullClark_scheme`.
+`CatmullClark_scheme::Tuned`, with cap 1/2, and with `parameters::curvature_transfer()` it is `CatmullClark_scheme::Transfer`;
+`subdivide()` takes `CatmullClark_scheme::Grid`.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
 void CatmullClark_subdivision(PolygonMesh& mesh,
                               const NamedParameters& np = parameters::default_values())
 {
-  internal::subdivide_by_variant<Concurrency_tag, CatmullClark_scheme, Tuned_CatmullClark_scheme,
-                                 Transfer_CatmullClark_scheme>(mesh, np);
+  internal::subdivide_by_variant<Concurrency_tag, CatmullClark_scheme, CatmullClark_scheme::Tuned,
+                                 CatmullClark_scheme::Transfer>(mesh, np);
 }
 
 /*!
@@ -68,8 +69,8 @@ void CatmullClark_subdivision(PolygonMesh& mesh,
 
 applies point-normal Loop subdivision, for triangles. The same as `subdivide(mesh, Loop_scheme(),
 np)`, which documents all parameters, guarantees and exceptions. The order of the new vertices is
-that of `PTQ_host`. With `parameters::tuned()` it is `Tuned_Loop_scheme`, with cap 1/2, and with
-`parameters::curvature_transfer()` it is `Transfer_Loop_scheme`.
+that of `PTQ_host`. With `parameters::tuned()` it is `Loop_scheme::Tuned`, with cap 1/2, and with
+`parameters::curvature_transfer()` it is `Loop_scheme::Transfer`.
 
 \throws std::invalid_argument also if a face is not a triangle
 */
@@ -77,8 +78,8 @@ template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
           class NamedParameters = parameters::Default_named_parameters>
 void Loop_subdivision(PolygonMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
-  internal::subdivide_by_variant<Concurrency_tag, Loop_scheme, Tuned_Loop_scheme,
-                                 Transfer_Loop_scheme>(mesh, np);
+  internal::subdivide_by_variant<Concurrency_tag, Loop_scheme, Loop_scheme::Tuned,
+                                 Loop_scheme::Transfer>(mesh, np);
 }
 
 /*!
@@ -188,23 +189,6 @@ void Bilinear_subdivision(PolygonMesh& mesh,
                           const NamedParameters& np = parameters::default_values())
 {
   subdivide<Concurrency_tag>(mesh, Bilinear_scheme(), np);
-}
-
-/*!
-\ingroup PkgPNSubdivision3Functions
-
-applies point-normal Catmull-Clark subdivision by grid lines, for quads. The same as
-`subdivide(mesh, Grid_CatmullClark_scheme(), np)`, which documents all parameters, guarantees and
-exceptions. The order of the new vertices is that of `PQQ_host`.
-
-\throws std::invalid_argument also if a face is not a quad, or if something is sharp
-*/
-template <class Concurrency_tag = Sequential_tag, class PolygonMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-void Grid_CatmullClark_subdivision(PolygonMesh& mesh,
-                                   const NamedParameters& np = parameters::default_values())
-{
-  subdivide<Concurrency_tag>(mesh, Grid_CatmullClark_scheme(), np);
 }
 
 } // namespace PN_subdivision_3

@@ -119,8 +119,8 @@ coarse as the control mesh is, apart from faces with more than four corners, whi
 \param chord_error the largest distance between triangles and surface, in the unit of the coordinates
 \param out an empty mesh, which becomes the result; the vertices of the control mesh come first
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the control mesh: `vertex_point_map`,
-  `vertex_normal_map` with the control normals (without it they are estimated), `vertex_roundness_map` or `roundness`,
-  `edge_is_constrained_map`, `vertex_is_constrained_map`, `border` and `geom_traits`, as in `subdivide()`, and
+  `vertex_normal_map` with the control normals (without it they are estimated), `control_normal_estimate`, `vertex_roundness_map` or
+  `roundness`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `border`, `crease_tangent_map` and `geom_traits`, as in `subdivide()`, and
   `number_of_iterations`, the most rounds that are done about any vertex, 12 by default. The maps are read only.
   `attributes` of an `Attribute_table` are replaced by those of the result: numbers of vertices become their limits by the
   linear scheme; numbers of corners are linear inside the control faces, as `Corner_rule::all` has them, and no other

@@ -9,6 +9,7 @@
 #include "curve/curve_picture.h"
 
 #include <CGAL/Default_diagonalize_traits.h>
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/analysis/Curve_svg.h>
 #include <CGAL/centroid.h>
 

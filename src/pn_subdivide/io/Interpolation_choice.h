@@ -16,8 +16,8 @@
 
 namespace pn_subdivide {
 
-using Interpolation_mode = CGAL::PN_subdivision_3::Limit_interpolation_mode;
-using Interpolation_report = CGAL::PN_subdivision_3::Limit_interpolation_report;
+using Interpolation_mode = CGAL::PN_subdivision_3::Limit_interpolation::Mode;
+using Interpolation_report = CGAL::PN_subdivision_3::Limit_interpolation;
 
 // slide | points, if the option --interpolate is given. Throws Usage_error.
 std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::string>& text);

@@ -123,8 +123,8 @@ double memory_of_pieces(const Surface& surface, const Scheme_choice& choice, uns
   size.faces = surface.number_of_faces();
   for (const Surface::Halfedge_index h : surface.halfedges())
     if (!surface.is_border(h)) ++size.corners;
-  return PN::memory_of_pieces<Kernel>(make_scheme("--scheme", choice.scheme, choice), size, levels,
-                                      number);
+  return PN::Surface_pieces<Scheme, Kernel>::memory(make_scheme("--scheme", choice.scheme, choice),
+                                                    size, levels, number);
 }
 
 } // namespace pn_subdivide

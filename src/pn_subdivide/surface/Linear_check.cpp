@@ -78,7 +78,7 @@ void Linear_check::compare(const Surface& result, const Scheme_choice& scheme, c
     set_limits(net_, scheme, limit, *net_creases_, rounds.levels, rounds.threads);
   else if (limit.points)
     set_limits(net_, scheme, limit, rounds.levels, rounds.threads);
-  comparison_ = PN::compare_results_with_linear(
+  comparison_ = PN::compare_with_linear(
     control_, result, net_, CGAL::parameters::edge_is_constrained_map(control_creases_->edges));
   comparison_.vertices_of_roundness_0 = choices_.of_roundness_0;
   comparison_.vertices_of_roundness_below_1 = choices_.of_roundness_below_1;

@@ -141,10 +141,11 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
   const Crease_maps maps = add_creases(surface, creases);
   const Corner_normal_map normals = add_corner_normals(surface);
   const Roundness_map roundness = add_roundness(surface);
-  PN::estimate_corner_normals(
-    surface, maps.edges, normals,
+  PN::estimate_control_normals(
+    surface, normals,
     PN::parameters::control_normal_estimate(of_all.value_or(default_estimate))
       .vertex_roundness_map(roundness)
+      .edge_is_constrained_map(maps.edges)
       .vertex_is_constrained_map(maps.vertices));
   if (of_all) put_roundness(mesh, roundness);
   const Wedges wedges(surface, [&](auto e) { return creases.is_sharp(e); });

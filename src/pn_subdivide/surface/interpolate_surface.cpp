@@ -92,10 +92,12 @@ Interpolation_report interpolate_surface(Surface& surface, const Scheme_choice& 
   if (!normals) return PN::interpolate_limit_points<Tag>(surface, PN::linear(scheme), how);
   const std::optional<Roundness_map> given = roundness_of(surface);
   Roundness_map roundness = given ? *given : add_roundness(surface);
-  const auto np = PN::parameters::vertex_roundness_map(roundness);
-  if (interpolation.improves_normals) PN::natural_normals<Tag>(surface, scheme, *normals, np);
+  using Normals = PN::Limit_interpolation::Normals;
   auto report = PN::interpolate_limit_points<Tag>(
-    surface, scheme, how.vertex_roundness_map(roundness).vertex_normal_map(*normals));
+    surface, scheme,
+    how.interpolation_normals(interpolation.improves_normals ? Normals::natural : Normals::given)
+      .vertex_roundness_map(roundness)
+      .vertex_normal_map(*normals));
   if (!given) surface.remove_property_map(roundness);
   return report;
 }

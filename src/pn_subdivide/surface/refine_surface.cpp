@@ -118,7 +118,7 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
   const std::optional<Normal_map> normals = normals_of(surface);
   const bool is_grid = is_grid_scheme(choice.scheme);
   if (!normals && is_grid)
-    return refine(surface, PN::linear(PN::Grid_CatmullClark_scheme()), refinement,
+    return refine(surface, PN::linear(PN::CatmullClark_scheme::Grid()), refinement,
                   CGAL::parameters::default_values());
   if (!normals)
     return refine(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)), refinement,
@@ -133,7 +133,7 @@ void refine_surface(Surface& surface, const Scheme_choice& choice, const Refinem
       refine(surface, scheme, refinement, given);
   };
   if (is_grid)
-    refine_by(PN::Grid_CatmullClark_scheme());
+    refine_by(PN::CatmullClark_scheme::Grid());
   else
     with_scheme(choice, refine_by);
 }

@@ -33,12 +33,12 @@ std::string enumeration(const std::vector<std::string>& names, const std::string
   return s;
 }
 
-constexpr const char* grid_name = PN::Grid_CatmullClark_scheme::name();
+constexpr const char* grid_name = PN::CatmullClark_scheme::Grid::name();
 
-// What the command asks of Grid_CatmullClark_scheme. What would average its rows as those of others is refused.
+// What the command asks of CatmullClark_scheme::Grid. What would average its rows as those of others is refused.
 struct Grid_facts
 {
-  using Host = PN::Grid_CatmullClark_scheme::Host;
+  using Host = PN::CatmullClark_scheme::Grid::Host;
   static constexpr const char* name() { return grid_name; }
 
   template <class FT>

@@ -15,7 +15,7 @@
 #include <vector>
 
 // The schemes are those of the library's list CGAL::PN_subdivision_3::Shipped_schemes; everything that
-// the command knows about them by name comes from there. Besides there is Grid_CatmullClark_scheme, which refines and
+// the command knows about them by name comes from there. Besides there is CatmullClark_scheme::Grid, which refines and
 // does nothing else.
 
 namespace pn_subdivide {
@@ -54,7 +54,7 @@ std::string modified_scheme_names();
 // Throws Usage_error if there is no such scheme, or if these do not go together.
 void require_surface_schemes(const Scheme_choice& choice);
 
-// Is it Grid_CatmullClark_scheme?
+// Is it CatmullClark_scheme::Grid?
 bool is_grid_scheme(const std::string& scheme);
 
 // Does the scheme refine triangles only?

@@ -92,8 +92,9 @@ TEST(Attributes, ConstantsKeepTheirBits)
     auto l = add<V, Load>(mesh, "l", {0.1, 7});
     auto u = add<H, double>(mesh, "u", value);
     PN::subdivide(mesh, PN::CatmullClark_scheme(),
-                  PN::parameters::attributes(PN::vertex_attribute(t), PN::vertex_attribute(f),
-                                             PN::vertex_attribute(l), PN::corner_attribute(u))
+                  PN::parameters::attributes(
+                    PN::parameters::vertex_attribute(t), PN::parameters::vertex_attribute(f),
+                    PN::parameters::vertex_attribute(l), PN::parameters::corner_attribute(u))
                     .number_of_iterations(3));
     const auto same = [](auto a, auto b) {
       return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
@@ -119,8 +120,9 @@ TEST(Attributes, LinearFunctionsStayToFourUlp)
     t[v] = linear_function(mesh.point(v));
     size = std::max(size, std::abs(t[v]));
   }
-  PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
-                PN::parameters::attributes(PN::vertex_attribute(t)).number_of_iterations(4));
+  PN::subdivide(
+    mesh, PN::linear(PN::CatmullClark_scheme()),
+    PN::parameters::attributes(PN::parameters::vertex_attribute(t)).number_of_iterations(4));
   for (auto v : mesh.vertices()) EXPECT_LE(ulps(t[v], linear_function(mesh.point(v)), size), 4);
 }
 
@@ -151,13 +153,15 @@ TEST(Attributes, OfEveryType)
     c[v] = CGAL::IO::Color((unsigned char)(q.x() > 0 ? 255 : 0), 7, 255, 0);
   }
   // Kobbelt's weights are negative, too: values beyond the greatest are cut off
-  PN::subdivide(mesh, PN::linear(PN::Kobbelt_scheme()),
-                PN::parameters::join(
-                  PN::parameters::attributes(
-                    PN::vertex_attribute(f), PN::vertex_attribute(a), PN::vertex_attribute(e),
-                    PN::vertex_attribute(p), PN::vertex_attribute(w), PN::vertex_attribute(l),
-                    PN::vertex_attribute(i), PN::vertex_attribute(b), PN::vertex_attribute(c)),
-                  params::number_of_iterations(2)));
+  PN::subdivide(
+    mesh, PN::linear(PN::Kobbelt_scheme()),
+    PN::parameters::join(PN::parameters::attributes(
+                           PN::parameters::vertex_attribute(f), PN::parameters::vertex_attribute(a),
+                           PN::parameters::vertex_attribute(e), PN::parameters::vertex_attribute(p),
+                           PN::parameters::vertex_attribute(w), PN::parameters::vertex_attribute(l),
+                           PN::parameters::vertex_attribute(i), PN::parameters::vertex_attribute(b),
+                           PN::parameters::vertex_attribute(c)),
+                         params::number_of_iterations(2)));
   bool has_overshoot = false;
   for (auto v : mesh.vertices()) {
     const auto& q = mesh.point(v);
@@ -194,8 +198,9 @@ TEST(Attributes, FacesAndEdgesInherit)
       ++marks;
     }
   PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
-                PN::parameters::attributes(PN::face_attribute(patch), PN::edge_attribute(mark),
-                                           PN::face_parents(parent))
+                PN::parameters::attributes(PN::parameters::face_attribute(patch),
+                                           PN::parameters::edge_attribute(mark),
+                                           PN::parameters::face_parents(parent))
                   .number_of_iterations(2));
   std::size_t halves = 0;
   for (auto e : mesh.edges()) halves += mark[e];
@@ -341,8 +346,9 @@ TYPED_TEST(Chart_attributes, AreThoseOfTheMeshCutOpen)
   EXPECT_TRUE(PN::has_seam(mesh, uv));
   Cut_open cut(c);
   EXPECT_GT(cut.mesh.number_of_vertices(), mesh.number_of_vertices() + 10);
-  PN::subdivide(mesh, PN::linear(TypeParam()),
-                PN::parameters::attributes(PN::corner_attribute(uv)).number_of_iterations(2));
+  PN::subdivide(
+    mesh, PN::linear(TypeParam()),
+    PN::parameters::attributes(PN::parameters::corner_attribute(uv)).number_of_iterations(2));
   if constexpr (creases)
     PN::subdivide(cut.mesh, PN::internal::with_border(PN::linear(TypeParam()), PN::Border::corners),
                   params::number_of_iterations(2).vertex_is_constrained_map(cut.stays));
@@ -364,10 +370,11 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
   auto uv = add<H, Uv>(mesh, "uv");
   auto parent = add<Mesh::Face_index, int>(mesh, "parent");
   put_uv(c, mesh, uv);
-  PN::subdivide(mesh, PN::linear(TypeParam()),
-                PN::parameters::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear),
-                                           PN::face_parents(parent))
-                  .number_of_iterations(2));
+  PN::subdivide(
+    mesh, PN::linear(TypeParam()),
+    PN::parameters::attributes(PN::parameters::corner_attribute(uv, PN::Corner_rule::linear),
+                               PN::parameters::face_parents(parent))
+      .number_of_iterations(2));
   // the areas of the parts are the area of the face
   const auto area = [](const std::vector<Uv>& p) {
     double sum = 0;
@@ -439,9 +446,11 @@ Results by_maps(const Charts& c)
   for (auto e : mesh.edges()) mark[e] = int(e.idx() % 5);
   put_uv(c, mesh, uv);
   PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(),
-                     PN::parameters::attributes(
-                       PN::vertex_attribute(scalar), PN::vertex_attribute(color),
-                       PN::corner_attribute(uv), PN::edge_attribute(mark), PN::face_parents(parent))
+                     PN::parameters::attributes(PN::parameters::vertex_attribute(scalar),
+                                                PN::parameters::vertex_attribute(color),
+                                                PN::parameters::corner_attribute(uv),
+                                                PN::parameters::edge_attribute(mark),
+                                                PN::parameters::face_parents(parent))
                        .number_of_iterations(4));
   Results r;
   for (auto v : mesh.vertices()) {
@@ -531,8 +540,9 @@ TEST(Attributes, LeaveThePointsAlone)
   Mesh mesh = make(mixed_with_border()), other = mesh;
   auto t = add<V, double>(mesh, "t", 1);
   const auto np = params::number_of_iterations(3);
-  PN::subdivide(mesh, PN::CatmullClark_scheme(),
-                PN::parameters::join(PN::parameters::attributes(PN::vertex_attribute(t)), np));
+  PN::subdivide(
+    mesh, PN::CatmullClark_scheme(),
+    PN::parameters::join(PN::parameters::attributes(PN::parameters::vertex_attribute(t)), np));
   PN::subdivide(other, PN::CatmullClark_scheme(), np);
   EXPECT_EQ(points(mesh), points(other));
   EXPECT_EQ(faces_of(mesh), faces_of(other));
@@ -580,15 +590,16 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
                     PN::parameters::attributes(attributes));
     });
   };
-  EXPECT_NE(doo_sabin(test_options::attributes(PN::corner_attribute(uv)))
+  EXPECT_NE(doo_sabin(test_options::attributes(PN::parameters::corner_attribute(uv)))
               .find("seam at the edge of half-edge"),
             std::string::npos);
-  EXPECT_NE(doo_sabin(test_options::attributes(PN::corner_attribute(uv, PN::Corner_rule::linear)))
+  EXPECT_NE(doo_sabin(test_options::attributes(
+                        PN::parameters::corner_attribute(uv, PN::Corner_rule::linear)))
               .find("scheme keeps no edges"),
             std::string::npos);
-  EXPECT_NE(
-    doo_sabin(test_options::attributes(PN::edge_attribute(mark))).find("scheme keeps no edges"),
-    std::string::npos);
+  EXPECT_NE(doo_sabin(test_options::attributes(PN::parameters::edge_attribute(mark)))
+              .find("scheme keeps no edges"),
+            std::string::npos);
   EXPECT_EQ(points(mesh), before);
 }
 
@@ -601,7 +612,8 @@ TEST(Attributes, OfCornersWithoutSeamsAreThoseOfVertices)
   for (auto v : mesh.vertices()) t[v] = scalar_of(v);
   for (auto h : mesh.halfedges()) u[h] = t[mesh.target(h)];
   PN::subdivide(mesh, PN::DooSabin_scheme(),
-                PN::parameters::attributes(PN::vertex_attribute(t), PN::corner_attribute(u))
+                PN::parameters::attributes(PN::parameters::vertex_attribute(t),
+                                           PN::parameters::corner_attribute(u))
                   .number_of_iterations(2));
   for (auto h : mesh.halfedges())
     if (!mesh.is_border(h)) {
@@ -646,9 +658,9 @@ TEST(Attributes, ThatThrowLeaveEverythingAsItWas)
     const Mesh before = mesh;
     Fragile::left = n;
     EXPECT_THROW(PN::subdivide(mesh, PN::CatmullClark_scheme(),
-                               PN::parameters::attributes(PN::vertex_attribute(scalar),
-                                                          PN::corner_attribute(uv),
-                                                          PN::vertex_attribute(fragile))
+                               PN::parameters::attributes(PN::parameters::vertex_attribute(scalar),
+                                                          PN::parameters::corner_attribute(uv),
+                                                          PN::parameters::vertex_attribute(fragile))
                                  .number_of_iterations(2)),
                  Failure)
       << n;

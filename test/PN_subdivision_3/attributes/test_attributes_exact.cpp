@@ -84,8 +84,9 @@ TYPED_TEST(Exact_attributes, LinearFunctionsStay)
       c[x] = FT(5) / FT(7);
     }
     PN::subdivide(mesh, PN::linear(Scheme()),
-                  PN::parameters::attributes(PN::vertex_attribute(t), PN::vertex_attribute(v),
-                                             PN::vertex_attribute(c), PN::vertex_attribute(load))
+                  PN::parameters::attributes(
+                    PN::parameters::vertex_attribute(t), PN::parameters::vertex_attribute(v),
+                    PN::parameters::vertex_attribute(c), PN::parameters::vertex_attribute(load))
                     .number_of_iterations(2));
     ASSERT_GT(mesh.number_of_vertices(), soup.points.size());
     for (auto x : mesh.vertices()) {
@@ -168,7 +169,8 @@ TYPED_TEST(Creased_attributes, LinearFunctionsStayOnCreases)
     const PN::Border borders[] = {PN::Border::surface, PN::Border::curve, PN::Border::corners,
                                   PN::Border::fixed};
     PN::subdivide(mesh, PN::internal::with_border(PN::linear(TypeParam()), borders[n / 3]),
-                  PN::parameters::attributes(PN::vertex_attribute(t), PN::corner_attribute(corner))
+                  PN::parameters::attributes(PN::parameters::vertex_attribute(t),
+                                             PN::parameters::corner_attribute(corner))
                     .number_of_iterations(3)
                     .edge_is_constrained_map(edges)
                     .vertex_is_constrained_map(vertices));
@@ -210,8 +212,9 @@ TYPED_TEST(Creased_attributes, ChartsMeetCreases)
   std::vector<bool> was_seam;
   for (auto e : mesh.edges()) was_seam.push_back(is_seam(e));
   PN::subdivide(mesh, PN::linear(TypeParam()),
-                PN::parameters::attributes(PN::corner_attribute(corner), PN::face_attribute(chart),
-                                           PN::edge_parents(parent))
+                PN::parameters::attributes(PN::parameters::corner_attribute(corner),
+                                           PN::parameters::face_attribute(chart),
+                                           PN::parameters::edge_parents(parent))
                   .number_of_iterations(2)
                   .edge_is_constrained_map(edges));
   std::size_t away = 0, seams = 0;
@@ -254,7 +257,8 @@ TEST(Exact_attributes_of_a_polyhedron, InMapsOfTheirOwn)
     put(x, v, CGAL::to_double(v->point().x()));
   }
   PN::subdivide(mesh, PN::linear(PN::CatmullClark_scheme()),
-                PN::parameters::attributes(PN::vertex_attribute(t), PN::vertex_attribute(x))
+                PN::parameters::attributes(PN::parameters::vertex_attribute(t),
+                                           PN::parameters::vertex_attribute(x))
                   .number_of_iterations(2));
   for (auto v : vertices(mesh)) {
     EXPECT_EQ(get(t, v), linear_function(v->point()));

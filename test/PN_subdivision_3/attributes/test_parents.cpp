@@ -519,8 +519,9 @@ TEST(Parents, MapsSayWhatVisitorsAreTold)
     of_vertex.push_back(least);
   }
   PN::subdivide(mesh, PN::linear(PN::DooSabin_scheme()),
-                PN::parameters::attributes(PN::face_parents(face), PN::face_parents(number),
-                                           PN::vertex_parents(vertex), PN::edge_parents(edge))
+                PN::parameters::attributes(
+                  PN::parameters::face_parents(face), PN::parameters::face_parents(number),
+                  PN::parameters::vertex_parents(vertex), PN::parameters::edge_parents(edge))
                   .number_of_iterations(2));
   ASSERT_EQ(mesh.number_of_faces(), expected.faces.size());
   for (auto f : mesh.faces()) {

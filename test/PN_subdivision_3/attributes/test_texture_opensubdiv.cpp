@@ -200,7 +200,7 @@ public:
       sharp[mesh_.edge(mesh_.halfedge(index(e.first), index(e.second)))] = s;
     for (const auto& [v, s] : t.sharp_vertices) corner[index(v)] = s;
     PN::subdivide(mesh_, PN::internal::with_border(PN::linear(Scheme()), t.border),
-                  PN::parameters::attributes(PN::corner_attribute(uv_, rule))
+                  PN::parameters::attributes(PN::parameters::corner_attribute(uv_, rule))
                     .number_of_iterations(unsigned(rounds))
                     .edge_is_constrained_map(sharp)
                     .vertex_is_constrained_map(corner));

@@ -413,7 +413,7 @@ TEST(As_cgal_masks, MayBePointNormalOnes)
       m.add_property_map<Surface_mesh::Vertex_index, K::Vector_3>("v:normal", CGAL::NULL_VECTOR)
         .first;
     for (auto v : m.vertices()) normals[v] = m.point(v) - K::Point_3(0.1, 0.2, 0.3);
-    const auto map = PN::make_point_normal_map(get(CGAL::vertex_point, m), normals);
+    const auto map = PN::Zipped_point_normal_map(get(CGAL::vertex_point, m), normals);
     host(m, PN::make_PN_mask_3<CGAL::CatmullClark_mask_3>(m, map),
          np::vertex_point_map(map).number_of_iterations(2));
   };

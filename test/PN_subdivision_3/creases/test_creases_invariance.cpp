@@ -105,7 +105,7 @@ void expect_similar(const Control& control, const Scheme& scheme)
 TEST(Crease_invariance, Similarities)
 {
   expect_similar(wavy(), CatmullClark_scheme());
-  expect_similar(wavy(), Tuned_CatmullClark_scheme());
+  expect_similar(wavy(), CatmullClark_scheme::Tuned());
   expect_similar(triangulated(wavy()), Loop_scheme());
   Control estimated = wavy();
   estimated.normals.clear();
@@ -267,9 +267,9 @@ TEST(Crease_invariance, Without_tangents_and_with_equal_normals_is_the_linear_sc
     c.has_zero_tangents = true;
     for (auto& n : c.normals) n.second = are_zero ? Triple{0, 0, 0} : Triple{0.6, 0, -0.8};
     expect_linear(c, CatmullClark_scheme());
-    expect_linear(c, Tuned_CatmullClark_scheme());
+    expect_linear(c, CatmullClark_scheme::Tuned());
     expect_linear(triangulated(c), Loop_scheme());
-    expect_linear(triangulated(c), Tuned_Loop_scheme());
+    expect_linear(triangulated(c), Loop_scheme::Tuned());
   }
   // other normals in other wedges
   Control c = bolt().control();
@@ -369,7 +369,8 @@ TEST(Crease_modified_schemes, Leave_extraordinary_darts_and_corners_alone)
 {
   const Control c = icosahedron();
   const auto runs = [&](const Control& control) {
-    return std::make_pair(slots(control, Tuned_Loop_scheme(), 1), slots(control, Loop_scheme(), 1));
+    return std::make_pair(slots(control, Loop_scheme::Tuned(), 1),
+                          slots(control, Loop_scheme(), 1));
   };
   const auto neighbors = [&](int v) {
     std::set<std::size_t> result{std::size_t(v)};
@@ -402,7 +403,7 @@ TEST(Crease_modified_schemes, Leave_extraordinary_darts_and_corners_alone)
   EXPECT_EQ(number_of_changes(corner, 0), 0u);
   EXPECT_EQ(number_of_changes(corner, 5), 6u);
   // the normals of the modified scheme, the creases of the plain one
-  const auto mixed = slots(dart, with_normal_scheme(Loop_scheme(), Tuned_Loop_scheme()), 1);
+  const auto mixed = slots(dart, with_normal_scheme(Loop_scheme(), Loop_scheme::Tuned()), 1);
   const auto [modified, plain] = runs(dart);
   EXPECT_EQ(mixed.normals, modified.normals);
   for (const std::size_t i : neighbors(0)) EXPECT_EQ(mixed.points[i], plain.points[i]);

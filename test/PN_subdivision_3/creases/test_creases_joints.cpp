@@ -102,8 +102,9 @@ TEST(Creases_joints, WedgesBesidePlanes)
     Bar bar(steps);
     const auto normals =
       bar.mesh.add_property_map<CGAL::SM_Halfedge_index, Kernel::Vector_3>("n").first;
-    PN::estimate_corner_normals(bar.mesh, bar.sharp, normals,
-                                PN::parameters::control_normal_estimate(how));
+    PN::estimate_control_normals(
+      bar.mesh, normals,
+      PN::parameters::control_normal_estimate(how).edge_is_constrained_map(bar.sharp));
     double largest = 0;
     for (auto h : bar.mesh.halfedges()) {
       const bool is_lid = bar.mesh.degree(bar.mesh.face(h)) > 4;

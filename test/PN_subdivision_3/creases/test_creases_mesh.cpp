@@ -128,7 +128,7 @@ TEST(Creases_of_meshes, Prisms_need_points_and_tags_only)
   EXPECT_EQ(PN::detect_creases(t.mesh, 75, sharp), 14u);
   for (auto e : t.mesh.edges()) EXPECT_EQ(sharp[e], get(t.sharp, e) > 0);
   auto estimated = t.mesh.add_property_map<Surface_mesh::Halfedge_index, Vector_3>("h:n").first;
-  PN::estimate_corner_normals(t.mesh, sharp, estimated);
+  PN::estimate_control_normals(t.mesh, estimated, CGAL::parameters::edge_is_constrained_map(sharp));
   const double epsilon = std::numeric_limits<double>::epsilon();
   const auto error = [&](const Surface& s, const Point_3& p, const Vector_3& n) {
     const Vector q(p.x(), p.y(), p.z()), m(n.x(), n.y(), n.z());
@@ -396,9 +396,11 @@ TEST(Creases_of_meshes, Are_refused_where_the_surface_is_none)
             std::string::npos);
   EXPECT_NE(message_of([&] { PN::detect_creases(t.mesh, 30, t.sharp); }).find("vertex 0"),
             std::string::npos);
-  EXPECT_NE(
-    message_of([&] { PN::estimate_corner_normals(t.mesh, t.sharp, t.normals); }).find("vertex 0"),
-    std::string::npos);
+  EXPECT_NE(message_of([&] {
+              PN::estimate_control_normals(t.mesh, t.normals,
+                                           CGAL::parameters::edge_is_constrained_map(t.sharp));
+            }).find("vertex 0"),
+            std::string::npos);
   EXPECT_TRUE(state(t) == before);
 }
 
@@ -529,8 +531,8 @@ TEST(Creases_of_meshes, Estimates_of_corners_by_angles)
   auto none = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:n", false).first;
   for (const auto estimate :
        {PN::Control_normal_estimate::angle, PN::Control_normal_estimate::reciprocal}) {
-    PN::estimate_corner_normals(mesh, none, corners,
-                                PN::parameters::control_normal_estimate(estimate));
+    const auto np = PN::parameters::control_normal_estimate(estimate);
+    PN::estimate_control_normals(mesh, corners, np.edge_is_constrained_map(none));
     PN::estimate_control_normals(mesh, plain, PN::parameters::control_normal_estimate(estimate));
     for (auto h : mesh.halfedges()) EXPECT_EQ(corners[h], plain[mesh.target(h)]);
   }

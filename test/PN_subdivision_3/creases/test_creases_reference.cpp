@@ -136,11 +136,11 @@ void compare_all(const Control& control, int rounds)
 {
   compare_rounds(control, CatmullClark_scheme(), false, false, rounds);
   compare_rounds(control, linear(CatmullClark_scheme()), false, false, rounds);
-  compare_rounds(control, Tuned_CatmullClark_scheme(), false, true, rounds);
+  compare_rounds(control, CatmullClark_scheme::Tuned(), false, true, rounds);
   const Control triangles = triangulated(control);
   compare_rounds(triangles, Loop_scheme(), true, false, rounds);
   compare_rounds(triangles, linear(Loop_scheme()), true, false, rounds);
-  compare_rounds(triangles, Tuned_Loop_scheme(), true, true, rounds);
+  compare_rounds(triangles, Loop_scheme::Tuned(), true, true, rounds);
 }
 
 struct Case

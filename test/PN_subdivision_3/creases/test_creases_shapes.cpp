@@ -107,9 +107,9 @@ protected:
     for (std::size_t i = 0; i < part.faces.size(); ++i)
       groups.insert(groups.end(), part.faces[i].size() - 2, part.group[i]);
     f(CatmullClark_scheme(), polygons, part.group, "Catmull-Clark");
-    f(Tuned_CatmullClark_scheme(), polygons, part.group, "modified Catmull-Clark");
+    f(CatmullClark_scheme::Tuned(), polygons, part.group, "modified Catmull-Clark");
     f(Loop_scheme(), triangles, groups, "Loop");
-    f(Tuned_Loop_scheme(), triangles, groups, "modified Loop");
+    f(Loop_scheme::Tuned(), triangles, groups, "modified Loop");
   }
 };
 

@@ -182,8 +182,8 @@ TEST(Crease_tangents, Calls_are_rounds_with_random_creases)
     random_creases::give_normals(c, random);
     expect_linear_calls_are_rounds(ending, 3);
     expect_calls_are_rounds<Surface_mesh>(c, PN::CatmullClark_scheme(), 3);
-    expect_calls_are_rounds<Polyhedron>(c, PN::Tuned_CatmullClark_scheme(), 2);
-    expect_calls_are_rounds<Surface_mesh>(triangulated(c), PN::Tuned_Loop_scheme(), 3);
+    expect_calls_are_rounds<Polyhedron>(c, PN::CatmullClark_scheme::Tuned(), 2);
+    expect_calls_are_rounds<Surface_mesh>(triangulated(c), PN::Loop_scheme::Tuned(), 3);
   }
 }
 

@@ -222,21 +222,6 @@ TEST(Estimate_curvature, BowTiesAreRefused)
 
 // --- types ---
 
-TEST(Estimate_curvature, ScalarMaps)
-{
-  Mesh mesh = mesh_of(lay(square(4, Faces::quads, 0), waves).soup);
-  const auto c = mesh.add_property_map<Vertex, Curvature>("c").first;
-  PN::estimate_curvature(mesh, c);
-  const auto gaussian = PN::gaussian_curvature_map(c);
-  const auto mean = PN::mean_curvature_map(c);
-  static_assert(std::is_same_v<boost::property_traits<decltype(mean)>::value_type, double>);
-  for (Vertex v : mesh.vertices()) {
-    EXPECT_NE(c[v].gaussian, c[v].mean);
-    EXPECT_EQ(get(gaussian, v), c[v].gaussian);
-    EXPECT_EQ(get(mean, v), c[v].mean);
-  }
-}
-
 TEST(Estimate_curvature, OtherMeshesKernelsAndMaps)
 {
   const Sampled_surface s = lay(square(6, Faces::mixed, 0.2), waves);

@@ -31,8 +31,8 @@ namespace PN = CGAL::PN_subdivision_3;
 namespace data = extraordinary_data;
 using data::Curvature;
 using data::Index;
-using PN::Tuned_CatmullClark_scheme;
-using PN::Tuned_Loop_scheme;
+using Tuned_CatmullClark_scheme = PN::CatmullClark_scheme::Tuned;
+using Tuned_Loop_scheme = PN::Loop_scheme::Tuned;
 
 // a scheme at a valence: the subdominant eigenvalue of the tuned rules, and the expected rate
 struct Case
@@ -197,9 +197,9 @@ template <class Function>
 void with_transfer(const Case& c, const Function& f)
 {
   if (c.quads)
-    f(PN::Transfer_CatmullClark_scheme());
+    f(PN::CatmullClark_scheme::Transfer());
   else
-    f(PN::Transfer_Loop_scheme());
+    f(PN::Loop_scheme::Transfer());
 }
 
 class Transfer : public testing::TestWithParam<Case>
@@ -326,9 +326,9 @@ TEST_P(Transfer, KeepsTheCurvatureOfPointsAndNormals)
 {
   const Case& c = GetParam();
   const Transfer_figures f =
-    c.quads
-      ? transfer_figures(Tuned_CatmullClark_scheme(), PN::Transfer_CatmullClark_scheme(), c.valence)
-      : transfer_figures(Tuned_Loop_scheme(), PN::Transfer_Loop_scheme(), c.valence);
+    c.quads ? transfer_figures(Tuned_CatmullClark_scheme(), PN::CatmullClark_scheme::Transfer(),
+                               c.valence)
+            : transfer_figures(Tuned_Loop_scheme(), PN::Loop_scheme::Transfer(), c.valence);
   if (c.valence >= (c.quads ? 5u : 7u)) {
     EXPECT_LE(f.off, .025);
     EXPECT_LE(f.off_with_constant_normals, .4);
@@ -342,9 +342,9 @@ TEST_P(Transfer, IsNoLessFairThanTheModifiedScheme)
   const Case& c = GetParam();
   const auto ratio = [&](data::Values (*values)(const data::Extraordinary_net&)) {
     return c.quads
-             ? variation_ratio(Tuned_CatmullClark_scheme(), PN::Transfer_CatmullClark_scheme(),
+             ? variation_ratio(Tuned_CatmullClark_scheme(), PN::CatmullClark_scheme::Transfer(),
                                c.valence, values)
-             : variation_ratio(Tuned_Loop_scheme(), PN::Transfer_Loop_scheme(), c.valence, values);
+             : variation_ratio(Tuned_Loop_scheme(), PN::Loop_scheme::Transfer(), c.valence, values);
   };
   EXPECT_LE(ratio([](const data::Extraordinary_net& net) {
               return data::with_estimated_normals(net, data::cubic);

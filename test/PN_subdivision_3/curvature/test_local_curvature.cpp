@@ -41,7 +41,7 @@ namespace data = extraordinary_data;
 using local_examples::Mesh;
 using local_examples::Values;
 using PN::CatmullClark_scheme;
-using PN::Tuned_CatmullClark_scheme;
+using Tuned_CatmullClark_scheme = PN::CatmullClark_scheme::Tuned;
 using Curvature = PN::Extraordinary_curvature<double>;
 
 const std::string folder = PN_DATA_DIR;

@@ -11,6 +11,7 @@
 #include "Curve_cases.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -274,13 +275,13 @@ TEST(CurveNormals, TinyAndHugePolygons)
   }
 }
 
-// --- rotating and dropping ---
+// --- rotating ---
 
-TEST(CurveNormals, RotateAndDrop)
+TEST(CurveNormals, Rotate)
 {
   const auto polygon = circle_2<>(uneven_angles(7, 2, Real(6), true, 1), 1);
   auto rotated = polygon;
-  PN::rotate_control_normals(rotated, CGAL_PI / 2, PN::take_every_kth_vertex(rotated, 2, 1));
+  PN::rotate_control_normals(rotated, CGAL_PI / 2, {1, 3, 5});
   for (std::size_t i = 0; i < 7; ++i) {
     const Vector n = polygon[i].second;
     const Vector expected = i % 2 == 1 ? Vector(-n.y(), n.x()) : n; // counterclockwise
@@ -292,30 +293,14 @@ TEST(CurveNormals, RotateAndDrop)
   for (std::size_t i = 0; i < 7; ++i)
     EXPECT_NEAR(polygon[i].second * rotated[i].second,
                 std::cos((i % 2 == 1 ? CGAL_PI / 2 : 0) - 0.5), 1e-15);
-
-  auto dropped = polygon;
-  PN::drop_control_normals(dropped, {0, 5});
-  for (std::size_t i = 0; i < 7; ++i)
-    EXPECT_EQ(dropped[i].second, i == 0 || i == 5 ? Vector(0, 0) : polygon[i].second);
-  auto space = helix<>(uneven_angles(4, 2, Real(6), true, 1), 1, 1);
-  PN::drop_control_normals(space, PN::take_every_kth_vertex(space, 3));
-  EXPECT_EQ(space[0].second, Double::Vector_3(0, 0, 0));
-  EXPECT_NE(space[1].second, Double::Vector_3(0, 0, 0));
-  EXPECT_EQ(space[3].second, Double::Vector_3(0, 0, 0));
 }
 
 TEST(CurveNormals, VerticesThatAreNotThere)
 {
   const auto polygon = circle_2<>(uneven_angles(5, 2, Real(6), true, 1), 1);
   auto changed = polygon;
-  EXPECT_THROW(PN::drop_control_normals(changed, {1, 5}), std::invalid_argument);
   EXPECT_THROW(PN::rotate_control_normals(changed, 1, {1, 5}), std::invalid_argument);
   EXPECT_EQ(changed, polygon);
-  EXPECT_THROW(PN::take_every_kth_vertex(polygon, 0), std::invalid_argument);
-  EXPECT_EQ(PN::take_every_kth_vertex(polygon, 2), (std::vector<std::size_t>{0, 2, 4}));
-  EXPECT_EQ(PN::take_every_kth_vertex(polygon, 2, 1), (std::vector<std::size_t>{1, 3}));
-  const auto largest_step = (std::numeric_limits<std::size_t>::max)();
-  EXPECT_EQ(PN::take_every_kth_vertex(polygon, largest_step, 2), (std::vector<std::size_t>{2}));
 }
 
 // --- curvature ---

@@ -210,7 +210,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     subdivide(in, PN::Kobbelt_scheme(), how);
     break;
   case 6:
-    subdivide(in, PN::Tuned_Loop_scheme(), how);
+    subdivide(in, PN::Loop_scheme::Tuned(), how);
     break;
   default:
     limit(in);

@@ -17,7 +17,7 @@ namespace header_in_use {
 void use_attributes(Mesh& mesh)
 {
   const auto colors = mesh.add_property_map<Mesh::Vertex_index, double>("v:color").first;
-  (void)parameters::attributes(vertex_attribute(colors));
+  (void)parameters::attributes(parameters::vertex_attribute(colors));
 }
 
 } // namespace header_in_use

@@ -18,7 +18,7 @@ namespace header_in_use {
 bool use_comparison(const Mesh& mesh)
 {
   return compare_with_linear(mesh, Loop_scheme()).is_swollen() ||
-         compare_results_with_linear(mesh, mesh, mesh).is_folded();
+         compare_with_linear(mesh, mesh, mesh).is_folded();
 }
 
 } // namespace header_in_use

@@ -21,8 +21,8 @@ using namespace interpolation_cases;
 using test_meshes::Cells;
 
 const PN::CatmullClark_scheme plain_quads;
-const PN::Tuned_CatmullClark_scheme quads;
-const PN::Tuned_Loop_scheme triangles;
+const PN::CatmullClark_scheme::Tuned quads;
+const PN::Loop_scheme::Tuned triangles;
 
 Kernel::Vector_3 to_kernel(const Eigen::Vector3d& v)
 {

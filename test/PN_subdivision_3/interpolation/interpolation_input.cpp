@@ -53,7 +53,7 @@ TEST(Interpolation_input, IsFiniteAndNoWorseThanTheData)
         expect_finite(result.mesh);
         EXPECT_TRUE(std::isfinite(result.report.residual)) << data.name << kind;
         EXPECT_TRUE(std::isfinite(result.report.slip_of_edge)) << data.name << kind;
-        if (options.mode == PN::Limit_interpolation_mode::slide) continue;
+        if (options.mode == PN::Limit_interpolation::Mode::slide) continue;
         Surface_mesh before = to_surface_mesh(data);
         EXPECT_LE(distance_from_data(result.mesh, data),
                   distance_from_data(before, data) * (1 + 1e-9) + 1e-12)
@@ -68,7 +68,7 @@ TEST(Interpolation_input, IsFiniteAndNoWorseThanTheData)
 TEST(Interpolation_input, SolvedNormalsStayNearTheGivenOnes)
 {
   Options options = strict();
-  options.normals = PN::Limit_interpolation_normals::solved;
+  options.normals = PN::Limit_interpolation::Normals::solved;
   std::size_t left_out = 0;
   for (const unsigned seed : {5u, 6u, 7u}) {
     Control_mesh data = ellipsoid_quads(3);
@@ -131,7 +131,7 @@ TEST(Interpolation_input, RealMeshes)
     Options options = strict();
     options.tolerance = 1e-9;
     for (const auto mode :
-         {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::strict}) {
+         {PN::Limit_interpolation::Mode::slide, PN::Limit_interpolation::Mode::strict}) {
       options.mode = mode;
       Surface_mesh net = mesh;
       const Report report = Runs::interpolate(net, scheme, options);
@@ -163,7 +163,7 @@ TEST(Interpolation_input, WrongOptionsAreRefused)
   options.tolerance = std::nan("");
   EXPECT_THROW(run(options), std::invalid_argument);
   options = Options();
-  options.free = PN::Limit_interpolation_free::smooth;
+  options.free = PN::Limit_interpolation::Free::smooth;
   EXPECT_THROW(run(options), std::invalid_argument);
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 }

@@ -75,6 +75,30 @@ TEST(Interpolation_input, AFailureLeavesTheMeshAsItWas)
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 }
 
+// so are natural normals, which are written first
+TEST(Interpolation_input, AFailureLeavesNormalsAsTheyWere)
+{
+  const Control_mesh data = ellipsoid_quads(2);
+  Surface_mesh mesh = to_surface_mesh(data);
+  const auto normals = normal_map(mesh);
+  const Kernel::Vector_3 given(0.6, 0, 0.8);
+  for (auto v : mesh.vertices()) normals[v] = given;
+  const auto natural =
+    PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural);
+  int writes = 5;
+  EXPECT_THROW(PN::interpolate_limit_points(
+                 mesh, scheme,
+                 natural.vertex_point_map(Failing_map{&mesh, &writes}).vertex_normal_map(normals)),
+               std::runtime_error);
+  for (auto v : mesh.vertices()) EXPECT_EQ(normals[v], given);
+  EXPECT_EQ(control_net(mesh, data).points, data.points);
+
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, scheme, natural), std::invalid_argument);
+  EXPECT_THROW(
+    PN::interpolate_limit_points(mesh, PN::linear(scheme), natural.vertex_normal_map(normals)),
+    std::invalid_argument);
+}
+
 // in double, whatever the mesh and its number type
 template <class Mesh, class K>
 void expect_same_net(const Control_mesh& data)

@@ -111,8 +111,8 @@ void expect_turned(const Control_mesh& control, const Scheme& scheme,
 
 TEST(Prescribed_limit_data, NormalsAreTurned)
 {
-  expect_turned(ellipsoid_quads(6), PN::Tuned_CatmullClark_scheme(), {0, 40});
-  expect_turned(ellipsoid_triangles(2), PN::Tuned_Loop_scheme(), {0, 100}); // valence 5 and 6
+  expect_turned(ellipsoid_quads(6), PN::CatmullClark_scheme::Tuned(), {0, 40});
+  expect_turned(ellipsoid_triangles(2), PN::Loop_scheme::Tuned(), {0, 100}); // valence 5 and 6
   Control_mesh mixed =
     sampled_surfaces::patch(8, 8, 0.1, Cells::mixed, 5, sampled_surfaces::on_waves);
   expect_turned(mixed, PN::CatmullClark_scheme(), {40});
@@ -212,7 +212,7 @@ TEST(Prescribed_limit_data, PlanesAlongABorder)
 // More conditions than unknowns: least squares. After a round at the old vertices all can be met.
 TEST(Prescribed_limit_data, AllPointsAndNormalsAfterOneRound)
 {
-  const PN::Tuned_CatmullClark_scheme scheme;
+  const PN::CatmullClark_scheme::Tuned scheme;
   const Control_mesh data = ellipsoid_quads(4);
   const auto prescribe_all = [&](Prescription& p) {
     for (unsigned v = 0; v < data.points.size(); ++v) {
@@ -226,9 +226,9 @@ TEST(Prescribed_limit_data, AllPointsAndNormalsAfterOneRound)
   const Report coarse = solve(p, scheme, 1000);
   EXPECT_GT(coarse.residual + coarse.normal_residual, 1e-6);
   Prescription fine(data);
-  Interpolation_runs<PN::Tuned_CatmullClark_scheme>::interpolate(fine.mesh, scheme, strict());
+  Interpolation_runs<PN::CatmullClark_scheme::Tuned>::interpolate(fine.mesh, scheme, strict());
   const double error = rms_error(fine.mesh, scheme, to_ellipsoid);
-  Limit_runs<PN::Tuned_CatmullClark_scheme>::refined(fine.mesh, scheme, 1);
+  Limit_runs<PN::CatmullClark_scheme::Tuned>::refined(fine.mesh, scheme, 1);
   prescribe_all(fine);
   const Report report = solve(fine, scheme, 1000);
   EXPECT_LE(report.normal_residual, 1e-9 * degree);

@@ -31,10 +31,10 @@ Limits Limit_runs<Scheme>::refined(Surface_mesh& mesh, const Scheme& scheme, uns
 
 template struct Limit_runs<PN::CatmullClark_scheme>;
 template struct Limit_runs<PN::Loop_scheme>;
-template struct Limit_runs<PN::Tuned_CatmullClark_scheme>;
-template struct Limit_runs<PN::Tuned_Loop_scheme>;
+template struct Limit_runs<PN::CatmullClark_scheme::Tuned>;
+template struct Limit_runs<PN::Loop_scheme::Tuned>;
 template struct Limit_runs<PN::Linear_scheme<PN::CatmullClark_scheme>>;
-template struct Limit_runs<PN::Linear_scheme<PN::Tuned_CatmullClark_scheme>>;
-template struct Limit_runs<PN::Linear_scheme<PN::Tuned_Loop_scheme>>;
+template struct Limit_runs<PN::Linear_scheme<PN::CatmullClark_scheme::Tuned>>;
+template struct Limit_runs<PN::Linear_scheme<PN::Loop_scheme::Tuned>>;
 
 } // namespace interpolation_cases

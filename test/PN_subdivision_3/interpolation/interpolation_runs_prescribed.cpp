@@ -57,12 +57,12 @@ Curvature_runs<Scheme>::form(Surface_mesh& mesh, const Scheme& scheme, unsigned 
 
 template struct Prescription_runs<PN::CatmullClark_scheme>;
 template struct Prescription_runs<PN::Loop_scheme>;
-template struct Prescription_runs<PN::Tuned_CatmullClark_scheme>;
-template struct Prescription_runs<PN::Tuned_Loop_scheme>;
+template struct Prescription_runs<PN::CatmullClark_scheme::Tuned>;
+template struct Prescription_runs<PN::Loop_scheme::Tuned>;
 template struct Prescription_runs<PN::Linear_scheme<PN::CatmullClark_scheme>>;
 template struct Curvature_runs<PN::CatmullClark_scheme>;
 template struct Curvature_runs<PN::Loop_scheme>;
-template struct Curvature_runs<PN::Tuned_CatmullClark_scheme>;
-template struct Curvature_runs<PN::Tuned_Loop_scheme>;
+template struct Curvature_runs<PN::CatmullClark_scheme::Tuned>;
+template struct Curvature_runs<PN::Loop_scheme::Tuned>;
 
 } // namespace interpolation_cases

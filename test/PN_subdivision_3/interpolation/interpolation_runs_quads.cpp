@@ -11,10 +11,10 @@
 namespace interpolation_cases {
 
 template struct Interpolation_runs<PN::CatmullClark_scheme>;
-template struct Interpolation_runs<PN::Tuned_CatmullClark_scheme>;
+template struct Interpolation_runs<PN::CatmullClark_scheme::Tuned>;
 template struct Interpolation_runs<PN::Linear_scheme<PN::CatmullClark_scheme>>;
-template struct Interpolation_runs<PN::Linear_scheme<PN::Tuned_CatmullClark_scheme>>;
-template struct Wrong_runs<PN::Tuned_CatmullClark_scheme>;
-template struct Further_interpolation_runs<PN::Tuned_CatmullClark_scheme>;
+template struct Interpolation_runs<PN::Linear_scheme<PN::CatmullClark_scheme::Tuned>>;
+template struct Wrong_runs<PN::CatmullClark_scheme::Tuned>;
+template struct Further_interpolation_runs<PN::CatmullClark_scheme::Tuned>;
 
 } // namespace interpolation_cases

@@ -10,9 +10,9 @@
 
 namespace interpolation_cases {
 
-template struct Interpolation_runs<PN::Tuned_Loop_scheme>;
-template struct Interpolation_runs<PN::Linear_scheme<PN::Tuned_Loop_scheme>>;
+template struct Interpolation_runs<PN::Loop_scheme::Tuned>;
+template struct Interpolation_runs<PN::Linear_scheme<PN::Loop_scheme::Tuned>>;
 template struct Interpolation_runs<PN::Butterfly_scheme>;
-template struct Further_interpolation_runs<PN::Tuned_Loop_scheme>;
+template struct Further_interpolation_runs<PN::Loop_scheme::Tuned>;
 
 } // namespace interpolation_cases

@@ -57,7 +57,7 @@ struct Net
 
   Mesh mesh;
   typename Mesh::template Property_map<Vertex, Vector> normals;
-  PN::Limit_interpolation_report report;
+  PN::Limit_interpolation report;
 };
 
 template <class FT>
@@ -70,8 +70,7 @@ Net<FT> interpolated(int exponent, const Options& options)
   return net;
 }
 
-void expect_scaled(const PN::Limit_interpolation_report& a, const PN::Limit_interpolation_report& b,
-                   int e)
+void expect_scaled(const PN::Limit_interpolation& a, const PN::Limit_interpolation& b, int e)
 {
   EXPECT_EQ(b.residual, std::ldexp(a.residual, e));
   EXPECT_EQ(b.error, std::ldexp(a.error, e));
@@ -87,9 +86,9 @@ template <class FT>
 void expect_scaled_nets(const std::vector<int>& exponents)
 {
   for (const auto mode :
-       {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::strict})
+       {PN::Limit_interpolation::Mode::slide, PN::Limit_interpolation::Mode::strict})
     for (const auto normals :
-         {PN::Limit_interpolation_normals::given, PN::Limit_interpolation_normals::solved}) {
+         {PN::Limit_interpolation::Normals::given, PN::Limit_interpolation::Normals::solved}) {
       Options options;
       options.mode = mode;
       options.normals = normals;
@@ -122,11 +121,17 @@ TEST(Interpolation_at_any_scale, OfMeshesInFloat)
 
 TEST(Interpolation_at_any_scale, NaturalNormals)
 {
+  const auto find = [](Net<double>& net) {
+    PN::interpolate_limit_points(
+      net.mesh, PN::Loop_scheme(),
+      PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural)
+        .vertex_normal_map(net.normals));
+  };
   Net<double> one(0);
-  PN::natural_normals(one.mesh, PN::Loop_scheme(), one.normals);
+  find(one);
   for (const int e : {-600, -300, -100, 100, 300, 600}) {
     Net<double> net(e);
-    PN::natural_normals(net.mesh, PN::Loop_scheme(), net.normals);
+    find(net);
     for (const auto v : net.mesh.vertices()) ASSERT_EQ(net.normals[v], one.normals[v]) << e;
   }
 }
@@ -144,7 +149,7 @@ TEST(Interpolation_at_any_scale, OfPolygons)
     return result;
   };
   for (const auto mode :
-       {PN::Limit_interpolation_mode::slide, PN::Limit_interpolation_mode::strict}) {
+       {PN::Limit_interpolation::Mode::slide, PN::Limit_interpolation::Mode::strict}) {
     Options options;
     options.mode = mode;
     const auto [one, report] = PN::interpolate_curve(polygon(0), PN::B_spline_mask(3),

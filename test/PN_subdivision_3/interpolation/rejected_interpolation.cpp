@@ -28,7 +28,7 @@ void reject(Mesh& mesh)
   const auto curvatures =
     mesh.add_property_map<Vertex, std::optional<PN::Prescribed_curvature<Kernel>>>("c").first;
 
-  PN::interpolate_limit_points(mesh, PN::Transfer_Loop_scheme(),
+  PN::interpolate_limit_points(mesh, PN::Loop_scheme::Transfer(),
                                params::vertex_normal_map(normals));
   // expected: interpolation is not known for schemes that transfer curvature
 

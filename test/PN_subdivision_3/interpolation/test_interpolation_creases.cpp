@@ -34,7 +34,7 @@ constexpr Crease_kind kinds[] = {Crease_kind::none, Crease_kind::edges, Crease_k
 
 auto points_mode()
 {
-  return PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::strict);
+  return PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::strict);
 }
 
 struct Tangled_case : Case
@@ -191,13 +191,14 @@ TEST(Interpolation_creases, WhatIsRefused)
   expect_refusal(c, c.scheme, c.sharp().vertex_normal_map(c.corner_normals), "crease_tangent_map");
   expect_refusal(c, c.scheme, sharp.vertex_normal_map(c.normals), "half-edges");
   expect_refusal(c, c.scheme,
-                 with(PN::parameters::interpolation_mode(PN::Limit_interpolation_mode::slide)),
+                 with(PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::slide)),
                  "is sharp, but control points slide");
   expect_refusal(
     c, c.scheme,
-    with(PN::parameters::interpolation_normals(PN::Limit_interpolation_normals::solved)), "solved");
+    with(PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::solved)),
+    "solved");
   expect_refusal(c, c.scheme,
-                 with(PN::parameters::free_vertices(PN::Limit_interpolation_free::smooth)),
+                 with(PN::parameters::free_vertices(PN::Limit_interpolation::Free::smooth)),
                  "move along");
   Tangled_case semi_sharp("catmull-clark", Crease_kind::semi_sharp);
   expect_refusal(semi_sharp, PN::linear(semi_sharp.scheme), semi_sharp.sharp(), "make it infinite");

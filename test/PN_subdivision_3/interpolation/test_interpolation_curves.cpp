@@ -41,7 +41,7 @@ constexpr double pi = 3.14159265358979323846;
 Options strict()
 {
   Options options;
-  options.mode = PN::Limit_interpolation_mode::strict;
+  options.mode = PN::Limit_interpolation::Mode::strict;
   return options;
 }
 
@@ -114,7 +114,7 @@ TEST(Interpolating_curves, StrictLimitsAreThePoints)
   const Curve_2 data = ellipse(12, 2, 1);
   for (const auto end : {PN::Curve_end::closed, PN::Curve_end::reflect})
     for (const auto normals :
-         {PN::Limit_interpolation_normals::given, PN::Limit_interpolation_normals::solved}) {
+         {PN::Limit_interpolation::Normals::given, PN::Limit_interpolation::Normals::solved}) {
       Options options = strict();
       options.normals = normals;
       const auto [net, report] = PN::interpolate_curve(data, cubic, end, options.pack());
@@ -262,7 +262,7 @@ TEST(Interpolating_curves, WhatCannotBeIsRefused)
   EXPECT_THROW(PN::interpolate_curve(data, PN::B_spline_mask(5), closed), std::invalid_argument);
   EXPECT_THROW(PN::interpolate_curve(data, cubic, PN::Curve_end::none), std::invalid_argument);
   Options options = strict();
-  options.free = PN::Limit_interpolation_free::smooth;
+  options.free = PN::Limit_interpolation::Free::smooth;
   EXPECT_THROW(PN::interpolate_curve(data, cubic, closed, options.pack()), std::invalid_argument);
   Curve_2 infinite = data;
   infinite[3].first = Point_2(HUGE_VAL, 0);

@@ -39,7 +39,7 @@ using test_meshes::Cells;
 using test_meshes::Control_mesh;
 using Vertex = Surface_mesh::Vertex_index;
 using Roundness_map = Surface_mesh::Property_map<Vertex, double>;
-using Mode = PN::Limit_interpolation_mode;
+using Mode = PN::Limit_interpolation::Mode;
 
 Roundness_map roundness_map(Surface_mesh& mesh)
 {
@@ -111,7 +111,7 @@ double distance_of_limits(Surface_mesh mesh, const Scheme& scheme, const Surface
 }
 
 template <class Scheme>
-PN::Limit_interpolation_report interpolate(Surface_mesh& mesh, const Scheme& scheme, Mode mode)
+PN::Limit_interpolation interpolate(Surface_mesh& mesh, const Scheme& scheme, Mode mode)
 {
   test_options::Limit_interpolation_options<> options;
   options.mode = mode;
@@ -137,7 +137,7 @@ TEST(Round_interpolation, HasLimitsAtItsData)
 {
   expect_limits_at_data(PN::CatmullClark_scheme(), false);
   expect_limits_at_data(PN::Loop_scheme(), true);
-  expect_limits_at_data(PN::Tuned_Loop_scheme(), true);
+  expect_limits_at_data(PN::Loop_scheme::Tuned(), true);
 }
 
 // with roundness 1 everywhere they are those without, with 0 those of the linear scheme
@@ -237,7 +237,7 @@ TEST(Round_interpolation, WithoutNormalsOthersDoNotMove)
   const auto some = [](Vertex v) { return v.idx() % 2 == 0; };
   test_options::Limit_interpolation_options<> smooth;
   smooth.mode = Mode::strict;
-  smooth.free = PN::Limit_interpolation_free::smooth;
+  smooth.free = PN::Limit_interpolation::Free::smooth;
   EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::Loop_scheme(), smooth.pack()),
                std::invalid_argument);
   auto chosen = mesh.add_property_map<Vertex, bool>("v:chosen", false).first;

@@ -122,8 +122,8 @@ void expect_around_fifty_digits(const Scheme& scheme)
 
 TEST(Enclosures, OfModifiedSchemesHaveTheirRealWeights)
 {
-  expect_around_fifty_digits(PN::Tuned_Loop_scheme());
-  expect_around_fifty_digits(PN::Tuned_Loop_scheme(PN::Scheme_parameter(1, 3)));
+  expect_around_fifty_digits(PN::Loop_scheme::Tuned());
+  expect_around_fifty_digits(PN::Loop_scheme::Tuned(PN::Scheme_parameter(1, 3)));
 }
 
 TEST(Enclosures, EndAtTheCeiling)

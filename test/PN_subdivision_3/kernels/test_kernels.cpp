@@ -259,7 +259,7 @@ TEST(Kernels, ParametersMayBeFractions)
   EXPECT_NE(weight(0.05), FT(11, 20));
   EXPECT_THROW(PN::Scheme_parameter(1, 0), std::invalid_argument);
   EXPECT_THROW(PN::Kobbelt_scheme(PN::Scheme_parameter(1, 2)), std::invalid_argument);
-  EXPECT_THROW(PN::Tuned_Loop_scheme(PN::Scheme_parameter(-1, 3)), std::invalid_argument);
+  EXPECT_THROW(PN::Loop_scheme::Tuned(PN::Scheme_parameter(-1, 3)), std::invalid_argument);
 }
 
 // \name A number type of the user's own

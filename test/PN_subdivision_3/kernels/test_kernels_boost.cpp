@@ -188,7 +188,7 @@ void expect_transfer_in_the_number_type(const Scheme& scheme)
 
 TEST(Boost_floats, CurvatureIsTransferredInTheNumberType)
 {
-  expect_transfer_in_the_number_type(PN::Transfer_Loop_scheme());
+  expect_transfer_in_the_number_type(PN::Loop_scheme::Transfer());
 }
 
 } // namespace

@@ -149,7 +149,7 @@ TEST(Subdivide_to_limit, AFailureLeavesTheMeshAsItWas)
   test_options::Limit_options wrong;
   wrong.tolerance = -1;
   expect_refusal(scheme, wrong, "tolerance");
-  const PN::Tuned_CatmullClark_scheme late(0.5, 20);
+  const PN::CatmullClark_scheme::Tuned late(0.5, 20);
   expect_refusal(late, test_options::Limit_options(), "first round");
 }
 

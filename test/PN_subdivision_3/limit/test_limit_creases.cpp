@@ -137,7 +137,7 @@ TEST(Limit_creases, AreTheSameFromEveryLevel)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Control c = random_net(seed);
     expect_limit_of_rounds(c, PN::CatmullClark_scheme(), false);
-    expect_limit_of_rounds(c, PN::Tuned_CatmullClark_scheme(), false);
+    expect_limit_of_rounds(c, PN::CatmullClark_scheme::Tuned(), false);
     expect_limit_of_rounds(triangulated(c), PN::Loop_scheme(), false);
     expect_limit_of_rounds(c, PN::linear(PN::CatmullClark_scheme()), true);
   }
@@ -147,8 +147,8 @@ TEST(Limit_creases, AreTheSameFromEveryLevel)
 TEST(Limit_creases, AreTheSameWhereTheRulesSettleLate)
 {
   const Control c = random_net(3);
-  expect_limit_of_rounds(c, PN::Tuned_CatmullClark_scheme(.5, 3), false);
-  expect_limit_of_rounds(triangulated(c), PN::Transfer_Loop_scheme(), false);
+  expect_limit_of_rounds(c, PN::CatmullClark_scheme::Tuned(.5, 3), false);
+  expect_limit_of_rounds(triangulated(c), PN::Loop_scheme::Transfer(), false);
 }
 
 // A box of 1 x 2 x 2 cells: its corners are neighbors in pairs, and a crease ends at one of them, which so keeps the
@@ -182,7 +182,7 @@ TEST(Limit_creases, AreTheSameBesideAnIrregularDart)
   std::mt19937 random(1);
   random_creases::perturb(c, random);
   random_creases::give_normals(c, random);
-  expect_limit_of_rounds(c, PN::Tuned_CatmullClark_scheme(), false);
+  expect_limit_of_rounds(c, PN::CatmullClark_scheme::Tuned(), false);
 }
 
 // Roundness of its own at every vertex, or the same at all: a crease is then between its curve and the linear one.

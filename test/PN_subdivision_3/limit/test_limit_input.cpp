@@ -282,7 +282,7 @@ TEST(Limit_input, AnInteriorVertexOfValence2HasALimitPoint)
   test_meshes::set_uneven_normals(control, 3);
   Surface_mesh mesh = to_surface_mesh(control);
   for (const Limits& all : {limits(mesh, PN::CatmullClark_scheme(), close(1e-10)),
-                            limits(mesh, PN::Tuned_CatmullClark_scheme(), close(1e-10))}) {
+                            limits(mesh, PN::CatmullClark_scheme::Tuned(), close(1e-10))}) {
     EXPECT_TRUE(all.report.is_within_tolerance());
     EXPECT_FALSE(all.at[0].has_surface_normal);
     EXPECT_EQ(all.at[0].surface_normal, all.at[0].control_normal);
@@ -516,9 +516,9 @@ TEST(Limit_rounds, OfModifiedSchemesContinueTheCall)
   test_meshes::set_uneven_normals(quads, 5);
   test_meshes::set_uneven_normals(triangles, 6);
   for (const unsigned first : {1u, 2u, 3u, 4u}) {
-    expect_limits_that_continue_the_call(quads, PN::Tuned_CatmullClark_scheme(.5, first), 1e-10);
+    expect_limits_that_continue_the_call(quads, PN::CatmullClark_scheme::Tuned(.5, first), 1e-10);
     expect_limits_that_continue_the_call(
-      triangles, PN::Tuned_Loop_scheme(.5, first, PN::Tuned_valences::diverging), 1e-10);
+      triangles, PN::Loop_scheme::Tuned(.5, first, PN::Tuned_valences::diverging), 1e-10);
   }
 }
 
@@ -528,14 +528,14 @@ TEST(Limit_rounds, AFirstRoundFarAwayIsRefused)
   test_meshes::set_uneven_normals(control, 1);
   Surface_mesh mesh = to_surface_mesh(control);
   try {
-    limits(mesh, PN::Tuned_Loop_scheme(.5, 9), close(1e-3));
+    limits(mesh, PN::Loop_scheme::Tuned(.5, 9), close(1e-3));
     ADD_FAILURE() << "no exception";
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("first round"), std::string::npos) << e.what();
   }
   test_options::Limit_options options = close(1e-3);
   options.rounds_done = 8;
-  EXPECT_NO_THROW(limits(mesh, PN::Tuned_Loop_scheme(.5, 9), options));
+  EXPECT_NO_THROW(limits(mesh, PN::Loop_scheme::Tuned(.5, 9), options));
 }
 
 } // namespace

@@ -85,7 +85,7 @@ TEST(Limit_masks, AreThoseOfTheLiterature)
     const Control_mesh quads = test_meshes::star(n, 2, Cells::quads);
     const Mask halstead{n / (n + 5.), 4. / (n * (n + 5.)), 1. / (n * (n + 5.))};
     expect_mask(mask_at(quads, PN::CatmullClark_scheme(), 0), quads, halstead, what);
-    expect_mask(mask_at(quads, PN::Tuned_CatmullClark_scheme(), 0), quads, halstead, what);
+    expect_mask(mask_at(quads, PN::CatmullClark_scheme::Tuned(), 0), quads, halstead, what);
 
     const Control_mesh triangles = test_meshes::star(n, 2, Cells::triangles);
     const double c = std::cos(2 * std::acos(-1.) / n);
@@ -93,7 +93,7 @@ TEST(Limit_masks, AreThoseOfTheLiterature)
     const double alpha = 5. / 8 - (3 + 2 * c) * (3 + 2 * c) / 64;
     const double loop = alpha / (3. / 8 + alpha);
     expect_mask(mask_at(triangles, PN::Loop_scheme(), 0), triangles, {1 - loop, loop / n, 0}, what);
-    expect_mask(mask_at(triangles, PN::Tuned_Loop_scheme(), 0), triangles, {1 - loop, loop / n, 0},
+    expect_mask(mask_at(triangles, PN::Loop_scheme::Tuned(), 0), triangles, {1 - loop, loop / n, 0},
                 what);
     // the mean goes to 1/3 v + 2/3 m
     const double beta = (4 - 2 * c) / 9;
@@ -239,9 +239,9 @@ TEST(Limit_averages, GainOverTheLinearMaskAndTellTheirErrors)
 {
   Gain gain[3];
   measure_averages(PN::CatmullClark_scheme(), 4, {3, 4, 5, 6, 8}, gain);
-  measure_averages(PN::Tuned_CatmullClark_scheme(), 4, {3, 5, 6, 8}, gain);
+  measure_averages(PN::CatmullClark_scheme::Tuned(), 4, {3, 5, 6, 8}, gain);
   measure_averages(PN::Loop_scheme(), 3, {4, 5, 6, 7, 8}, gain);
-  measure_averages(PN::Tuned_Loop_scheme(), 3, {3, 4, 5, 7, 8}, gain);
+  measure_averages(PN::Loop_scheme::Tuned(), 3, {3, 4, 5, 7, 8}, gain);
   RecordProperty("level_0", std::to_string(gain[0].mean()));
   RecordProperty("level_2", std::to_string(gain[2].mean()));
   EXPECT_GE(gain[0].mean(), 300);
@@ -275,12 +275,12 @@ TEST(Limit_estimates, AreNoLessThanTheErrors)
     if (test_meshes::has_isolated_vertex(control)) continue;
     if (!test_meshes::is_closed(control)) continue;
     expect_honest_estimates(PN::CatmullClark_scheme(), control);
-    expect_honest_estimates(PN::Tuned_CatmullClark_scheme(), control);
-    expect_honest_estimates(PN::Transfer_CatmullClark_scheme(), control);
+    expect_honest_estimates(PN::CatmullClark_scheme::Tuned(), control);
+    expect_honest_estimates(PN::CatmullClark_scheme::Transfer(), control);
     if (!test_meshes::all_faces_have_degree(control, 3)) continue;
     expect_honest_estimates(PN::Loop_scheme(), control);
-    expect_honest_estimates(PN::Tuned_Loop_scheme(), control);
-    expect_honest_estimates(PN::Transfer_Loop_scheme(), control);
+    expect_honest_estimates(PN::Loop_scheme::Tuned(), control);
+    expect_honest_estimates(PN::Loop_scheme::Transfer(), control);
     expect_honest_estimates(PN::Sqrt3_scheme(), control);
   }
 }
@@ -334,7 +334,7 @@ TEST(Surface_normals, HaveErrorsThatFallByTheSquareOfLambda)
 {
   for (const int n : {4, 5, 6, 8}) {
     expect_normal_rate(PN::CatmullClark_scheme(), 4, n, catmull_clark_lambda(n));
-    if (n != 4) expect_normal_rate(PN::Tuned_CatmullClark_scheme(), 4, n, catmull_clark_lambda(n));
+    if (n != 4) expect_normal_rate(PN::CatmullClark_scheme::Tuned(), 4, n, catmull_clark_lambda(n));
   }
   for (const int n : {5, 6, 7, 8})
     expect_normal_rate(PN::Loop_scheme(), 3, n, 3. / 8 + std::cos(2 * std::acos(-1.) / n) / 4);
@@ -505,8 +505,8 @@ TEST(Limit_curvature, OfModifiedSchemesIsWhatRingsTendTo)
                 .01 * ring.scale());
     EXPECT_NEAR(all.at[0].mean, (ring.mean_min + ring.mean_max) / 2, .01 * std::sqrt(ring.scale()));
   };
-  for (const int n : {3, 5, 8}) expect_curvature(PN::Tuned_CatmullClark_scheme(), n);
-  for (const int n : {4, 7, 9}) expect_curvature(PN::Tuned_Loop_scheme(), n);
+  for (const int n : {3, 5, 8}) expect_curvature(PN::CatmullClark_scheme::Tuned(), n);
+  for (const int n : {4, 7, 9}) expect_curvature(PN::Loop_scheme::Tuned(), n);
 }
 
 TEST(Limit_curvature, IsNotClaimedWhereItDoesNotSettle)

@@ -210,7 +210,7 @@ TEST_F(Limit_precision, OfSchemesThatTransferCurvature)
   test_options::Limit_options options;
   options.max_depth = 4;
   PN::limit_points(
-    mesh, PN::Transfer_Loop_scheme(), limits,
+    mesh, PN::Loop_scheme::Transfer(), limits,
     PN::parameters::join(options.pack(), CGAL::parameters::vertex_normal_map(normals)));
   for (const auto u : mesh.vertices()) {
     const K::Vector_3 p = limits[u].point - CGAL::ORIGIN;

@@ -203,12 +203,12 @@ TEST(Limits_at_any_scale, InDouble)
   expect_scaled<double>("linear CatmullClark", false, PN::linear(PN::CatmullClark_scheme()),
                         exponents);
   expect_scaled<double>("Loop", true, PN::Loop_scheme(), exponents);
-  expect_scaled<double>("ct_Loop", true, PN::Transfer_Loop_scheme(), exponents);
+  expect_scaled<double>("ct_Loop", true, PN::Loop_scheme::Transfer(), exponents);
 }
 
 TEST(Limits_at_any_scale, InFloat)
 {
   const std::vector<int> exponents = {-80, -60, -30, 30, 60, 100};
   expect_scaled<float>("Loop", true, PN::Loop_scheme(), exponents);
-  expect_scaled<float>("ct_Loop", true, PN::Transfer_Loop_scheme(), exponents);
+  expect_scaled<float>("ct_Loop", true, PN::Loop_scheme::Transfer(), exponents);
 }

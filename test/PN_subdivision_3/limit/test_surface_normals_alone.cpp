@@ -114,7 +114,7 @@ TEST(Surface_normals_alone, MeetTheirClaims)
 {
   expect_normals(Cells::quads, PN::CatmullClark_scheme());
   expect_normals(Cells::triangles, PN::Loop_scheme());
-  expect_normals(Cells::quads, PN::Tuned_CatmullClark_scheme());
+  expect_normals(Cells::quads, PN::CatmullClark_scheme::Tuned());
   expect_normals(Cells::triangles, PN::Butterfly_scheme());
   expect_normals(Cells::triangles, PN::Sqrt3_scheme());
 }

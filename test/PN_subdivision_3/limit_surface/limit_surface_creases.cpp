@@ -30,13 +30,13 @@ TEST(LimitSurface, Parts)
     part.place();
     const auto data = part.control();
     tagged_meshes::Tagged<Mesh> control(data);
-    PN::Limit_surface surface(control.mesh, PN::CatmullClark_scheme(),
-                              PN::parameters::border(data.border)
-                                .vertex_normal_map(control.normals)
-                                .edge_is_constrained_map(control.sharp)
-                                .vertex_is_constrained_map(control.corners));
-    surface.set_tolerance(1e-2);
-    std::vector<PN::Limit_surface_location<Mesh::Face_index>> places;
+    const PN::Limit_surface surface(control.mesh, PN::CatmullClark_scheme(),
+                                    PN::parameters::border(data.border)
+                                      .tolerance(5e-3)
+                                      .vertex_normal_map(control.normals)
+                                      .edge_is_constrained_map(control.sharp)
+                                      .vertex_is_constrained_map(control.corners));
+    std::vector<PN::Limit_surface<Mesh>::Location> places;
     for (auto f : control.mesh.faces())
       for (std::size_t piece = 0; piece < surface.number_of_pieces(f); ++piece)
         for (int i = 0; i <= 3; ++i)

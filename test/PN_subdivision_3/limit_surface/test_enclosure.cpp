@@ -46,7 +46,7 @@ template <class Surface>
 std::vector<Kernel::Point_3> samples(const Surface& surface, Face f)
 {
   constexpr int n = 4;
-  std::vector<PN::Limit_surface_location<Face>> places;
+  std::vector<typename Surface::Location> places;
   for (std::size_t piece = 0; piece < surface.number_of_pieces(f); ++piece)
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= (surface.is_triangular() ? n - i : n); ++j)
@@ -62,8 +62,8 @@ void expect_boxes(Control_mesh shape, const Scheme& scheme, bool is_proven, doub
 {
   SCOPED_TRACE(shape.name);
   Surface_mesh mesh = to_surface_mesh(shape);
-  PN::Limit_surface surface(mesh, scheme, params::vertex_normal_map(normal_map(mesh)));
-  surface.set_tolerance(1e-3);
+  const PN::Limit_surface surface(
+    mesh, scheme, PN::parameters::tolerance(5e-4).vertex_normal_map(normal_map(mesh)));
   CGAL::Bbox_3 all;
   for (Face f : mesh.faces()) {
     const auto box = is_proven ? surface.proven_bbox(f, 2) : surface.bbox(f, 2);
@@ -93,7 +93,7 @@ TEST(Enclosure, Proven)
 }
 TEST(Enclosure, Estimated)
 {
-  expect_boxes(on_ellipsoid(named_shapes::cube()), PN::Tuned_CatmullClark_scheme(), false, 0.5);
+  expect_boxes(on_ellipsoid(named_shapes::cube()), PN::CatmullClark_scheme::Tuned(), false, 0.5);
   expect_boxes(on_ellipsoid(test_meshes::bipyramid(5)), PN::Butterfly_scheme(), false, 0.8);
   Control_mesh grid = test_meshes::grid(3, 2, false, false, Cells::quads);
   test_meshes::set_uneven_normals(grid, 4);
@@ -165,7 +165,7 @@ TEST(Enclosure, WhatIsNotCoveredIsNamed)
 {
   Surface_mesh cube = to_surface_mesh(on_ellipsoid(named_shapes::cube()));
   const auto np = params::vertex_normal_map(normal_map(cube));
-  const PN::Limit_surface modified(cube, PN::Tuned_CatmullClark_scheme(), np);
+  const PN::Limit_surface modified(cube, PN::CatmullClark_scheme::Tuned(), np);
   expect_refusal("modified", [&] { modified.proven_bbox(Face(0)); });
   auto sharp = cube.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
   const auto h = cube.halfedge(Face(3));

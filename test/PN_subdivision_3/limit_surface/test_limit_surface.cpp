@@ -31,7 +31,7 @@ using test_meshes::Triple;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Face = Surface_mesh::Face_index;
-using Location = PN::Limit_surface_location<Face>;
+using Location = PN::Limit_surface<Surface_mesh>::Location;
 
 double length(const Vector& v)
 {
@@ -182,7 +182,7 @@ void expect_spline(Cells cells, const Scheme& scheme)
 TEST(LimitSurface, BicubicPieces)
 {
   expect_spline(Cells::quads, PN::CatmullClark_scheme());
-  expect_spline(Cells::quads, PN::Tuned_CatmullClark_scheme());
+  expect_spline(Cells::quads, PN::CatmullClark_scheme::Tuned());
 }
 TEST(LimitSurface, BoxSplinePieces)
 {
@@ -241,8 +241,8 @@ template <class Scheme>
 void expect_sphere(const Control_mesh& shape, const Scheme& scheme)
 {
   Surface_mesh mesh = to_surface_mesh(on_unit_sphere(shape));
-  PN::Limit_surface surface(mesh, scheme, params::vertex_normal_map(normal_map(mesh)));
-  surface.set_tolerance(1e-4);
+  const PN::Limit_surface surface(
+    mesh, scheme, PN::parameters::tolerance(5e-5).vertex_normal_map(normal_map(mesh)));
   std::vector<Location> places;
   for_each_place(mesh, surface.is_triangular(), 5, [&](const Location& l) { places.push_back(l); });
   const auto all = surface.evaluate(places);
@@ -262,7 +262,7 @@ TEST(LimitSurface, Spheres)
   expect_sphere(named_shapes::cube(), PN::CatmullClark_scheme());
   expect_sphere(named_shapes::prism(5), PN::CatmullClark_scheme()); // pentagons
   expect_sphere(test_meshes::bipyramid(7), PN::Loop_scheme());
-  expect_sphere(named_shapes::tetrahedron(), PN::Tuned_Loop_scheme());
+  expect_sphere(named_shapes::tetrahedron(), PN::Loop_scheme::Tuned());
 }
 
 // \name The limits of refined meshes
@@ -276,8 +276,8 @@ void expect_limits(const Surface_mesh& control, Surface_mesh& refined, const Sch
   test_options::Limit_options options;
   options.tolerance = 1e-10;
   PN::subdivide_to_limit(refined, scheme, PN::parameters::join(options.pack(), np_refined));
-  PN::Limit_surface surface(control, scheme, np);
-  surface.set_tolerance(tolerance);
+  const PN::Limit_surface surface(control, scheme,
+                                  PN::parameters::join(PN::parameters::tolerance(tolerance), np));
   std::vector<Location> places;
   for (Face f : control.faces()) {
     const std::size_t pieces = surface.number_of_pieces(f);
@@ -322,7 +322,7 @@ TEST(LimitSurface, LimitsOfRefinedQuads)
   expect_limits(named_shapes::cube(), PN::CatmullClark_scheme());
   expect_limits(named_shapes::prism(5), PN::CatmullClark_scheme());
   expect_limits(test_meshes::grid(3, 3, false, false, Cells::quads), PN::CatmullClark_scheme());
-  expect_limits(test_meshes::star(5, 2, Cells::quads), PN::Tuned_CatmullClark_scheme());
+  expect_limits(test_meshes::star(5, 2, Cells::quads), PN::CatmullClark_scheme::Tuned());
 }
 TEST(LimitSurface, LimitsOfRefinedTriangles)
 {
@@ -330,7 +330,7 @@ TEST(LimitSurface, LimitsOfRefinedTriangles)
   expect_limits(test_meshes::bipyramid(7), PN::Loop_scheme());
   expect_limits(test_meshes::grid(3, 3, false, false, Cells::triangles), PN::Loop_scheme());
   expect_limits(test_meshes::with_isolated_vertices(test_meshes::star(5, 2, Cells::triangles)),
-                PN::Tuned_Loop_scheme());
+                PN::Loop_scheme::Tuned());
 }
 TEST(LimitSurface, LimitsOfInterpolatingSchemes)
 {
@@ -356,8 +356,8 @@ void expect_derivatives_of_points(Control_mesh shape, const Scheme& scheme)
 {
   test_meshes::set_uneven_normals(shape, 5);
   Surface_mesh mesh = to_surface_mesh(shape);
-  PN::Limit_surface surface(mesh, scheme, params::vertex_normal_map(normal_map(mesh)));
-  surface.set_tolerance(1e-8);
+  const PN::Limit_surface surface(
+    mesh, scheme, PN::parameters::tolerance(5e-9).vertex_normal_map(normal_map(mesh)));
   constexpr double h = 1e-3;
   for (const auto& at :
        {std::array{0.2, 0.1}, std::array{0.7, 0.2}, std::array{0.1, 0.8}, std::array{0.3, 0.4}}) {
@@ -477,8 +477,9 @@ TEST(LimitSurface, WrongParametersAreRefused)
   EXPECT_THROW(surface.point(quad, nan, 0), std::invalid_argument);
   EXPECT_THROW(surface.point(quad, 0, nan), std::invalid_argument);
   EXPECT_THROW(surface.point(Face(99), 0, 0), std::invalid_argument);
-  EXPECT_THROW(surface.set_tolerance(-1), std::invalid_argument);
-  EXPECT_THROW(surface.set_normal_tolerance(nan), std::invalid_argument);
+  const auto with = [&](const auto& np) { PN::Limit_surface(mesh, PN::CatmullClark_scheme(), np); };
+  EXPECT_THROW(with(PN::parameters::tolerance(-1.)), std::invalid_argument);
+  EXPECT_THROW(with(PN::parameters::normal_tolerance(nan)), std::invalid_argument);
   EXPECT_THROW(PN::Limit_surface(mesh, PN::DooSabin_scheme()), std::invalid_argument);
   Surface_mesh triangles = to_surface_mesh(on_unit_sphere(named_shapes::tetrahedron()));
   EXPECT_THROW(PN::Limit_surface(triangles, PN::Sqrt3_scheme()), std::invalid_argument);

@@ -44,8 +44,8 @@ void expect_sphere(Control_mesh shape, const Scheme& scheme)
   shape.normals.clear();
   for (auto& p : shape.points) shape.normals.push_back(p = test_meshes::unit(p));
   Surface_mesh mesh = to_surface_mesh(shape);
-  PN::Limit_surface surface(mesh, scheme, params::vertex_normal_map(normal_map(mesh)));
-  surface.set_tolerance(1e-5);
+  const PN::Limit_surface surface(
+    mesh, scheme, PN::parameters::tolerance(5e-6).vertex_normal_map(normal_map(mesh)));
   const Queries queries(surface);
   EXPECT_LT(queries.distance_from_triangles(), 0.1);
   for (const Vector& d : directions())
@@ -90,7 +90,7 @@ TEST(LimitSurfaceQueries, NoPointIsCloser)
   PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()));
   const PN::Limit_surface_queries queries(surface);
   constexpr int n = 30;
-  std::vector<PN::Limit_surface_location<Surface_mesh::Face_index>> places;
+  std::vector<PN::Limit_surface<Surface_mesh>::Location> places;
   for (auto f : mesh.faces())
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= n; ++j) places.push_back({f, double(i) / n, double(j) / n});

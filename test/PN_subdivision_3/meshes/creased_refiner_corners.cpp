@@ -55,11 +55,11 @@ TEST(Refiner_with_normals_of_corners, FollowsPointsAndNormals)
   ASSERT_TRUE(v.is_valid());
   run(edited, Of_corners(), [&](Case& c, const auto& scheme, const auto& np) {
     PN::Surface_refiner refiner(c.mesh, scheme, np);
-    refiner.set_point(v.idx(), moved);
-    refiner.set_normal(outer.idx(), turned);
+    refiner.set_point(v, moved);
+    refiner.set_normal(outer, turned);
     EXPECT_LT(refiner.update().size(), refiner.number_of_vertices());
     try {
-      refiner.set_normal(v.idx(), turned);
+      refiner.set_normal(v, turned);
       ADD_FAILURE() << "which of the normals?";
     } catch (const std::invalid_argument& e) {
       EXPECT_NE(std::string(e.what()).find("given by its corners"), std::string::npos) << e.what();
@@ -108,7 +108,7 @@ TEST(Refiner_with_attributes, OnSeveralThreads)
   const auto np = params::number_of_iterations(5); // some chunks of vertices
   Carrying<Mesh> control(mesh_cases::mixed_with_border()), plain(mesh_cases::mixed_with_border());
   Carrying<Mesh> built;
-  const PN::Surface_refiner<PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> refiner(
+  const PN::Surface_refiner<Mesh, PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> refiner(
     control.mesh, scheme,
     PN::parameters::join(PN::parameters::attributes(control.attributes()), np));
   refiner.build_mesh(built.mesh, PN::parameters::attributes(built.attributes()));
@@ -136,12 +136,12 @@ TEST(Refiner_with_attributes, ThatAreOthersAreRefused)
                  std::invalid_argument);
     EXPECT_TRUE(built.mesh.is_empty());
   };
-  const auto vertices = PN::vertex_attribute(built.of_vertices);
-  const auto corners = PN::corner_attribute(built.of_corners);
-  const auto edges = PN::edge_attribute(built.of_edges);
+  const auto vertices = PN::parameters::vertex_attribute(built.of_vertices);
+  const auto corners = PN::parameters::corner_attribute(built.of_corners);
+  const auto edges = PN::parameters::edge_attribute(built.of_edges);
   expect_refusal(test_options::attributes(vertices, corners, edges));
-  expect_refusal(
-    test_options::attributes(corners, vertices, edges, PN::face_attribute(built.of_faces)));
+  expect_refusal(test_options::attributes(corners, vertices, edges,
+                                          PN::parameters::face_attribute(built.of_faces)));
   expect_refusal(test_options::attributes(vertices, corners, edges, vertices));
   PN::Attribute_table table;
   expect_refusal(table);

@@ -97,9 +97,9 @@ void reject(Mesh& mesh)
   PN::Any_scheme<>(PN::linear(PN::Loop_scheme()));
   // expected: make an Any_scheme of the scheme that is adapted, and adapt it
 
-  PN::limit_points(mesh, PN::Grid_CatmullClark_scheme(),
+  PN::limit_points(mesh, PN::CatmullClark_scheme::Grid(),
                    mesh.add_property_map<Vertex, PN::Limit_point<Kernel>>("of grids").first);
-  // expected: Grid_CatmullClark_scheme is a scheme of subdivide() only
+  // expected: CatmullClark_scheme::Grid is a scheme of subdivide() only
 
   PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
   // expected: the map of creases is no property map of the mesh's edges
@@ -132,7 +132,7 @@ void reject(Mesh& mesh)
   PN::estimate_control_normals(mesh, points);
   // expected: the values of the normal map are not Vector_3
 
-  PN::subdivide(mesh, PN::with_normal_scheme(PN::Transfer_Loop_scheme(), PN::Loop_scheme()));
+  PN::subdivide(mesh, PN::with_normal_scheme(PN::Loop_scheme::Transfer(), PN::Loop_scheme()));
   // expected: a scheme that transfers curvature refines points and normals together
 
   PN::subdivide(mesh, PN::with_normal_scheme(
@@ -177,7 +177,8 @@ void reject(Mesh& mesh)
   PN::CatmullClark_subdivision(mesh, params::visitor(Wrong_round()));
   // expected: void round_done(unsigned round, std::size_t number_of_faces)
 
-  PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(PN::face_attribute(creases)));
+  PN::subdivide(mesh, PN::Loop_scheme(),
+                PN::parameters::attributes(PN::parameters::face_attribute(creases)));
   // expected: the map of an attribute is no property map of the
 
   const PN::Attribute_table table;
@@ -194,9 +195,9 @@ void reject(Mesh& mesh)
   PN::Surface_refiner(mesh, PN::Loop_scheme(), PN::parameters::attributes(3));
   // expected: the map of an attribute is no property map of the
 
-  PN::subdivide_to_limit(
-    mesh, PN::Loop_scheme(),
-    PN::parameters::attributes(PN::face_attribute(creases), PN::face_attribute(creases)));
+  PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
+                         PN::parameters::attributes(PN::parameters::face_attribute(creases),
+                                                    PN::parameters::face_attribute(creases)));
   // expected: the map of an attribute is no property map of the
 
   PN::Surface_refiner(mesh, PN::CatmullClark_scheme(),

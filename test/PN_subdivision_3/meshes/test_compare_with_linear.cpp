@@ -356,7 +356,7 @@ TEST(Compare_with_linear, TangentsThatAreGivenAreTaken)
   refine(linear, PN::linear(scheme));
   auto map = result.add_property_map<Mesh::Halfedge_index, Vector_3>("h:t").first;
   refine(result, PN::internal::with_crease_tangents(scheme, map));
-  const auto expected = PN::compare_results_with_linear(control, result, linear);
+  const auto expected = PN::compare_with_linear(control, result, linear);
   EXPECT_NEAR(given.volume_ratio, expected.volume_ratio, 1e-12);
   EXPECT_NEAR(given.largest_distance, expected.largest_distance, 1e-12);
   EXPECT_GT(
@@ -472,12 +472,12 @@ TEST(Compare_with_linear, FoldsOfRoofs)
         {180, 1, 1}}) {
     SCOPED_TRACE(degrees);
     const Mesh mesh = roof(degrees), flat = roof(0);
-    const auto c = PN::compare_results_with_linear(flat, mesh, flat);
+    const auto c = PN::compare_with_linear(flat, mesh, flat);
     EXPECT_EQ(c.folded_edges, beyond_90);
     EXPECT_EQ(c.sharply_folded_edges, beyond_150);
     EXPECT_EQ(c.linear_folded_edges, 0u);
     EXPECT_EQ(c.turning_edges, 0u);
-    const auto d = PN::compare_results_with_linear(mesh, flat, mesh);
+    const auto d = PN::compare_with_linear(mesh, flat, mesh);
     EXPECT_EQ(d.folded_edges, 0u);
     EXPECT_EQ(d.linear_folded_edges, beyond_90);
     EXPECT_EQ(d.linear_sharply_folded_edges, beyond_150);
@@ -519,7 +519,7 @@ TEST(Compare_with_linear, FacesWithoutAreaAreLeftOut)
       };
       const Mesh mesh = make_mesh({at(0, 0), at(1, 0), at(1. / 3, 0), at(.5, 1), at(.5, -1)},
                                   {{0, 1, 2}, {0, 4, 1}, {2, 1, 3}, {0, 2, 3}});
-      const auto c = PN::compare_results_with_linear(mesh, mesh, mesh);
+      const auto c = PN::compare_with_linear(mesh, mesh, mesh);
       EXPECT_EQ(c.folded_edges, 0u);
     }
   }
@@ -540,10 +540,10 @@ TEST(Compare_with_linear, EdgesThatTurnAndAreNotSharp)
   sharpness[Mesh::Edge_index(5)] = 3;
   const auto np = CGAL::parameters::number_of_iterations(1).edge_is_constrained_map(sharpness);
   EXPECT_EQ(PN::compare_with_linear(mesh, scheme, np).turning_edges, 10u);
-  EXPECT_EQ(PN::compare_results_with_linear(mesh, mesh, mesh,
-                                            CGAL::parameters::edge_is_constrained_map(sharpness))
-              .turning_edges,
-            10u);
+  EXPECT_EQ(
+    PN::compare_with_linear(mesh, mesh, mesh, CGAL::parameters::edge_is_constrained_map(sharpness))
+      .turning_edges,
+    10u);
   EXPECT_EQ(sharpness[Mesh::Edge_index(5)], 3);
 }
 
@@ -554,8 +554,8 @@ TEST(Compare_with_linear, SwollenIsFartherFromTheVolumeThanLinear)
 {
   const Mesh control = cube();
   const auto is_swollen = [&](double result, double linear) {
-    const auto c = PN::compare_results_with_linear(control, transformed(control, std::cbrt(result)),
-                                                   transformed(control, std::cbrt(linear)));
+    const auto c = PN::compare_with_linear(control, transformed(control, std::cbrt(result)),
+                                           transformed(control, std::cbrt(linear)));
     EXPECT_NEAR(c.volume_ratio, result, 1e-14 * std::abs(result));
     EXPECT_NEAR(c.linear_volume_ratio, linear, 1e-14 * std::abs(linear));
     return c.is_swollen();
@@ -656,7 +656,7 @@ TEST(Compare_with_linear, TakesWhatSubdivideTakes)
     mesh, scheme,
     CGAL::parameters::number_of_iterations(3).vertex_normal_map(normals).edge_is_constrained_map(
       sharp));
-  const auto d = PN::compare_results_with_linear(control, mesh, linear);
+  const auto d = PN::compare_with_linear(control, mesh, linear);
   EXPECT_EQ(c.largest_distance, d.largest_distance);
   EXPECT_EQ(c.farthest_vertex, d.farthest_vertex);
   EXPECT_EQ(c.folded_edges, d.folded_edges);
@@ -717,11 +717,11 @@ TEST(Compare_with_linear, RoundnessOfAllVertices)
 TEST(Compare_with_linear, RefusesWhatCannotBeCompared)
 {
   const Mesh a = cube(), b = refined(a, PN::CatmullClark_scheme(), 1);
-  EXPECT_THROW(PN::compare_results_with_linear(a, a, b), std::invalid_argument);
+  EXPECT_THROW(PN::compare_with_linear(a, a, b), std::invalid_argument);
   EXPECT_THROW(compare(a, PN::Loop_scheme(), 1), std::invalid_argument); // quads
   Mesh bad = a;
   bad.point(Mesh::Vertex_index(3)) = Point_3(0, std::nan(""), 0);
   EXPECT_THROW(compare(bad, PN::CatmullClark_scheme(), 1), std::invalid_argument);
-  EXPECT_THROW(PN::compare_results_with_linear(a, a, bad), std::invalid_argument);
+  EXPECT_THROW(PN::compare_with_linear(a, a, bad), std::invalid_argument);
   EXPECT_THROW(compare(a, PN::CatmullClark_scheme(), 40), std::length_error);
 }

@@ -53,7 +53,7 @@ TEST(Creased_refiner, BordersThatAreCreases)
   for (const PN::Border border :
        {PN::Border::surface, PN::Border::curve, PN::Border::corners, PN::Border::fixed})
     expect_creases_as_subdivide(triangles(),
-                                PN::internal::with_border(PN::Tuned_Loop_scheme(), border), 3);
+                                PN::internal::with_border(PN::Loop_scheme::Tuned(), border), 3);
 }
 
 // What is far from the change is left alone, though creases are evaluated everywhere.
@@ -68,13 +68,13 @@ TEST(Creased_refiner, ReachesNoMoreThanWithoutCreases)
   PN::Surface_refiner creased(mesh, PN::CatmullClark_scheme(), np.edge_is_constrained_map(sharp));
   PN::Surface_refiner smooth(mesh, PN::CatmullClark_scheme(), np);
   EXPECT_TRUE(creased.update().empty());
-  creased.set_point(3 * 17 + 3, Point(3, 3, 1));
-  smooth.set_point(3 * 17 + 3, Point(3, 3, 1));
+  creased.set_point(Vertex(3 * 17 + 3), Point(3, 3, 1));
+  smooth.set_point(Vertex(3 * 17 + 3), Point(3, 3, 1));
   EXPECT_EQ(creased.update(), smooth.update()); // no crease is near
   EXPECT_GT(creased.memory(), smooth.memory());
 
   // a point beyond the crease is not reached by one on this side
-  creased.set_point(6 * 17 + 8, Point(8, 6, 1));
+  creased.set_point(Vertex(6 * 17 + 8), Point(8, 6, 1));
   for (const auto v : creased.update()) EXPECT_LE(creased.points()[v].y(), 8.);
 }
 
@@ -87,7 +87,7 @@ TEST(Creased_refiner, RefusesTheNormalOfAVertexThatHasSeveral)
                               params::number_of_iterations(2).edge_is_constrained_map(sharp));
   const auto before = refiner.points();
   try {
-    refiner.set_normal(3, Vector(0, 0, 1));
+    refiner.set_normal(Vertex(3), Vector(0, 0, 1));
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("control vertex 3"), std::string::npos) << e.what();
@@ -96,7 +96,7 @@ TEST(Creased_refiner, RefusesTheNormalOfAVertexThatHasSeveral)
   EXPECT_EQ(refiner.points(), before);
   // the mean of the normals of three faces
   const Point corner = mesh.point(Vertex(3));
-  EXPECT_GT(refiner.control_normal(3) * (corner - CGAL::ORIGIN), 1.7);
+  EXPECT_GT(refiner.control_normal(Vertex(3)) * (corner - CGAL::ORIGIN), 1.7);
 
   EXPECT_THROW(
     PN::Surface_refiner(mesh, PN::DooSabin_scheme(), params::edge_is_constrained_map(sharp)),
@@ -130,9 +130,9 @@ void expect_numbers_as_subdivide(const Scheme& scheme, const Is_same& is_same)
   for (Vertex v : mesh.vertices())
     normals[v] = typename K::Vector_3(0.25 * (v.idx() % 3), 0.125, 1);
   const auto refine = [&](const auto& np) {
-    PN::Surface_refiner<Scheme, K, Concurrency_tag> refiner(mesh, scheme, np);
+    PN::Surface_refiner<decltype(mesh), Scheme, K, Concurrency_tag> refiner(mesh, scheme, np);
     const typename K::Point_3 moved = mesh.point(Vertex(0)) + typename K::Vector_3(0, 0.125, 0.25);
-    refiner.set_point(0, moved);
+    refiner.set_point(Vertex(0), moved);
     EXPECT_FALSE(refiner.update().empty());
     mesh.point(Vertex(0)) = moved;
     PN::subdivide<Concurrency_tag>(mesh, scheme, np);

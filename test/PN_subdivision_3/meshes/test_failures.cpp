@@ -258,9 +258,9 @@ TYPED_TEST(Strong_guarantee_of_features, WhatIsCarriedToTheLimit)
     PN::subdivide_to_limit(
       t.mesh, PN::Loop_scheme(),
       PN::parameters::join(
-        PN::parameters::attributes(PN::vertex_attribute(failing(t.corners)),
-                                   PN::edge_attribute(failing(t.sharp)),
-                                   PN::corner_attribute(failing(t.corner_normals))),
+        PN::parameters::attributes(PN::parameters::vertex_attribute(failing(t.corners)),
+                                   PN::parameters::edge_attribute(failing(t.sharp)),
+                                   PN::parameters::corner_attribute(failing(t.corner_normals))),
         options.pack(), params::vertex_normal_map(failing(t.normals))));
   };
   EXPECT_GE(fail_everywhere<TypeParam>(tetrahedron(), job, true), 4 + 6 + 12);

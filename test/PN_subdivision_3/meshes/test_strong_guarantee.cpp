@@ -349,10 +349,10 @@ long fail_with_attributes()
       }
     const std::string failure = failure_of([&] {
       const auto np = params::number_of_iterations(2).vertex_normal_map(n);
-      const auto attributes =
-        test_options::attributes(PN::vertex_attribute(t), PN::corner_attribute(u),
-                                 PN::corner_attribute(v, PN::Corner_rule::linear),
-                                 PN::face_attribute(id), PN::edge_attribute(mark));
+      const auto attributes = test_options::attributes(
+        PN::parameters::vertex_attribute(t), PN::parameters::corner_attribute(u),
+        PN::parameters::corner_attribute(v, PN::Corner_rule::linear),
+        PN::parameters::face_attribute(id), PN::parameters::edge_attribute(mark));
       const Allocation_limit limit(k);
       PN::subdivide(mesh, PN::CatmullClark_scheme(),
                     PN::parameters::join(PN::parameters::attributes(attributes), np));

@@ -51,7 +51,7 @@ TEST(Surface_refiner, NormalsByAnotherScheme)
 }
 TEST(Surface_refiner, ModifiedScheme)
 {
-  expect_as_subdivide(triangles(), PN::Tuned_Loop_scheme(), 3);
+  expect_as_subdivide(triangles(), PN::Loop_scheme::Tuned(), 3);
 }
 
 TEST(Surface_refiner, LinearScheme)
@@ -63,7 +63,7 @@ TEST(Surface_refiner, LinearScheme)
   Mesh quads;
   build(cube(), quads, quads.points());
   PN::Surface_refiner refiner(quads, scheme, params::number_of_iterations(3));
-  refiner.set_point(3, Point(-1, 1.5, -2));
+  refiner.set_point(Vertex(3), Point(-1, 1.5, -2));
   const auto changed = refiner.update();
   quads.point(Vertex(3)) = Point(-1, 1.5, -2);
   PN::subdivide(quads, scheme, params::number_of_iterations(3));
@@ -102,7 +102,7 @@ TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
   build(mixed_with_border(), mesh, mesh.points());
   PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(), params::number_of_iterations(2));
   mesh.point(Vertex(2)) = Point(1.2, 1, 0.7);
-  refiner.set_point(2, mesh.point(Vertex(2)));
+  refiner.set_point(Vertex(2), mesh.point(Vertex(2)));
   refiner.update();
   Mesh refined = mesh;
   PN::CatmullClark_subdivision(refined, params::number_of_iterations(2));
@@ -111,10 +111,10 @@ TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
   // a normal that is set stays, also when its neighbors' are estimated again; normals that are given have roundness 1
   PN::Surface_refiner round(mesh, PN::CatmullClark_scheme(),
                             PN::parameters::roundness(1).number_of_iterations(2));
-  round.set_normal(2, Vector(0, 0, 2));
-  round.set_point(1, Point(1, 0, 1));
+  round.set_normal(Vertex(2), Vector(0, 0, 2));
+  round.set_point(Vertex(1), Point(1, 0, 1));
   round.update();
-  EXPECT_EQ(round.control_normal(2), Vector(0, 0, 1));
+  EXPECT_EQ(round.control_normal(Vertex(2)), Vector(0, 0, 1));
   auto normals = mesh.add_property_map<Vertex, Vector>("n").first;
   mesh.point(Vertex(1)) = Point(1, 0, 1);
   for (Vertex v : mesh.vertices()) normals[v] = round.control_normal(v);
@@ -130,7 +130,7 @@ TEST(Surface_refiner, NoRoundsNoFacesNoVertices)
   PN::Surface_refiner control(mesh, PN::Loop_scheme(),
                               params::number_of_iterations(0).vertex_normal_map(normals));
   EXPECT_EQ(control.number_of_faces(), 4u);
-  control.set_normal(2, Vector(0, 3, 0));
+  control.set_normal(Vertex(2), Vector(0, 3, 0));
   EXPECT_EQ(control.update(), std::vector<std::uint32_t>{2});
   EXPECT_EQ(control.normals()[2], Vector(0, 1, 0));
   EXPECT_EQ(control.points()[2], mesh.point(Vertex(2)));
@@ -140,7 +140,7 @@ TEST(Surface_refiner, NoRoundsNoFacesNoVertices)
   lonely.add_vertex(Point(1, 2, 3));
   PN::Surface_refiner point(lonely, PN::CatmullClark_scheme(), params::number_of_iterations(9));
   EXPECT_EQ(point.points(), std::vector<Point>{Point(1, 2, 3)});
-  point.set_point(0, Point(4, 5, 6));
+  point.set_point(Vertex(0), Point(4, 5, 6));
   point.update();
   EXPECT_EQ(point.points(), std::vector<Point>{Point(4, 5, 6)});
 
@@ -189,13 +189,89 @@ TEST(Surface_refiner, NumbersVerticesAsTheMeshEnumeratesThem)
   ASSERT_TRUE(mesh.has_garbage());
   PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme());
   ASSERT_EQ(refiner.number_of_control_vertices(), 9u);
-  EXPECT_EQ(refiner.control_point(8), Point(0, 0, 10));
+  EXPECT_EQ(refiner.control_point(Vertex(9)), Point(0, 0, 10));
+  EXPECT_THROW(refiner.control_point(extra), std::out_of_range);
 
   CGAL::Polyhedron_3<Kernel> polyhedron;
   build(cube(), polyhedron, get(CGAL::vertex_point, polyhedron));
   PN::Surface_refiner of_polyhedron(polyhedron, PN::CatmullClark_scheme());
-  std::size_t i = 0;
-  for (auto v : vertices(polyhedron)) EXPECT_EQ(of_polyhedron.control_point(i++), v->point());
+  for (auto v : vertices(polyhedron)) EXPECT_EQ(of_polyhedron.control_point(v), v->point());
+}
+
+TEST(Surface_refiner, TakesAMapOfIndices)
+{
+  Mesh mesh;
+  build(cube(), mesh, mesh.points());
+  auto indices = mesh.add_property_map<Vertex, int>("i").first;
+  for (Vertex v : mesh.vertices()) indices[v] = 100 - 2 * int(v.idx());
+  const PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
+                                    params::vertex_index_map(indices));
+  for (Vertex v : mesh.vertices()) EXPECT_EQ(refiner.control_point(v), mesh.point(v));
+  for (const int wrong : {98, -1}) {
+    indices[Vertex(0)] = wrong;
+    EXPECT_THROW(
+      PN::Surface_refiner(mesh, PN::CatmullClark_scheme(), params::vertex_index_map(indices)),
+      std::invalid_argument);
+  }
+}
+
+TEST(Surface_refiner, IsMadeEmptyAndAssignedTo)
+{
+  PN::Surface_refiner<Mesh, PN::CatmullClark_scheme> refiner;
+  EXPECT_EQ(refiner.number_of_control_vertices() + refiner.number_of_vertices() +
+              refiner.number_of_faces() + refiner.memory() + refiner.update().size(),
+            0u);
+  EXPECT_THROW(refiner.control_point(Vertex(0)), std::out_of_range);
+  EXPECT_THROW(refiner.set_point(Vertex(0), Point(0, 0, 0)), std::out_of_range);
+  Mesh built;
+  refiner.build_mesh(built);
+  EXPECT_TRUE(built.is_empty());
+
+  refiner = PN::Surface_refiner(grid(3), PN::CatmullClark_scheme());
+  EXPECT_EQ(refiner.number_of_faces(), 36u);
+}
+
+// as a mesh that is built anew, for a mesh with tables and one without
+template <class Built>
+void expect_updated_as_built()
+{
+  Mesh mesh = grid(5);
+  const auto normals = add_normals(mesh);
+  PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
+                              params::number_of_iterations(2).vertex_normal_map(normals));
+  Built updated, anew;
+  refiner.build_mesh(updated);
+  refiner.set_point(Vertex(7), Point(0.5, 0.25, 2));
+  EXPECT_LT(refiner.update().size(), refiner.number_of_vertices());
+  refiner.update_mesh(updated);
+  refiner.build_mesh(anew);
+  const auto points = [](Built& m) {
+    std::vector<Point> result;
+    for (auto v : vertices(m)) result.push_back(get(get(CGAL::vertex_point, m), v));
+    return result;
+  };
+  EXPECT_EQ(points(updated), points(anew));
+  EXPECT_EQ(points(anew), refiner.points());
+  Built other;
+  EXPECT_THROW(refiner.update_mesh(other), std::invalid_argument);
+}
+
+TEST(Surface_refiner, PutsWhatHasChangedIntoTheMesh)
+{
+  expect_updated_as_built<Mesh>();
+  expect_updated_as_built<CGAL::Polyhedron_3<Kernel>>();
+
+  Mesh mesh = grid(5);
+  auto normals = add_normals(mesh);
+  PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
+                              params::number_of_iterations(1).vertex_normal_map(normals));
+  Mesh built;
+  auto built_normals = built.add_property_map<Vertex, Vector>("n").first;
+  refiner.build_mesh(built, params::vertex_normal_map(built_normals));
+  refiner.set_normal(Vertex(9), Vector(1, 0, 0));
+  refiner.update();
+  refiner.update_mesh(built, params::vertex_normal_map(built_normals));
+  for (Vertex v : built.vertices()) EXPECT_EQ(built_normals[v], refiner.normals()[v]);
 }
 
 TEST(Surface_refiner, RefusesAndGoesOn)
@@ -205,23 +281,23 @@ TEST(Surface_refiner, RefusesAndGoesOn)
   PN::Surface_refiner refiner(mesh, PN::CatmullClark_scheme(),
                               params::number_of_iterations(2).vertex_normal_map(normals));
   const auto before = refiner.points();
-  EXPECT_THROW(refiner.set_point(25, Point(0, 0, 0)), std::out_of_range);
-  EXPECT_THROW(refiner.set_normal(25, Vector(0, 0, 1)), std::out_of_range);
-  EXPECT_THROW(refiner.control_point(25), std::out_of_range);
+  EXPECT_THROW(refiner.set_point(Vertex(25), Point(0, 0, 0)), std::out_of_range);
+  EXPECT_THROW(refiner.set_normal(Vertex(25), Vector(0, 0, 1)), std::out_of_range);
+  EXPECT_THROW(refiner.control_point(Vertex(25)), std::out_of_range);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(refiner.set_point(0, Point(nan, 0, 0)), std::invalid_argument);
-  EXPECT_THROW(refiner.set_normal(0, Vector(0, nan, 0)), std::invalid_argument);
+  EXPECT_THROW(refiner.set_point(Vertex(0), Point(nan, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(refiner.set_normal(Vertex(0), Vector(0, nan, 0)), std::invalid_argument);
   EXPECT_TRUE(refiner.update().empty());
   EXPECT_EQ(refiner.points(), before);
 
-  const Point p = refiner.control_point(12);
+  const Point p = refiner.control_point(Vertex(12));
   const double large = std::numeric_limits<double>::max();
-  refiner.set_point(12, Point(large, large, large));
-  refiner.set_point(13, Point(-large, large, -large));
+  refiner.set_point(Vertex(12), Point(large, large, large));
+  refiner.set_point(Vertex(13), Point(-large, large, -large));
   EXPECT_THROW(refiner.update(), std::overflow_error);
   EXPECT_THROW(refiner.update(), std::overflow_error); // still
-  refiner.set_point(12, p);
-  refiner.set_point(13, mesh.point(Vertex(13)));
+  refiner.set_point(Vertex(12), p);
+  refiner.set_point(Vertex(13), mesh.point(Vertex(13)));
   refiner.update();
   EXPECT_EQ(refiner.points(), before);
 
@@ -239,7 +315,7 @@ TEST(Surface_refiner, MovesAndStatesItsMemory)
   EXPECT_GE(at_first, refiner.number_of_vertices() * (sizeof(Point) + sizeof(Vector)));
   auto moved = std::move(refiner);
   mesh.clear();
-  moved.set_normal(40, Vector(0.3, 0, 1));
+  moved.set_normal(Vertex(40), Vector(0.3, 0, 1));
   EXPECT_FALSE(moved.update().empty());
   EXPECT_GT(moved.memory(), at_first);
 }
@@ -252,7 +328,7 @@ TEST(Surface_refiner, ExactNumbers)
   build(cube(), mesh, mesh.points());
   // the linear scheme needs no roots
   PN::Surface_refiner refiner(mesh, PN::linear(PN::CatmullClark_scheme()));
-  refiner.set_point(0, Exact::Point_3(-3, -1, -1));
+  refiner.set_point(Vertex(0), Exact::Point_3(-3, -1, -1));
   refiner.update();
   // (Q + 2 R + 0 p) / 3 with the mean Q of three centroids and R of three midpoints
   const FT centroids = (FT(-1) / 2 - FT(1) / 2 - FT(3) / 2) / 3, midpoints = FT(-1 - 2 - 2) / 3;
@@ -275,7 +351,7 @@ TEST(Surface_refiner, IntervalsThatDoNotDecide)
 
   // whether the mean normal vanishes is not decided, and can be afterwards
   const Interval any(-1, 1);
-  for (std::size_t v = 0; v < 8; ++v) refiner.set_normal(v, Intervals::Vector_3(any, any, 2));
+  for (Vertex v : mesh.vertices()) refiner.set_normal(v, Intervals::Vector_3(any, any, 2));
   EXPECT_THROW(refiner.update(), std::domain_error);
   for (auto v : mesh.vertices()) refiner.set_normal(v, normals[v]);
   EXPECT_EQ(refiner.update().size(), refiner.number_of_vertices());
@@ -290,12 +366,12 @@ TEST(Surface_refiner, SeveralThreadsGiveTheSameBits)
   auto normals = add_normals(mesh);
   const auto np = params::number_of_iterations(3).vertex_normal_map(normals);
   PN::Surface_refiner one(mesh, PN::CatmullClark_scheme(), np);
-  PN::Surface_refiner<PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> several(
+  PN::Surface_refiner<Mesh, PN::CatmullClark_scheme, Kernel, CGAL::Parallel_tag> several(
     mesh, PN::CatmullClark_scheme(), np);
   EXPECT_EQ(one.points(), several.points());
-  for (std::size_t v = 100; v < 250; ++v) {
-    one.set_normal(v, Vector(0.1, std::sin(double(v)), 1));
-    several.set_normal(v, Vector(0.1, std::sin(double(v)), 1));
+  for (unsigned v = 100; v < 250; ++v) {
+    one.set_normal(Vertex(v), Vector(0.1, std::sin(double(v)), 1));
+    several.set_normal(Vertex(v), Vector(0.1, std::sin(double(v)), 1));
   }
   EXPECT_EQ(one.update(), several.update());
   EXPECT_LT(one.update().size(), one.number_of_vertices());

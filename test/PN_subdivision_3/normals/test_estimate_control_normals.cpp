@@ -460,11 +460,11 @@ TEST(Estimate_control_normals, AdaptorsOfSchemesNest)
   const PN::CatmullClark_scheme catmull_clark;
   constexpr auto angle = Control_normal_estimate::angle,
                  reciprocal = Control_normal_estimate::reciprocal;
-  const auto both_masks = PN::with_normal_scheme(catmull_clark, PN::Tuned_CatmullClark_scheme());
+  const auto both_masks = PN::with_normal_scheme(catmull_clark, PN::CatmullClark_scheme::Tuned());
   expect_estimate(both_masks, Control_normal_estimate::coherent);
   expect_estimate(PN::internal::with_normal_estimate(both_masks, angle), angle);
   expect_estimate(PN::with_normal_scheme(PN::internal::with_normal_estimate(catmull_clark, angle),
-                                         PN::Tuned_CatmullClark_scheme()),
+                                         PN::CatmullClark_scheme::Tuned()),
                   angle);
   expect_estimate(
     PN::with_normal_scheme(PN::internal::with_normal_estimate(catmull_clark, reciprocal),

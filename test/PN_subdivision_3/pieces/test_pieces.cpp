@@ -93,7 +93,7 @@ TEST(Pieces, OfLinearSchemes)
   expect(PN::CatmullClark_scheme(), Kind::polygons);
   expect(PN::DooSabin_scheme(), Kind::polygons);
   expect(PN::Sqrt3_scheme(), Kind::triangles);
-  expect(PN::Tuned_Loop_scheme(), Kind::triangles);
+  expect(PN::Loop_scheme::Tuned(), Kind::triangles);
 }
 
 TEST(Pieces, InFloat)
@@ -111,7 +111,7 @@ TEST(Pieces, WithNormalsOfAnotherScheme)
 {
   for (const Control_mesh& control : random_controls(Kind::triangles, 4))
     expect_as_subdivide<double>(
-      control, PN::with_normal_scheme(PN::Loop_scheme(), PN::Tuned_Loop_scheme()), 4, {2, 7});
+      control, PN::with_normal_scheme(PN::Loop_scheme(), PN::Loop_scheme::Tuned()), 4, {2, 7});
 }
 
 TEST(Pieces, ThatDoNotExistAreRefused)

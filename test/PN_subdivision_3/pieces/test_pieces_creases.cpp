@@ -247,16 +247,16 @@ TEST(Pieces_creases, Loop)
 }
 TEST(Pieces_creases, ModifiedCatmullClark)
 {
-  expect_as_subdivide(Any(PN::Tuned_CatmullClark_scheme()), Kind::polygons, 3);
+  expect_as_subdivide(Any(PN::CatmullClark_scheme::Tuned()), Kind::polygons, 3);
 }
 TEST(Pieces_creases, ModifiedLoop)
 {
-  expect_as_subdivide(Any(PN::Tuned_Loop_scheme()), Kind::triangles, 3);
+  expect_as_subdivide(Any(PN::Loop_scheme::Tuned()), Kind::triangles, 3);
 }
 TEST(Pieces_creases, TransferredCurvature)
 {
-  expect_as_subdivide(Any(PN::Transfer_CatmullClark_scheme()), Kind::polygons, 2);
-  expect_as_subdivide(Any(PN::Transfer_Loop_scheme()), Kind::triangles, 2);
+  expect_as_subdivide(Any(PN::CatmullClark_scheme::Transfer()), Kind::polygons, 2);
+  expect_as_subdivide(Any(PN::Loop_scheme::Transfer()), Kind::triangles, 2);
 }
 
 TEST(Pieces_creases, GivenTangents)
@@ -294,10 +294,11 @@ TEST(Pieces_creases, AreReadOnly)
   const Creased control = random_creased(Kind::polygons, 3), copy(control);
   const auto scheme =
     PN::internal::with_crease_tangents(PN::CatmullClark_scheme(), control.tangents);
-  PN::for_each_piece(
-    control.mesh, scheme, [](const auto& piece) { EXPECT_GT(piece.number_of_faces(), 0u); },
+  const PN::Surface_pieces pieces(
+    control.mesh, scheme,
     PN::parameters::join(PN::parameters::number_of_pieces(3),
                          control.parameters(2).vertex_normal_map(control.of_corners)));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GT(pieces.piece(i).number_of_faces(), 0u);
   for (const Edge e : copy.mesh.edges()) EXPECT_EQ(control.sharp[e], copy.sharp[e]);
   for (const Vertex v : copy.mesh.vertices()) EXPECT_EQ(control.corners[v], copy.corners[v]);
   for (const Halfedge h : copy.mesh.halfedges()) {

@@ -15,6 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -255,6 +256,24 @@ Vec side_of(const Part& part, std::size_t face)
 
 } // namespace
 
+TEST(Recognize_meshes, apexes_of_cones_are_corners)
+{
+  Mesh mesh;
+  CGAL::make_pyramid(12, mesh, Kernel::Point_3(0, 0, 0), 2., 1., true);
+  const auto patches = mesh.add_property_map<Mesh::Face_index, int>("f:p").first;
+  const auto creases = mesh.add_property_map<Mesh::Edge_index, bool>("e:c").first;
+  const auto corners = mesh.add_property_map<Mesh::Vertex_index, bool>("v:c", true).first;
+  const auto surfaces = PN::recognize_surfaces(mesh, patches);
+  ASSERT_EQ(surfaces.size(), 2u);
+  EXPECT_EQ(PN::surface_creases(mesh, patches, surfaces, creases,
+                                CGAL::parameters::vertex_is_constrained_map(corners)),
+            12u);
+  std::size_t number = 0;
+  for (const auto v : mesh.vertices()) number += corners[v];
+  EXPECT_EQ(number, 1u);
+  for (const auto v : mesh.vertices()) EXPECT_EQ(corners[v], mesh.degree(v) == 12) << v;
+}
+
 TEST(Recognize_meshes, corner_normals)
 {
   Random random(42);
@@ -266,7 +285,9 @@ TEST(Recognize_meshes, corner_normals)
     const auto patches = mesh.add_property_map<Mesh::Face_index, int>("f:p").first;
     const auto normals = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:n").first;
     const auto surfaces = PN::recognize_surfaces(mesh, patches);
-    PN::surface_corner_normals(mesh, patches, surfaces, normals);
+    const auto creases = mesh.add_property_map<Mesh::Edge_index, bool>("e:c").first;
+    PN::surface_creases(mesh, patches, surfaces, creases,
+                        CGAL::parameters::vertex_normal_map(normals));
     for (const auto f : mesh.faces())
       for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
         const True_surface& s = part.surfaces[part.surface_of_face[f]];

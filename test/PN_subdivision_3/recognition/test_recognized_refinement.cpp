@@ -33,11 +33,10 @@ Deviations refined(const Part& part, const Scheme& scheme)
   const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:s", false).first;
   const auto normals = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:n").first;
   const auto surfaces = PN::recognize_surfaces(mesh, patches);
-  PN::surface_creases(mesh, patches, surfaces, sharp);
-  PN::surface_corner_normals(mesh, patches, surfaces, normals);
+  PN::surface_creases(mesh, patches, surfaces, sharp, CGAL::parameters::vertex_normal_map(normals));
   for (const auto f : mesh.faces()) truth[f] = static_cast<int>(part.surface_of_face[f]);
   PN::subdivide(mesh, scheme,
-                PN::parameters::attributes(PN::face_attribute(truth))
+                PN::parameters::attributes(PN::parameters::face_attribute(truth))
                   .number_of_iterations(2)
                   .edge_is_constrained_map(sharp)
                   .vertex_normal_map(normals));

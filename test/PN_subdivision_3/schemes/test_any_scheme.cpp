@@ -144,7 +144,7 @@ TEST(Any_scheme, Creases)
   };
   expect_same(PN::CatmullClark_scheme(), subdivide);
   expect_same(PN::Loop_scheme(), subdivide);
-  expect_same(PN::Transfer_CatmullClark_scheme(), subdivide);
+  expect_same(PN::CatmullClark_scheme::Transfer(), subdivide);
 }
 
 TEST(Any_scheme, TwoSchemes)
@@ -161,7 +161,7 @@ TEST(Any_scheme, TwoSchemes)
       });
     };
     const PN::CatmullClark_scheme points;
-    const PN::Tuned_CatmullClark_scheme normals;
+    const PN::CatmullClark_scheme::Tuned normals;
     const Outcome expected = with(points, normals);
     EXPECT_TRUE(expected.message.empty()) << expected.message;
     EXPECT_EQ(with(PN::Any_scheme<>(points), PN::Any_scheme<>(normals)), expected);
@@ -179,8 +179,8 @@ TEST(Any_scheme, Limits)
     for (const auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + normals[v];
   };
   expect_same(PN::CatmullClark_scheme(), to_limit);
-  expect_same(PN::Tuned_Loop_scheme(1., 2, PN::Tuned_valences::all), to_limit);
-  expect_same(PN::Transfer_CatmullClark_scheme(), to_limit);
+  expect_same(PN::Loop_scheme::Tuned(1., 2, PN::Tuned_valences::all), to_limit);
+  expect_same(PN::CatmullClark_scheme::Transfer(), to_limit);
   expect_same(PN::Butterfly_scheme(), to_limit);
   expect_same(PN::Kobbelt_scheme(), to_limit);
   expect_same(PN::Sqrt3_scheme(), to_limit);
@@ -200,9 +200,9 @@ TEST(Any_scheme, LimitsOfFaces)
 TEST(Any_scheme, Refiner)
 {
   const auto refine = [](Mesh& mesh, const auto& s, const auto& normals) {
-    PN::Surface_refiner<std::decay_t<decltype(s)>, Kernel> refiner(
-      mesh, s, params::number_of_iterations(2).vertex_normal_map(normals));
-    refiner.set_point(0, Kernel::Point_3(1, 2, 3));
+    PN::Surface_refiner refiner(mesh, s,
+                                params::number_of_iterations(2).vertex_normal_map(normals));
+    refiner.set_point(Mesh::Vertex_index(0), Kernel::Point_3(1, 2, 3));
     refiner.update();
     for (const auto& p : refiner.points()) mesh.add_vertex(p);
   };
@@ -222,10 +222,10 @@ TEST(Any_scheme, Pieces)
     }
     EXPECT_THROW(pieces.piece(0, PN::internal::ghost_rings(PN::Loop_scheme()) + 7),
                  std::invalid_argument);
-    EXPECT_GT(PN::memory_of_pieces<Kernel>(s, {4, 6, 4, 12}, 3, 3), 0);
+    EXPECT_GT(pieces.memory(s, {4, 6, 4, 12}, 3, 3), 0);
   };
   expect_same(PN::CatmullClark_scheme(), refine);
-  expect_same(PN::Transfer_Loop_scheme(), refine);
+  expect_same(PN::Loop_scheme::Transfer(), refine);
   expect_same(PN::DooSabin_scheme(), refine);
   expect_same(PN::Sqrt3_scheme(), refine);
 }
@@ -253,17 +253,19 @@ TEST(Any_scheme, PiecesOfTwoSchemes)
 TEST(Any_scheme, Interpolation)
 {
   const auto interpolate = [](Mesh& mesh, const auto& s, const auto& normals) {
-    PN::natural_normals(mesh, s, normals);
-    PN::interpolate_limit_points(mesh, s, params::vertex_normal_map(normals));
+    PN::interpolate_limit_points(
+      mesh, s,
+      PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural)
+        .vertex_normal_map(normals));
   };
   expect_same(PN::Loop_scheme(), interpolate);
-  expect_same(PN::Tuned_CatmullClark_scheme(), interpolate);
+  expect_same(PN::CatmullClark_scheme::Tuned(), interpolate);
 }
 
 TEST(Any_scheme, Numbers)
 {
-  const PN::Tuned_CatmullClark_scheme scheme(PN::Scheme_parameter(1, 3), 2u,
-                                             PN::Tuned_valences::all);
+  const PN::CatmullClark_scheme::Tuned scheme(PN::Scheme_parameter(1, 3), 2u,
+                                              PN::Tuned_valences::all);
   const PN::Any_scheme<> any(scheme);
   for (const unsigned valence : {3u, 5u, 8u}) {
     const auto a = PN::extraordinary_eigenvalues(scheme, valence);
@@ -322,7 +324,7 @@ TEST(Any_scheme, ByName)
   EXPECT_EQ(refined(PN::any_scheme("kobbelt", {{"tension", 1. / 20}})),
             refined(PN::Kobbelt_scheme(1. / 20)));
   EXPECT_EQ(refined(PN::any_scheme("modified-catmull-clark", {{"cap", 0.3}, {"first-round", 2.}})),
-            refined(PN::Tuned_CatmullClark_scheme(0.3, 2u, PN::Tuned_valences::all)));
+            refined(PN::CatmullClark_scheme::Tuned(0.3, 2u, PN::Tuned_valences::all)));
 }
 
 namespace {
@@ -374,7 +376,7 @@ TEST(Any_scheme, RefusedCalls)
     EXPECT_EQ(numbers<double>(mesh), before);
   };
   const PN::Any_scheme<> quads{PN::CatmullClark_scheme()}, triangles{PN::Loop_scheme()},
-    dual{PN::DooSabin_scheme()}, transferring{PN::Transfer_CatmullClark_scheme()},
+    dual{PN::DooSabin_scheme()}, transferring{PN::CatmullClark_scheme::Transfer()},
     without_creases{PN::Kobbelt_scheme()};
   refused([&](Mesh& m) { PN::subdivide(m, triangles); }, {"triangles"});
   refused([&](Mesh& m) { PN::subdivide(m, PN::with_normal_scheme(quads, triangles)); },
@@ -385,8 +387,7 @@ TEST(Any_scheme, RefusedCalls)
   refused(
     [&](Mesh& m) { PN::subdivide_to_limit(m, dual, CGAL::parameters::number_of_iterations(0)); },
     {"doo-sabin", "faces"});
-  refused([&](Mesh& m) { PN::Surface_refiner<PN::Any_scheme<>, Kernel>(m, transferring); },
-          {"transfers curvature"});
+  refused([&](Mesh& m) { PN::Surface_refiner(m, transferring); }, {"transfers curvature"});
   refused([&](Mesh& m) { PN::interpolate_limit_points(m, PN::linear(dual)); }, {"doo-sabin"});
   refused(
     [&](Mesh& m) {

@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Grid_CatmullClark_scheme: tori and parallels are exact, grids are those of an implementation by two indices, and irregular
+// CatmullClark_scheme::Grid: tori and parallels are exact, grids are those of an implementation by two indices, and irregular
 // vertices have the rules of Catmull-Clark.
 
 #include "reference/Grid_lines.h"
@@ -72,8 +72,8 @@ Mesh grid(int n, int m, bool closed_n, bool closed_m, const Shape& shape)
 
 void refine(Mesh& mesh, unsigned rounds)
 {
-  PN::Grid_CatmullClark_subdivision(
-    mesh, np::number_of_iterations(rounds).vertex_normal_map(normals_of(mesh)));
+  PN::subdivide(mesh, PN::CatmullClark_scheme::Grid(),
+                np::number_of_iterations(rounds).vertex_normal_map(normals_of(mesh)));
 }
 
 struct Torus
@@ -328,15 +328,15 @@ TEST(Grid_scheme, LeavesCornersAndIsLinearWithoutRoundness)
   refine(mesh, 2);
   for (const unsigned corner : {0u, 4u, 15u, 19u})
     EXPECT_EQ(mesh.point(Vertex(corner)), flat.point(Vertex(corner)));
-  PN::subdivide(linear, PN::linear(PN::Grid_CatmullClark_scheme()), np::number_of_iterations(2));
-  PN::Grid_CatmullClark_subdivision(
-    flat,
+  PN::subdivide(linear, PN::linear(PN::CatmullClark_scheme::Grid()), np::number_of_iterations(2));
+  PN::subdivide(
+    flat, PN::CatmullClark_scheme::Grid(),
     PN::parameters::roundness(0.).number_of_iterations(2).vertex_normal_map(normals_of(flat)));
   Mesh once = half, once_linear = half;
   refine(once, 1);
-  PN::subdivide(once_linear, PN::linear(PN::Grid_CatmullClark_scheme()));
-  PN::Grid_CatmullClark_subdivision(
-    half, PN::parameters::roundness(.5).vertex_normal_map(normals_of(half)));
+  PN::subdivide(once_linear, PN::linear(PN::CatmullClark_scheme::Grid()));
+  PN::subdivide(half, PN::CatmullClark_scheme::Grid(),
+                PN::parameters::roundness(.5).vertex_normal_map(normals_of(half)));
   for (const Vertex v : flat.vertices())
     EXPECT_LE(CGAL::squared_distance(flat.point(v), linear.point(v)), 1e-28);
   for (const Vertex v : half.vertices())
@@ -389,16 +389,19 @@ TEST(Grid_scheme, TakesOtherMeshesAndNumbers)
   Exact_mesh exact;
   CGAL::copy_face_graph(control, exact);
   const PN::Control_normal_estimate estimate = PN::Control_normal_estimate::angle;
-  PN::Grid_CatmullClark_subdivision(mesh, PN::parameters::control_normal_estimate(estimate));
-  PN::Grid_CatmullClark_subdivision(polyhedron, PN::parameters::control_normal_estimate(estimate));
-  PN::Grid_CatmullClark_subdivision(exact, PN::parameters::control_normal_estimate(estimate));
+  PN::subdivide(mesh, PN::CatmullClark_scheme::Grid(),
+                PN::parameters::control_normal_estimate(estimate));
+  PN::subdivide(polyhedron, PN::CatmullClark_scheme::Grid(),
+                PN::parameters::control_normal_estimate(estimate));
+  PN::subdivide(exact, PN::CatmullClark_scheme::Grid(),
+                PN::parameters::control_normal_estimate(estimate));
   expect_same_points(mesh, polyhedron, 1e-14, [](const auto& v) { return v->point(); });
   expect_same_points(mesh, exact, 1e-13, [&](const auto& v) { return exact.point(v); });
   Mesh nothing;
-  PN::Grid_CatmullClark_subdivision(nothing);
+  PN::subdivide(nothing, PN::CatmullClark_scheme::Grid());
   EXPECT_EQ(nothing.number_of_vertices(), 0u);
   const Vertex lonely = nothing.add_vertex(Point(1, 2, 3));
-  PN::Grid_CatmullClark_subdivision(nothing);
+  PN::subdivide(nothing, PN::CatmullClark_scheme::Grid());
   EXPECT_EQ(nothing.point(lonely), Point(1, 2, 3));
 }
 
@@ -406,7 +409,7 @@ TEST(Grid_scheme, RefusesWhatItHasNoRulesFor)
 {
   const auto message = [](Mesh& mesh, const auto& parameters) {
     try {
-      PN::Grid_CatmullClark_subdivision(mesh, parameters);
+      PN::subdivide(mesh, PN::CatmullClark_scheme::Grid(), parameters);
     } catch (const std::invalid_argument& e) {
       return std::string(e.what());
     }

@@ -167,10 +167,11 @@ TEST(High_valence, WeightsAreThoseOfTheRule)
     const PN::Level_connectivity level = level_of(disk(n));
     for (const double cap : {1., 0.5, 0.37, 0.05}) {
       SCOPED_TRACE(std::to_string(n) + ' ' + std::to_string(cap));
-      expect_rule(PN::Tuned_Loop_scheme(cap).mask<double>(level, 1), level,
+      expect_rule(PN::Loop_scheme::Tuned(cap).mask<double>(level, 1), level,
                   Rule(n, Real(cap), false));
     }
-    expect_rule(PN::Transfer_Loop_scheme().mask<double>(level, 1), level, Rule(n, Real(0.5), true));
+    expect_rule(PN::Loop_scheme::Transfer().mask<double>(level, 1), level,
+                Rule(n, Real(0.5), true));
   }
 }
 
@@ -178,7 +179,7 @@ TEST(High_valence, WeightsAreThoseOfTheRule)
 TEST(High_valence, RowsBeginWithTheirOwnNeighbor)
 {
   const PN::Level_connectivity level = level_of(disk(130));
-  const auto mask = PN::Tuned_Loop_scheme().mask<double>(level, 1);
+  const auto mask = PN::Loop_scheme::Tuned().mask<double>(level, 1);
   Index edges = 0;
   for (Index h = 0; h < level.number_of_halfedges(); ++h) {
     if (level.target(h) != 0) continue;
@@ -208,7 +209,7 @@ TEST(High_valence, PointsAreAveragesOfRows)
     old.push_back({{p.x(), p.y(), p.z()}, {normals[v].x(), normals[v].y(), normals[v].z()}});
   }
   const PN::Level_connectivity level = level_of(mesh);
-  const auto mask = PN::Tuned_Loop_scheme().mask<double>(level, 1);
+  const auto mask = PN::Loop_scheme::Tuned().mask<double>(level, 1);
   std::vector<Average::Value> expected;
   const auto add = [&](const auto& write) {
     const Row entries = row_of(write);
@@ -216,7 +217,7 @@ TEST(High_valence, PointsAreAveragesOfRows)
   };
   for (Index v = 0; v < level.number_of_vertices(); ++v) add([&](auto& s) { mask.vertex(v, s); });
   for (Index e = 0; e < level.number_of_edges(); ++e) add([&](auto& s) { mask.edge(e, s); });
-  PN::subdivide(mesh, PN::Tuned_Loop_scheme(),
+  PN::subdivide(mesh, PN::Loop_scheme::Tuned(),
                 CGAL::parameters::number_of_iterations(1).vertex_normal_map(normals));
   ASSERT_EQ(mesh.number_of_vertices(), expected.size());
   for (const auto v : mesh.vertices())

@@ -231,7 +231,7 @@ TEST(Modified_CatmullClark, SeparatesVerticesAlsoFromThoseLeftAlone)
   const Surface_mesh mesh = to_surface_mesh(control);
   EXPECT_EQ(
     PN::subdivision_matrix(mesh, PN::CatmullClark_scheme()).toDense(),
-    PN::subdivision_matrix(mesh, PN::Tuned_CatmullClark_scheme::of_the_paper(), 2).toDense());
+    PN::subdivision_matrix(mesh, PN::CatmullClark_scheme::Tuned::of_the_paper(), 2).toDense());
 }
 
 // --- transfer of curvature on meshes with creases ---
@@ -257,9 +257,9 @@ TEST(Transfer_of_curvature, IsTheSameBesideCreases)
                         .vertex_normal_map(normal_map(mesh))
                         .edge_is_constrained_map(sharp);
       if (quads)
-        PN::subdivide(mesh, PN::Transfer_CatmullClark_scheme(), np);
+        PN::subdivide(mesh, PN::CatmullClark_scheme::Transfer(), np);
       else
-        PN::subdivide(mesh, PN::Transfer_Loop_scheme(), np);
+        PN::subdivide(mesh, PN::Loop_scheme::Transfer(), np);
       return result_of(mesh).values;
     };
     const auto plain = refined(false, 2, false), beside = refined(true, 2, false),
@@ -313,10 +313,10 @@ TYPED_TEST(Modified_scheme, EqualsTheReferenceAtHighValences)
 // No eigenvalue of Loop's matrix exceeds the bound for valence 5 and cap 1.
 TEST(Modified_Loop, IsTheUnmodifiedOneIfTheCapBindsNothing)
 {
-  EXPECT_LE(largest(ring_matrix<Triangles>(5, PN::Tuned_Loop_scheme(1)) -
+  EXPECT_LE(largest(ring_matrix<Triangles>(5, PN::Loop_scheme::Tuned(1)) -
                     ring_matrix<Triangles>(5, PN::Loop_scheme())),
             2e-16);
-  EXPECT_GT(largest(ring_matrix<Triangles>(5, PN::Tuned_Loop_scheme(0.99)) -
+  EXPECT_GT(largest(ring_matrix<Triangles>(5, PN::Loop_scheme::Tuned(0.99)) -
                     ring_matrix<Triangles>(5, PN::Loop_scheme())),
             1e-4);
 }
@@ -324,7 +324,7 @@ TEST(Modified_Loop, IsTheUnmodifiedOneIfTheCapBindsNothing)
 // Printed values, ten digits.
 TEST(Modified_CatmullClark, HasTheKnownRowsForValence5)
 {
-  const Matrix m = ring_matrix<Quads>(5, PN::Tuned_CatmullClark_scheme());
+  const Matrix m = ring_matrix<Quads>(5, PN::CatmullClark_scheme::Tuned());
   const double expected[3][11] = {
     {0.5722399175, 0.0696454244, 0.0696454244, 0.0696454244, 0.0696454244, 0.0696454244,
      0.0159065921, 0.0159065921, 0.0159065921, 0.0159065921, 0.0159065921},
@@ -341,7 +341,7 @@ TEST(Modified_CatmullClark, HasTheKnownRowsForValence5)
 
 TEST(Modified_Loop, HasTheKnownRowsForValence7)
 {
-  const Matrix m = ring_matrix<Triangles>(7, PN::Tuned_Loop_scheme());
+  const Matrix m = ring_matrix<Triangles>(7, PN::Loop_scheme::Tuned());
   const double expected[8] = {0.4485786311,  0.3109739125,  0.1281114780, 0.0338514585,
                               -0.0417392082, -0.0417392082, 0.0338514585, 0.1281114780};
   EXPECT_NEAR(double(m(0, 0)), 0.5894914104, 6e-11);
@@ -358,10 +358,10 @@ TEST(Modified_Loop, HasExactRationalRowsForValences3And4)
 {
   using Q = CGAL::Gmpq;
   using Rows = std::vector<std::vector<Q>>;
-  const Rows three = ring_of<Q, Triangles>(3, PN::Tuned_Loop_scheme());
+  const Rows three = ring_of<Q, Triangles>(3, PN::Loop_scheme::Tuned());
   EXPECT_EQ(three[0], (std::vector<Q>{Q(7, 16), Q(3, 16), Q(3, 16), Q(3, 16)}));
   EXPECT_EQ(three[1], (std::vector<Q>{Q(3, 8), Q(13, 24), Q(1, 24), Q(1, 24)}));
-  const Rows four = ring_of<Q, Triangles>(4, PN::Tuned_Loop_scheme());
+  const Rows four = ring_of<Q, Triangles>(4, PN::Loop_scheme::Tuned());
   const Q neighbor = Q(31, 64) * Q(56, 55) / Q(4);
   EXPECT_EQ(four[0],
             (std::vector<Q>{Q(1) - Q(4) * neighbor, neighbor, neighbor, neighbor, neighbor}));
@@ -376,11 +376,11 @@ TEST(Modified_CatmullClark, HasAnExactRationalMeanForValence3)
 {
   using Q = CGAL::Gmpq;
   for (double cap : {0.5, 0.1}) {
-    const auto rows = ring_of<Q, Quads>(3, PN::Tuned_CatmullClark_scheme(cap));
+    const auto rows = ring_of<Q, Quads>(3, PN::CatmullClark_scheme::Tuned(cap));
     const Q sixth(1, 6), own = (Q(6) + Q(cap)) / Q(16), outer = (Q(1, 2) - own) / Q(3);
     EXPECT_EQ(rows[0], (std::vector<Q>{own, sixth, sixth, sixth, outer, outer, outer})) << cap;
   }
-  const auto rows = ring_of<Q, Quads>(3, PN::Tuned_CatmullClark_scheme());
+  const auto rows = ring_of<Q, Quads>(3, PN::CatmullClark_scheme::Tuned());
   for (std::size_t i : {1u, 2u, 3u})
     EXPECT_LE(std::abs(CGAL::to_double(rows[i][0] - Q(3, 8))), 1e-16);
   for (std::size_t i : {4u, 5u, 6u})
@@ -523,17 +523,17 @@ TEST(Modified_schemes, RefuseACapOutsideOfZeroToOne)
 {
   for (double cap : {0., -0.5, 1.0001, std::numeric_limits<double>::quiet_NaN(),
                      std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW(PN::Tuned_CatmullClark_scheme{cap}, std::invalid_argument) << cap;
-    EXPECT_THROW(PN::Tuned_Loop_scheme{cap}, std::invalid_argument) << cap;
+    EXPECT_THROW(PN::CatmullClark_scheme::Tuned{cap}, std::invalid_argument) << cap;
+    EXPECT_THROW(PN::Loop_scheme::Tuned{cap}, std::invalid_argument) << cap;
   }
   try {
-    PN::Tuned_Loop_scheme scheme(2);
+    PN::Loop_scheme::Tuned scheme(2);
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("cap"), std::string::npos) << e.what();
   }
-  EXPECT_NO_THROW(PN::Tuned_Loop_scheme(1));
-  EXPECT_NO_THROW(PN::Tuned_CatmullClark_scheme(1e-300));
+  EXPECT_NO_THROW(PN::Loop_scheme::Tuned(1));
+  EXPECT_NO_THROW(PN::CatmullClark_scheme::Tuned(1e-300));
 }
 
 } // namespace

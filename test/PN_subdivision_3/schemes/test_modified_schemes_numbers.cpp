@@ -189,8 +189,8 @@ TEST(Irrational_weights, AreTheNearestDoubles)
       ASSERT_EQ(PN::cosine_weight<float>(k, n), static_cast<float>(nearest)) << k << " of " << n;
     }
   for (int n : {5, 7, 12, 30, 39, 49, 53, 58}) {
-    const auto rows = ring_of<double, Triangles>(n, PN::Tuned_Loop_scheme());
-    const auto exact = ring_of<Big, Triangles>(n, PN::Tuned_Loop_scheme());
+    const auto rows = ring_of<double, Triangles>(n, PN::Loop_scheme::Tuned());
+    const auto exact = ring_of<Big, Triangles>(n, PN::Loop_scheme::Tuned());
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t j = 1; j < rows.size(); ++j) // the center has the rest
         EXPECT_EQ(rows[i][j], exact[i][j].convert_to<double>()) << n << ": " << i << ", " << j;

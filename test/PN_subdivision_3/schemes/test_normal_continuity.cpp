@@ -224,7 +224,7 @@ TEST(Normal_continuity, CatmullClark)
 }
 TEST(Normal_continuity, ModifiedCatmullClark)
 {
-  expect_normals_to_converge(PN::Tuned_CatmullClark_scheme(), 4);
+  expect_normals_to_converge(PN::CatmullClark_scheme::Tuned(), 4);
 }
 TEST(Normal_continuity, Kobbelt)
 {
@@ -240,7 +240,7 @@ TEST(Normal_continuity, Loop)
 }
 TEST(Normal_continuity, ModifiedLoop)
 {
-  expect_normals_to_converge(PN::Tuned_Loop_scheme(), 3);
+  expect_normals_to_converge(PN::Loop_scheme::Tuned(), 3);
 }
 TEST(Normal_continuity, Butterfly)
 {

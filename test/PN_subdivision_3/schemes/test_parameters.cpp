@@ -136,14 +136,13 @@ TEST(Own_parameters, BorderCountsInAllFunctions)
             }),
             expected);
   std::size_t faces = 0;
-  PN::for_each_piece(
-    bowl(), scheme,
-    [&](const auto& piece) {
-      faces += piece.number_of_faces();
-      for (std::size_t v = 0; v < piece.points().size(); ++v)
-        EXPECT_EQ(piece.points()[v], expected[piece.vertex_number(v)]);
-    },
-    fixed.number_of_pieces(2));
+  const PN::Surface_pieces pieces(bowl(), scheme, fixed.number_of_pieces(2));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto piece = pieces.piece(i);
+    faces += piece.number_of_faces();
+    for (std::size_t v = 0; v < piece.points().size(); ++v)
+      EXPECT_EQ(piece.points()[v], expected[piece.vertex_number(v)]);
+  }
   EXPECT_EQ(faces, 36u);
 
   Mesh at_limit = bowl();
@@ -203,7 +202,8 @@ TEST(Own_parameters, AttributesInAChainAreTheUsers)
   EXPECT_EQ(table.vertices[0].values, std::vector<double>(mesh.number_of_vertices(), 7));
   const std::size_t level_1 = mesh.number_of_vertices();
   for (const auto v : mesh.vertices()) weight[v] = 3;
-  PN::subdivide(mesh, scheme, of_call::roundness(.5).attributes(PN::vertex_attribute(weight)));
+  PN::subdivide(mesh, scheme,
+                of_call::roundness(.5).attributes(PN::parameters::vertex_attribute(weight)));
   ASSERT_GT(mesh.number_of_vertices(), level_1);
   for (const auto v : mesh.vertices()) EXPECT_EQ(weight[v], 3);
 }
@@ -237,11 +237,11 @@ TEST(Own_parameters, VariantsArePartOfTheFunctions)
   const auto catmull_clark = [](const auto& np) {
     return [np](Mesh& mesh) { PN::CatmullClark_subdivision(mesh, np.number_of_iterations(3)); };
   };
-  expect_variant<PN::Tuned_Loop_scheme>(loop(of_call::tuned(true)));
-  expect_variant<PN::Transfer_Loop_scheme>(loop(of_call::curvature_transfer(true)));
+  expect_variant<PN::Loop_scheme::Tuned>(loop(of_call::tuned(true)));
+  expect_variant<PN::Loop_scheme::Transfer>(loop(of_call::curvature_transfer(true)));
   expect_variant<PN::Loop_scheme>(loop(of_call::tuned(false).curvature_transfer(false)));
-  expect_variant<PN::Tuned_CatmullClark_scheme>(catmull_clark(of_call::tuned(true)));
-  expect_variant<PN::Transfer_CatmullClark_scheme>(
+  expect_variant<PN::CatmullClark_scheme::Tuned>(catmull_clark(of_call::tuned(true)));
+  expect_variant<PN::CatmullClark_scheme::Transfer>(
     catmull_clark(of_call::tuned(true).curvature_transfer(true)));
   expect_variant<PN::CatmullClark_scheme>(catmull_clark(of_call::tuned(false)));
 }

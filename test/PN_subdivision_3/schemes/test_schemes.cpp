@@ -67,7 +67,7 @@ TYPED_TEST(Scheme, PnEqualsMaskInCgalHost)
       for (unsigned rounds = 1; rounds <= 2; ++rounds) {
         Surface_mesh ours = to_surface_mesh(control), cgal = ours;
         refine<TypeParam>(ours, rounds);
-        const auto map = CGAL::PN_subdivision_3::make_point_normal_map(
+        const auto map = CGAL::PN_subdivision_3::Zipped_point_normal_map(
           get(CGAL::vertex_point, cgal), normal_map(cgal));
         TypeParam::Cgal::host(cgal, TypeParam::Cgal::mask(cgal, map),
                               CGAL::parameters::vertex_point_map(map).number_of_iterations(rounds));
@@ -96,8 +96,8 @@ TYPED_TEST(Scheme, AgreesWithCgalOnMeshFiles)
         CGAL::PN_subdivision_3::estimate_control_normals(mesh, normal_map(mesh));
       Surface_mesh ours = mesh, cgal = mesh;
       refine<TypeParam>(ours, 1);
-      const auto map = CGAL::PN_subdivision_3::make_point_normal_map(get(CGAL::vertex_point, cgal),
-                                                                     normal_map(cgal));
+      const auto map = CGAL::PN_subdivision_3::Zipped_point_normal_map(
+        get(CGAL::vertex_point, cgal), normal_map(cgal));
       TypeParam::Cgal::host(cgal, TypeParam::Cgal::mask(cgal, map),
                             CGAL::parameters::vertex_point_map(map));
       EXPECT_TRUE(is_within(difference(result_of(ours), result_of(cgal)), 1e-12)) << file;

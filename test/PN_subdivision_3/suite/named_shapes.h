@@ -299,7 +299,7 @@ TYPED_TEST_P(Named_shapes, EqualPnMasksInHostsOfCgal)
         return; // two edges with the same ends
       Surface_mesh ours = to_surface_mesh(control), cgal = ours;
       subdivide<TypeParam>(ours, normal_map(ours), n, 1);
-      const auto map = PN::make_point_normal_map(get(CGAL::vertex_point, cgal), normal_map(cgal));
+      const auto map = PN::Zipped_point_normal_map(get(CGAL::vertex_point, cgal), normal_map(cgal));
       TypeParam::Cgal::host(cgal, TypeParam::Cgal::mask(cgal, map), np::vertex_point_map(map));
       const Result a = result_of(ours), b = result_of(cgal);
       // the vertices of primal schemes are in the same order

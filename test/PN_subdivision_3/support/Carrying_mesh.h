@@ -52,9 +52,10 @@ struct Carrying
   }
   auto attributes() const
   {
-    return test_options::attributes(PN::vertex_attribute(of_vertices),
-                                    PN::corner_attribute(of_corners, PN::Corner_rule::linear),
-                                    PN::edge_attribute(of_edges), PN::face_attribute(of_faces));
+    return test_options::attributes(
+      PN::parameters::vertex_attribute(of_vertices),
+      PN::parameters::corner_attribute(of_corners, PN::Corner_rule::linear),
+      PN::parameters::edge_attribute(of_edges), PN::parameters::face_attribute(of_faces));
   }
   std::vector<Number> carried() const
   {

@@ -166,7 +166,7 @@ Interpolated interpolated(const Control_mesh& control, const Scheme& scheme,
 inline Options strict()
 {
   Options options;
-  options.mode = PN::Limit_interpolation_mode::strict;
+  options.mode = PN::Limit_interpolation::Mode::strict;
   return options;
 }
 

@@ -22,7 +22,7 @@ namespace interpolation_cases {
 namespace PN = CGAL::PN_subdivision_3;
 using limit_cases::Limits;
 using Options = test_options::Limit_interpolation_options<>;
-using Report = PN::Limit_interpolation_report;
+using Report = PN::Limit_interpolation;
 using Chosen = Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>;
 
 // wrong ways to interpolate, which are to fail

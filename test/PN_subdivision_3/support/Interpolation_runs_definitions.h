@@ -74,7 +74,10 @@ Report Further_interpolation_runs<Scheme>::in_parallel(Surface_mesh& mesh, const
 template <class Scheme>
 void Further_interpolation_runs<Scheme>::natural_normals(Surface_mesh& mesh, const Scheme& scheme)
 {
-  PN::natural_normals(mesh, scheme, normal_map(mesh));
+  PN::interpolate_limit_points(
+    mesh, scheme,
+    PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural)
+      .vertex_normal_map(normal_map(mesh)));
 }
 
 } // namespace interpolation_cases

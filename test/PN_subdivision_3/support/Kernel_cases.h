@@ -14,6 +14,7 @@
 #include "Curve_cases.h"
 #include "Scheme_runs.h"
 
+#include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 
 namespace kernel_cases {

@@ -26,7 +26,7 @@ using test_meshes::star;
 // neighbors, then (quads) the vertices between them.
 struct Quads
 {
-  using Modified = PN::Tuned_CatmullClark_scheme;
+  using Modified = PN::CatmullClark_scheme::Tuned;
   using Description = Modified_CatmullClark_description;
   static constexpr Cells cells = Cells::quads;
   static constexpr int regular_valence = 4;
@@ -43,7 +43,7 @@ struct Quads
 
 struct Triangles
 {
-  using Modified = PN::Tuned_Loop_scheme;
+  using Modified = PN::Loop_scheme::Tuned;
   using Description = Modified_Loop_description;
   static constexpr Cells cells = Cells::triangles;
   static constexpr int regular_valence = 6;

@@ -151,7 +151,7 @@ struct Control
 
   auto point_normals()
   {
-    return CGAL::PN_subdivision_3::make_point_normal_map(get(CGAL::vertex_point, mesh), normals);
+    return CGAL::PN_subdivision_3::Zipped_point_normal_map(get(CGAL::vertex_point, mesh), normals);
   }
 
   std::vector<Point> points() const

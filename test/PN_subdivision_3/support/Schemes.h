@@ -142,7 +142,7 @@ struct Kobbelt_description : Scheme_description
 
 struct Modified_CatmullClark_description : Scheme_description
 {
-  static auto scheme() { return CGAL::PN_subdivision_3::Tuned_CatmullClark_scheme(); }
+  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme::Tuned(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
     return reference::modified_catmull_clark(mesh, reference::Real(1) / 2);
@@ -152,7 +152,7 @@ struct Modified_CatmullClark_description : Scheme_description
 struct Modified_Loop_description : Scheme_description
 {
   static constexpr std::size_t degree = 3;
-  static auto scheme() { return CGAL::PN_subdivision_3::Tuned_Loop_scheme(); }
+  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme::Tuned(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
     return reference::modified_loop(mesh, reference::Real(1) / 2);
@@ -163,7 +163,7 @@ struct Ct_CatmullClark_description : Scheme_description
 {
   static constexpr bool is_linear_for_equal_normals = false;
   static constexpr bool takes_intervals = false;
-  static auto scheme() { return CGAL::PN_subdivision_3::Transfer_CatmullClark_scheme(); }
+  static auto scheme() { return CGAL::PN_subdivision_3::CatmullClark_scheme::Transfer(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
     return reference::modified_catmull_clark(mesh, 0);
@@ -179,7 +179,7 @@ struct Ct_Loop_description : Scheme_description
   static constexpr std::size_t degree = 3;
   static constexpr bool is_linear_for_equal_normals = false;
   static constexpr bool takes_intervals = false;
-  static auto scheme() { return CGAL::PN_subdivision_3::Transfer_Loop_scheme(); }
+  static auto scheme() { return CGAL::PN_subdivision_3::Loop_scheme::Transfer(); }
   static reference::Refined refine(const reference::Face_list& mesh, unsigned /*round*/)
   {
     return reference::modified_loop(mesh, 0);

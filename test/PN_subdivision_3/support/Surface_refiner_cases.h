@@ -206,7 +206,7 @@ void expect_creases_as_subdivide(const Soup& soup, const Scheme& scheme, unsigne
                                  bool has_normals = true, unsigned seed = 1)
 {
   Creased control(soup, seed);
-  using Refiner = PN::Surface_refiner<Scheme, Kernel, Concurrency_tag>;
+  using Refiner = PN::Surface_refiner<Mesh, Scheme, Kernel, Concurrency_tag>;
   std::unique_ptr<Refiner> refiner;
   control.with_parameters(rounds, has_normals, [&](const auto& np) {
     refiner = std::make_unique<Refiner>(control.mesh, scheme, np);

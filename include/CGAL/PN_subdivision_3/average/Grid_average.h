@@ -267,7 +267,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Average
 
-The rule of `Grid_CatmullClark_scheme` for the rows of its mask that hold a grid; all others are averaged by
+The rule of `CatmullClark_scheme::Grid` for the rows of its mask that hold a grid; all others are averaged by
 `PN_average`.
 
 A grid line is a curve, and has a *curve normal* at each of its points: that of the circle through the point and its

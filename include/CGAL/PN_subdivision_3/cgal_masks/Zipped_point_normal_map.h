@@ -21,7 +21,7 @@ namespace PN_subdivision_3 {
 
 A vertex point map and a vertex normal map as one property map of (point, normal) pairs.
 Given to a function of `CGAL::Subdivision_method_3` as `vertex_point_map`, it lets CGAL's own hosts
-carry normals along. Made by `make_point_normal_map()`.
+carry normals along.
 
 \tparam VertexPointMap a model of `ReadWritePropertyMap` with value type `Kernel::Point_3`
 \tparam VertexNormalMap a model of `ReadWritePropertyMap` with the same key type and with value
@@ -69,18 +69,6 @@ private:
   VertexPointMap points_;
   VertexNormalMap normals_;
 };
-
-/*!
-\ingroup PkgPNSubdivision3Ref
-
-zips a vertex point map and a vertex normal map.
-*/
-template <class VertexPointMap, class VertexNormalMap>
-Zipped_point_normal_map<VertexPointMap, VertexNormalMap>
-make_point_normal_map(const VertexPointMap& points, const VertexNormalMap& normals)
-{
-  return {points, normals};
-}
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

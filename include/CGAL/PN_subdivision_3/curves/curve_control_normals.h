@@ -19,8 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -145,59 +147,28 @@ auto spherical_control_normals(const Range& polygon, const Point& center,
 
 /*!
 \ingroup PkgPNSubdivision3Curves
-returns the positions `first`, `first + k`, `first + 2k`, ... of a polygon's vertices.
-\throws std::invalid_argument if `k` is 0
+rotates control normals in the plane counterclockwise.
+
+\param polygon a range of pairs of `Point_2` and `Vector_2`
+\param angle the angle in radians; its sine and cosine are `double`
+\param positions the vertices whose normals are rotated
+\throws std::invalid_argument if there is no such vertex; nothing has been changed then
 */
 template <class Range>
-std::vector<std::size_t> take_every_kth_vertex(const Range& polygon, std::size_t k,
-                                               std::size_t first = 0)
-{
-  if (k == 0)
-    throw std::invalid_argument("PN_subdivision_3: every 0th vertex: give a step of 1 or more");
-  const auto size = static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon)));
-  std::vector<std::size_t> positions;
-  for (std::size_t i = first; i < size; i += (std::min)(k, size - i)) positions.push_back(i);
-  return positions;
-}
-
-namespace internal {
-
-// replaces the normals of a range of pairs at the given positions by f(normal)
-template <class Range, class Function>
-void replace_control_normals(Range& polygon, const std::vector<std::size_t>& positions,
-                             const Function& f)
+void rotate_control_normals(Range& polygon, double angle, const std::vector<std::size_t>& positions)
 {
   const auto size = static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon)));
   for (std::size_t i : positions)
     if (i >= size)
       throw std::invalid_argument("PN_subdivision_3: there is no vertex " + std::to_string(i) +
                                   " in a polygon of " + std::to_string(size));
-  for (std::size_t i : positions) {
-    auto& normal = std::next(std::begin(polygon), static_cast<std::ptrdiff_t>(i))->second;
-    normal = f(normal);
-  }
-}
-
-} // namespace internal
-
-/*!
-\ingroup PkgPNSubdivision3Curves
-rotates control normals in the plane counterclockwise.
-
-\param polygon a range of pairs of `Point_2` and `Vector_2`
-\param angle the angle in radians; its sine and cosine are `double`
-\param positions the vertices whose normals are rotated, see `take_every_kth_vertex()`
-\throws std::invalid_argument if there is no such vertex; nothing has been changed then
-*/
-template <class Range>
-void rotate_control_normals(Range& polygon, double angle, const std::vector<std::size_t>& positions)
-{
   const double c = std::cos(angle), s = std::sin(angle);
-  internal::replace_control_normals(polygon, positions, [c, s](const auto& n) {
+  for (std::size_t i : positions) {
+    auto& n = std::next(std::begin(polygon), static_cast<std::ptrdiff_t>(i))->second;
     using Vector = std::decay_t<decltype(n)>;
     using FT = std::decay_t<decltype(n.x())>;
-    return Vector(FT(c) * n.x() - FT(s) * n.y(), FT(s) * n.x() + FT(c) * n.y());
-  });
+    n = Vector(FT(c) * n.x() - FT(s) * n.y(), FT(s) * n.x() + FT(c) * n.y());
+  }
 }
 
 /// \ingroup PkgPNSubdivision3Curves
@@ -205,22 +176,10 @@ void rotate_control_normals(Range& polygon, double angle, const std::vector<std:
 template <class Range>
 void rotate_control_normals(Range& polygon, double angle)
 {
-  rotate_control_normals(polygon, angle, take_every_kth_vertex(polygon, 1));
-}
-
-/*!
-\ingroup PkgPNSubdivision3Curves
-drops control normals: makes them zero, "no control normal".
-
-\param polygon a range of pairs of points and vectors, in the plane or in space
-\param positions the vertices whose normals are dropped, see `take_every_kth_vertex()`
-\throws std::invalid_argument if there is no such vertex; nothing has been changed then
-*/
-template <class Range>
-void drop_control_normals(Range& polygon, const std::vector<std::size_t>& positions)
-{
-  internal::replace_control_normals(
-    polygon, positions, [](const auto& n) { return std::decay_t<decltype(n)>(CGAL::NULL_VECTOR); });
+  std::vector<std::size_t> all(
+    static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon))));
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  rotate_control_normals(polygon, angle, all);
 }
 
 } // namespace PN_subdivision_3

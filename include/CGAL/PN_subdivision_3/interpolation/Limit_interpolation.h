@@ -15,33 +15,31 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 
 /// \ingroup PkgPNSubdivision3Interpolation
-/// What interpolation makes of a vertex.
-enum class Limit_interpolation_mode {
-  /// the limit surface passes through the point; control normals are the given ones, and the control
-  /// point slides along them. The fairest, and exact on spheres and circular cylinders.
-  slide,
-  /// the limit point of each vertex is its point
-  strict
-};
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// Which control normals `Limit_interpolation_mode::strict` takes.
-enum class Limit_interpolation_normals {
-  given, ///< the given ones
-  solved ///< those of which the limit is the given ones, where they can be found
-};
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// What happens to the control points of vertices that are not interpolated.
-enum class Limit_interpolation_free {
-  fixed, ///< they stay
-  smooth ///< they move along, as smoothly as they can; for `Limit_interpolation_mode::strict`
-};
-
-/// \ingroup PkgPNSubdivision3Interpolation
-/// What interpolation has reached. Lengths are in the unit of the coordinates.
-struct Limit_interpolation_report
+/// What interpolation has reached, and how it can be asked for. Lengths are in the unit of the coordinates.
+struct Limit_interpolation
 {
+  /// What interpolation makes of a vertex.
+  enum class Mode {
+    /// the limit surface passes through the point; control normals are the given ones, and the control
+    /// point slides along them. The fairest, and exact on spheres and circular cylinders.
+    slide,
+    /// the limit point of each vertex is its point
+    strict
+  };
+
+  /// Which control normals interpolation takes.
+  enum class Normals {
+    given,  ///< the given ones
+    solved, ///< those of which the limit is the given ones, where they can be found
+    natural ///< those that the interpolating surface has at the points, whatever is given; in mode `slide`, too
+  };
+
+  /// What happens to the control points of vertices that are not interpolated.
+  enum class Free {
+    fixed, ///< they stay
+    smooth ///< they move along, as smoothly as they can; for `Mode::strict`
+  };
+
   /// the largest distance that remains: in mode `slide` between a point and the limit surface, along
   /// the normal; in mode `strict` between a point and its limit point.
   double residual = 0;

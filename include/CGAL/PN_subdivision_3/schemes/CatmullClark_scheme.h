@@ -201,6 +201,13 @@ Catmull-Clark subdivision: `CatmullClark_mask` on `PQQ_host`. Accepts any polygo
 */
 struct CatmullClark_scheme
 {
+  /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_CatmullClark_scheme.h`.
+  class Tuned;
+  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_CatmullClark_scheme.h`.
+  class Transfer;
+  /// by grid lines, in `schemes/Grid_CatmullClark_scheme.h`.
+  struct Grid;
+
   /// the host of the scheme.
   using Host = PQQ_host;
 

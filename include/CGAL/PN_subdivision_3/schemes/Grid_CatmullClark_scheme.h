@@ -200,7 +200,7 @@ With equal or absent normals the result is not that of the linear scheme, since 
 interpolation, tessellation and other schemes for the normals.
 \cgalModels{PNSubdivisionScheme_3}
 */
-struct Grid_CatmullClark_scheme
+struct CatmullClark_scheme::Grid
 {
   /// the host of the scheme.
   using Host = PQQ_host;

@@ -101,6 +101,11 @@ Loop subdivision: `Loop_mask` on `PTQ_host`. Accepts triangles only.
 */
 struct Loop_scheme
 {
+  /// with other eigenvalues at separated extraordinary vertices, in `schemes/Tuned_Loop_scheme.h`.
+  class Tuned;
+  /// with transfer of curvature at extraordinary vertices, in `schemes/Transfer_Loop_scheme.h`.
+  class Transfer;
+
   /// the host of the scheme.
   using Host = PTQ_host;
 

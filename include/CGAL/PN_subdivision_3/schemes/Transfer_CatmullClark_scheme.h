@@ -19,7 +19,7 @@ namespace PN_subdivision_3 {
 \ingroup PkgPNSubdivision3Schemes
 Catmull-Clark subdivision with transfer of curvature: the PN scheme keeps at extraordinary vertices the
 curvature that is in the control points, too, and not only that of the control normals, as
-`Tuned_CatmullClark_scheme` does.
+`CatmullClark_scheme::Tuned` does.
 
 <b>Weights.</b> Those of `Tuned_CatmullClark_mask` on `PQQ_host`, with other eigenvalues: the
 *quadratic* ones (the larger one of frequency 0 besides 1, and the larger one of frequencies 2 and n-2;
@@ -47,11 +47,11 @@ unit of the mesh but for rounding. `linear()` has the weights and no transfer, a
 `with_normal_scheme()` refuses it, since points and normals belong together.
 
 This is no scheme of the paper; neither is it better everywhere, see the manual. Accepts any polygons.
-<br><b>Cost:</b> of a round besides that of `Tuned_CatmullClark_scheme`: the rows of the 1-rings once more, and
+<br><b>Cost:</b> of a round besides that of `CatmullClark_scheme::Tuned`: the rows of the 1-rings once more, and
 linear in their size
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Transfer_CatmullClark_scheme
+class CatmullClark_scheme::Transfer
 {
 public:
   /// the host of the scheme.
@@ -63,7 +63,7 @@ public:
   static constexpr unsigned ghost_rings = 3;
   /// what has to be regular around a vertex for its limit.
   static constexpr Limit_neighborhood limit_neighborhood =
-    Tuned_CatmullClark_scheme::limit_neighborhood;
+    CatmullClark_scheme::Tuned::limit_neighborhood;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
@@ -80,10 +80,10 @@ public:
     return Tuned_CatmullClark_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Tuned_CatmullClark_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `CatmullClark_scheme::Tuned`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return Tuned_CatmullClark_scheme::dense_row_entries(level, round);
+    return CatmullClark_scheme::Tuned::dense_row_entries(level, round);
   }
 };
 

@@ -17,7 +17,7 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Loop subdivision with transfer of curvature, see `Transfer_CatmullClark_scheme`, which has all that is said
+Loop subdivision with transfer of curvature, see `CatmullClark_scheme::Transfer`, which has all that is said
 here in common with it: `Tuned_Loop_mask` on `PTQ_host`, where the quadratic eigenvalues (that of
 frequency 0 besides 1, and of frequencies 2 and n-2) become &lambda;'<sup>2</sup>. At valence 3 there
 is one functional, at valence 4 there are two: of the three components of Q the least ones that they
@@ -26,7 +26,7 @@ allow are taken, and directions of curvature are not preserved there.
 Accepts triangles only.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Transfer_Loop_scheme
+class Loop_scheme::Transfer
 {
 public:
   /// the host of the scheme.
@@ -37,7 +37,7 @@ public:
   /// how many rings of faces a piece of a mesh needs around it, see `Surface_pieces`.
   static constexpr unsigned ghost_rings = 3;
   /// what has to be regular around a vertex for its limit.
-  static constexpr Limit_neighborhood limit_neighborhood = Tuned_Loop_scheme::limit_neighborhood;
+  static constexpr Limit_neighborhood limit_neighborhood = Loop_scheme::Tuned::limit_neighborhood;
 
   /// along creases the rules are those of the border.
   static constexpr bool has_crease_rules = true;
@@ -54,10 +54,10 @@ public:
     return Tuned_Loop_mask<FT>(level, round, tuning);
   }
 
-  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Tuned_Loop_scheme`.
+  /// see `estimated_row_entries()`, which counts them twice for the transfer: those of `Loop_scheme::Tuned`.
   static double dense_row_entries(const Level_connectivity& level, unsigned round)
   {
-    return Tuned_Loop_scheme::dense_row_entries(level, round);
+    return Loop_scheme::Tuned::dense_row_entries(level, round);
   }
 };
 

@@ -312,7 +312,7 @@ Modified Catmull-Clark subdivision: `Tuned_CatmullClark_mask` on `PQQ_host`. Acc
 On a mesh without separated extraordinary vertices a round gives the same as one of `CatmullClark_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Tuned_CatmullClark_scheme
+class CatmullClark_scheme::Tuned
 {
 public:
   /// the host of the scheme.
@@ -338,16 +338,15 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit Tuned_CatmullClark_scheme(const Scheme_parameter& cap = default_parameter(),
-                                     unsigned first_round = 1,
-                                     Tuned_valences valences = Tuned_valences::all)
+  explicit Tuned(const Scheme_parameter& cap = default_parameter(), unsigned first_round = 1,
+                 Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 
   /// the policy of Yang's paper: a plain first round, and plain rules at valence 3.
-  static Tuned_CatmullClark_scheme of_the_paper(const Scheme_parameter& cap = default_parameter())
+  static CatmullClark_scheme::Tuned of_the_paper(const Scheme_parameter& cap = default_parameter())
   {
-    return Tuned_CatmullClark_scheme(cap, 2, Tuned_valences::diverging);
+    return CatmullClark_scheme::Tuned(cap, 2, Tuned_valences::diverging);
   }
 
   /// the first round with modified weights.

@@ -156,7 +156,7 @@ Modified Loop subdivision: `Tuned_Loop_mask` on `PTQ_host`. Accepts triangles on
 without separated extraordinary vertices a round gives the same as one of `Loop_scheme`.
 \cgalModels{PNSubdivisionScheme_3}
 */
-class Tuned_Loop_scheme
+class Loop_scheme::Tuned
 {
 public:
   /// the host of the scheme.
@@ -182,16 +182,15 @@ public:
   \pre `0 < cap <= 1`, `first_round >= 1`
   \throws std::invalid_argument otherwise
   */
-  explicit Tuned_Loop_scheme(const Scheme_parameter& cap = default_parameter(),
-                             unsigned first_round = 1,
-                             Tuned_valences valences = Tuned_valences::all)
+  explicit Tuned(const Scheme_parameter& cap = default_parameter(), unsigned first_round = 1,
+                 Tuned_valences valences = Tuned_valences::all)
     : tuning_(cap, first_round, valences)
   {}
 
   /// the policy of Yang's paper: a plain first round, and plain rules at valences 4 and 5.
-  static Tuned_Loop_scheme of_the_paper(const Scheme_parameter& cap = default_parameter())
+  static Loop_scheme::Tuned of_the_paper(const Scheme_parameter& cap = default_parameter())
   {
-    return Tuned_Loop_scheme(cap, 2, Tuned_valences::diverging);
+    return Loop_scheme::Tuned(cap, 2, Tuned_valences::diverging);
   }
 
   /// the first round with modified weights.

@@ -58,8 +58,9 @@ command `pn_subdivide` and to the tests.
 */
 using Shipped_schemes =
   Scheme_list<CatmullClark_scheme, Kobbelt_scheme, Loop_scheme, Butterfly_scheme, DooSabin_scheme,
-              Sqrt3_scheme, Tuned_CatmullClark_scheme, Tuned_Loop_scheme,
-              Transfer_CatmullClark_scheme, Transfer_Loop_scheme, Midpoint_scheme, Bilinear_scheme>;
+              Sqrt3_scheme, CatmullClark_scheme::Tuned, Loop_scheme::Tuned,
+              CatmullClark_scheme::Transfer, Loop_scheme::Transfer, Midpoint_scheme,
+              Bilinear_scheme>;
 
 /// \ingroup PkgPNSubdivision3Schemes
 /// calls `f(scheme)` with an object of each of the `Shipped_schemes`. It has the default parameters.

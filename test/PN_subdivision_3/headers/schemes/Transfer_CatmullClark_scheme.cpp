@@ -22,7 +22,7 @@ struct Row
 void use_ct_catmullclark()
 {
   const Level_connectivity level = connect();
-  const auto mask = Transfer_CatmullClark_scheme().mask<double>(level, 1);
+  const auto mask = CatmullClark_scheme::Transfer().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

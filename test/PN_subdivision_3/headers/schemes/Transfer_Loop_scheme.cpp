@@ -22,7 +22,7 @@ struct Row
 void use_ct_loop()
 {
   const Level_connectivity level = connect();
-  const auto mask = Transfer_Loop_scheme().mask<double>(level, 1);
+  const auto mask = Loop_scheme::Transfer().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

@@ -22,7 +22,7 @@ struct Row
 void use_modified_catmullclark()
 {
   const Level_connectivity level = connect();
-  const auto mask = Tuned_CatmullClark_scheme().mask<double>(level, 1);
+  const auto mask = CatmullClark_scheme::Tuned().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

@@ -22,7 +22,7 @@ struct Row
 void use_modified_loop()
 {
   const Level_connectivity level = connect();
-  const auto mask = Tuned_Loop_scheme().mask<double>(level, 1);
+  const auto mask = Loop_scheme::Tuned().mask<double>(level, 1);
   Row row;
   mask.vertex(0, row);
   mask.edge(0, row);

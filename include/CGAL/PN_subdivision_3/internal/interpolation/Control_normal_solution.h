@@ -230,7 +230,7 @@ struct Solved_normals
   std::size_t left_out = 0;
   unsigned steps = 0;
 
-  void note(Limit_interpolation_report& report) const
+  void note(Limit_interpolation& report) const
   {
     report.left_out = left_out;
     report.steps += steps;

@@ -74,7 +74,7 @@ public:
     while (!(result.report.residual <= data_.tolerance) && result.report.steps < most_steps()) {
       const Vector next = p + correction(rest);
       ++result.report.steps;
-      Limit_interpolation_report report = result.report;
+      Limit_interpolation report = result.report;
       const Vector next_rest = wanted - limits_at(next, &report);
       report.residual = largest(next_rest);
       if (!(report.residual < result.report.residual)) break;
@@ -113,7 +113,7 @@ private:
   }
 
   // of the control points, those that are not sought as they are
-  Vector limits_at(const Vector& unknowns, Limit_interpolation_report* report)
+  Vector limits_at(const Vector& unknowns, Limit_interpolation* report)
   {
     return limits(unknowns, data_.points, data_.precision().tolerance, report);
   }
@@ -126,7 +126,7 @@ private:
   }
 
   Vector limits(const Vector& unknowns, Vectors<3> points, double tolerance,
-                Limit_interpolation_report* report)
+                Limit_interpolation* report)
   {
     for (std::size_t i = 0; i < data_.vertices.size(); ++i)
       points[data_.vertices[i]] = unknowns.segment<3>(3 * Eigen::Index(i));
@@ -238,7 +238,7 @@ void require_fixed_creases([[maybe_unused]] const Access& access,
           throw std::invalid_argument(
             "PN_subdivision_3: " + access.vertex_name(star.vertex) +
             " has a normal on each side of its creases, which has to stay that of the data: give "
-            "a vertex_normal_map of half-edges, see estimate_corner_normals()");
+            "a vertex_normal_map of half-edges, see estimate_control_normals()");
   }
 }
 
@@ -263,15 +263,15 @@ void require_creased_options(const Options& options, const std::string& what_is_
   const auto require = [&](bool is_so, const std::string& what) {
     if (!is_so)
       throw std::invalid_argument("PN_subdivision_3: " + what_is_sharp + ", but " + what +
-                                  ": take Limit_interpolation_mode::strict with given "
-                                  "normals and Limit_interpolation_free::fixed, or make all edges "
+                                  ": take Limit_interpolation::Mode::strict with given "
+                                  "normals and Limit_interpolation::Free::fixed, or make all edges "
                                   "and vertices smooth");
   };
-  require(options.mode == Limit_interpolation_mode::strict,
+  require(options.mode == Limit_interpolation::Mode::strict,
           "control points slide on surfaces without creases only");
-  require(options.normals == Limit_interpolation_normals::given,
-          "control normals are solved for on surfaces without creases only");
-  require(options.free == Limit_interpolation_free::fixed,
+  require(options.normals == Limit_interpolation::Normals::given,
+          "control normals are found on surfaces without creases only");
+  require(options.free == Limit_interpolation::Free::fixed,
           "control points move along on surfaces without creases only");
 }
 
@@ -279,7 +279,7 @@ void require_creased_options(const Options& options, const std::string& what_is_
 // and the tangents of the creases. is_interpolated(v) tells the vertices.
 template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Options,
           class Is_interpolated>
-Limit_interpolation_report
+Limit_interpolation
 interpolate_with_creases(const Access& access, const Scheme& given_scheme,
                          const Level_connectivity& level, Mesh& mesh, const NamedParameters& np,
                          const Options& options, const std::string& what_is_sharp,

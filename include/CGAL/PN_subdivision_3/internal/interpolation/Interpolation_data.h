@@ -68,7 +68,7 @@ struct Interpolation_result
 {
   Vectors<dimension> points;  // of the control net
   Vectors<dimension> normals; // its control normals
-  Limit_interpolation_report report;
+  Limit_interpolation report;
 };
 
 // Control values with the roundness of the data; a linear scheme is one of zero normals.
@@ -130,7 +130,7 @@ void multiply_by_size(int exponent, Vectors<dimension>& points)
                                   " is out of the range of the number type: scale the points down");
     }
 }
-inline void multiply_by_size(int exponent, Limit_interpolation_report& report)
+inline void multiply_by_size(int exponent, Limit_interpolation& report)
 {
   for (double* length : {&report.residual, &report.error, &report.tolerance, &report.slip})
     *length = std::ldexp(*length, exponent);
@@ -186,8 +186,7 @@ Limit_matrix make_limit_matrix(const Interpolation_data<dimension>& data,
 }
 
 template <class Functionals>
-void note_evaluation(const std::vector<Functionals>& functionals,
-                     Limit_interpolation_report& report)
+void note_evaluation(const std::vector<Functionals>& functionals, Limit_interpolation& report)
 {
   report.error = 0;
   report.depth = 0;

@@ -22,9 +22,9 @@ struct All_vertices
 // how interpolation and what prescribes data proceed; parameters.h says more
 struct Interpolation_options
 {
-  Limit_interpolation_mode mode = Limit_interpolation_mode::slide;
-  Limit_interpolation_normals normals = Limit_interpolation_normals::given;
-  Limit_interpolation_free free = Limit_interpolation_free::fixed;
+  Limit_interpolation::Mode mode = Limit_interpolation::Mode::slide;
+  Limit_interpolation::Normals normals = Limit_interpolation::Normals::given;
+  Limit_interpolation::Free free = Limit_interpolation::Free::fixed;
   double tolerance = 1e-12;
   unsigned max_depth = 12;
   unsigned max_steps = 60;

@@ -61,7 +61,7 @@ public:
 
   // Brings the points to what is prescribed, if they are not there, with these control normals; returns
   // by how many tolerances they still miss it.
-  double meet(Vectors<3>& points, const Vectors<3>& normals, Limit_interpolation_report& report)
+  double meet(Vectors<3>& points, const Vectors<3>& normals, Limit_interpolation& report)
   {
     double best = evaluate(points, normals);
     // with the functionals that are right for the data, then for the result

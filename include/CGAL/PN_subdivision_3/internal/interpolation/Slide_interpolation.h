@@ -222,7 +222,7 @@ private:
   std::vector<Functionals> functionals_;
   std::vector<Directions> directions_; // of the vertices that are interpolated
   Iterate best_;
-  Limit_interpolation_report report_;
+  Limit_interpolation report_;
 };
 
 } // namespace internal

@@ -153,7 +153,7 @@ private:
   std::vector<Functionals> functionals_;
   Iterate best_;
   double first_residual_ = 0;
-  Limit_interpolation_report report_;
+  Limit_interpolation report_;
 };
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Mesh_limit_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Natural_normals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
@@ -77,6 +78,14 @@ private:
   bool is_kept_ = false;
 };
 
+// of what has no such map
+struct Nothing_changed
+{
+  template <class Access, class Map>
+  Nothing_changed(const Access&, const Map&)
+  {}
+};
+
 // Writes the control net in place of the data; points and normals that are the same stay untouched.
 template <class FT, class Access, class Point_map, class Normal_map>
 void write_control_net(const Access& access, Point_map points, [[maybe_unused]] Normal_map normals,
@@ -123,12 +132,12 @@ template <class Options>
 void check_interpolation_options(const Options& options)
 {
   check_tolerance(options.tolerance);
-  if (options.mode == Limit_interpolation_mode::slide &&
-      options.free == Limit_interpolation_free::smooth)
+  if (options.mode == Limit_interpolation::Mode::slide &&
+      options.free == Limit_interpolation::Free::smooth)
     throw std::invalid_argument(
       "PN_subdivision_3: control points slide where they are interpolated "
-      "only: take Limit_interpolation_free::fixed, or the mode "
-      "limit_points");
+      "only: take Limit_interpolation::Free::fixed, or "
+      "Limit_interpolation::Mode::strict");
 }
 
 // The roundness that is given, of vertices of a mesh; nothing where none is.
@@ -143,11 +152,28 @@ std::vector<double> read_roundness_of_vertices(const Access& access, std::size_t
   return roundness;
 }
 
+// puts the normals that Natural_normals finds from those of the data
+template <class FT, class Scheme, class New_normals>
+void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
+                         const For_chunks& for_chunks, Interpolation_data<3> data,
+                         New_normals& new_normals)
+{
+  const Level_connectivity::Index n = level.number_of_vertices();
+  for (Level_connectivity::Index v = 0; v < n; ++v)
+    if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
+  data.tolerance = 1e-9 * box_size(data.points);
+  Mesh_limit_functionals<Scheme> source(scheme, level, for_chunks);
+  Natural_normals natural(data, source);
+  natural();
+  for (Level_connectivity::Index v = 0; v < n; ++v)
+    new_normals.template change<FT>(v, data.normals[v]);
+}
+
 // Points, normals and roundness of a mesh, and what is around the vertices; refuses what is sharp.
-template <class FT, class Access, class Scheme, class Mesh, class NamedParameters>
+template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Normal_map>
 Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme& scheme,
                                               const Level_connectivity& level, const Mesh& mesh,
-                                              const NamedParameters& np)
+                                              const NamedParameters& np, Normal_map normals)
 {
   using Parameters = Surface_parameters<Mesh, NamedParameters>;
   check_scheme(scheme, level, access);
@@ -158,7 +184,7 @@ Interpolation_data<3> read_interpolation_data(const Access& access, const Scheme
   refuse_interpolated_creases(scheme, access, level, Parameters::edge_constraint_map(np),
                               Parameters::vertex_constraint_map(np));
   Interpolation_data<3> data = read_points_and_normals<FT>(
-    access, scheme, level, Parameters::const_point_map(mesh, np), Parameters::normal_map(np));
+    access, scheme, level, Parameters::const_point_map(mesh, np), normals);
   data.takes_normals = is_pn_v<Scheme>;
   data.roundness =
     read_roundness_of_vertices<FT, Parameters>(access, level.number_of_vertices(), np);
@@ -199,11 +225,11 @@ Interpolation_result<3> interpolate_mesh(const Level_connectivity& level,
                                          Control_normal_estimate estimate, const Options& options,
                                          Interpolation_data<3>& data, Surface_limits& source)
 {
-  if (options.mode == Limit_interpolation_mode::slide)
+  if (options.mode == Limit_interpolation::Mode::slide)
     return interpolate_by_sliding(level, estimate, data, source);
-  const bool solves = options.normals == Limit_interpolation_normals::solved && data.takes_normals;
+  const bool solves = options.normals == Limit_interpolation::Normals::solved && data.takes_normals;
   Solved_normals<3> control_normals = solved_or_given<3, 2>(solves, data, source);
-  auto result = options.free == Limit_interpolation_free::smooth
+  auto result = options.free == Limit_interpolation::Free::smooth
                   ? interpolate_smoothly(level, data, source, std::move(control_normals.normals))
                   : Strict_interpolation<3, 2>(data, source)(std::move(control_normals.normals));
   control_normals.note(result.report);

@@ -481,8 +481,8 @@ constexpr bool check_estimation_arguments()
     if constexpr (check_point_map<typename Parameters::Point_map, boost::readable_property_map_tag,
                                   typename Parameters::FT>())
       return check_normal_map<Mesh, Normal_map, typename Parameters::Point_map,
-                              typename Parameters::Geom_traits,
-                              boost::writable_property_map_tag>() &&
+                              typename Parameters::Geom_traits, boost::writable_property_map_tag,
+                              true>() &&
              check_written_roundness<Mesh, typename Parameters::Roundness_map>();
     else
       return false;

@@ -40,7 +40,7 @@ struct Surface_fallback
 // or, unless all faces are triangles, that of Catmull and Clark is worse than its linear twin; the linear one is that with sharp
 // edges of more than 30 degrees. Writes the creases and the normals of all corners, those that are estimated among them: zero is
 // a wedge without a normal. np: as surface_creases(), and parameters::vertex_roundness_map(), which is written as
-// estimate_corner_normals() does. At most ten refinements of two rounds.
+// estimate_control_normals() does. At most ten refinements of two rounds.
 template <class FaceGraph, class FacePatchMap, class EdgeIsCreaseMap, class HalfedgeNormalMap,
           class NamedParameters = parameters::Default_named_parameters>
 Surface_fallback never_worse_than_linear(const FaceGraph& mesh, FacePatchMap patch_map,

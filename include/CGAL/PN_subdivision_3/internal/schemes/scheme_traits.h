@@ -133,10 +133,10 @@ struct Has_grid_rows<Scheme, std::void_t<decltype(Scheme::has_grid_rows)>>
 template <class Scheme>
 constexpr bool check_no_grid_rows()
 {
-  static_assert(
-    !Has_grid_rows<Scheme>::value,
-    "PN_subdivision_3: Grid_CatmullClark_scheme is a scheme of subdivide() only: it has no limits, "
-    "interpolation, tessellation, pieces and other normal schemes, and no Any_scheme");
+  static_assert(!Has_grid_rows<Scheme>::value,
+                "PN_subdivision_3: CatmullClark_scheme::Grid is a scheme of subdivide() only: it "
+                "has no limits, "
+                "interpolation, tessellation, pieces and other normal schemes, and no Any_scheme");
   return true;
 }
 

@@ -1,0 +1,90 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ESTIMATE_CORNER_NORMALS_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ESTIMATE_CORNER_NORMALS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
+#include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace PN_subdivision_3 {
+namespace internal {
+
+// estimate_control_normals() of a map of half-edges
+template <class Access, class PolygonMesh, class HalfedgeNormalMap, class NamedParameters>
+void estimate_corner_normals(const Access& access, const PolygonMesh& mesh,
+                             HalfedgeNormalMap normals, const NamedParameters& np)
+{
+  using Parameters = Surface_parameters<PolygonMesh, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Index = Level_connectivity::Index;
+  using Vertex_map = typename Parameters::Vertex_constraint_map;
+  using Normal = typename boost::property_traits<HalfedgeNormalMap>::value_type;
+  const auto points = Parameters::const_point_map(mesh, np);
+  const Control_normal_estimate estimate =
+    parameter_or<control_normal_estimate_t>(np, Control_normal_estimate::coherent);
+  using Edge_map = typename Parameters::Edge_constraint_map;
+  const Edge_map edge_map = Parameters::edge_constraint_map(np);
+  const Vertex_map vertex_map = Parameters::vertex_constraint_map(np);
+  const Level_connectivity level = checked_level(access);
+  const Index n = level.number_of_vertices();
+  Creases<FT> creases = Make_creases<FT>(level, Border::surface)(
+    [&](Index e) {
+      if constexpr (is_constraint_map_v<Edge_map>)
+        return checked_sharpness(sharpness_in(edge_map, access.edge_at(e)),
+                                 [&] { return Edge_of_mesh::name(access, e); });
+      else
+        return 0.;
+    },
+    [&](Index v) {
+      if constexpr (is_constraint_map_v<Vertex_map>)
+        return checked_sharpness(sharpness_in(vertex_map, access.vertex(v)),
+                                 [&] { return access.vertex_name(v); });
+      else
+        return 0.;
+    });
+  using Value = Point_normal_roundness<FT, 3>;
+  std::vector<Value> values(creases.number_of_slots);
+  const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
+  for (Index slot = 0; slot < values.size(); ++slot)
+    point_of(values[slot]) = checked_point<FT>(access, points, slot < n ? slot : extra[slot - n]);
+  Control_creases<FT, Value>(level, creases, values, std::vector<bool>(values.size(), false),
+                             estimate)();
+  const Cut_level<FT> cut(level, creases);
+  for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
+    const Coordinates<FT, 3>& m = values[slot].normal;
+    put(normals, access.halfedge_at(h), Normal(m[0], m[1], m[2]));
+  });
+  if constexpr (!std::is_same_v<typename Parameters::Roundness_map, No_roundness>) {
+    using Number = typename boost::property_traits<typename Parameters::Roundness_map>::value_type;
+    const auto roundness = Parameters::roundness_map(np);
+    for (Index v = 0; v < n; ++v)
+      put(roundness, access.vertex(v), roundness_as<Number>(values[v].roundness));
+  }
+}
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_CREASES_ESTIMATE_CORNER_NORMALS_H
