@@ -133,7 +133,7 @@ TEST(Round_curvature, CanBePrescribed)
     const Vertex v(0);
     const Limit before = limits(mesh, PN::Tuned_Loop_scheme())[v];
     const auto curvatures = mesh.add_property_map<Vertex, std::optional<Curvature>>("v:c").first;
-    curvatures[v] = Curvature{-0.2, -0.2, {}};
+    curvatures[v] = Curvature{-0.4, -0.4, {}};
     const auto report = PN::prescribe_limit_data(
       mesh, PN::Tuned_Loop_scheme(),
       PN::parameters::join(
@@ -141,9 +141,9 @@ TEST(Round_curvature, CanBePrescribed)
         with_maps(mesh)));
     EXPECT_LE(report.curvature_steps, 8u);
     const Limit after = limits(mesh, PN::Tuned_Loop_scheme())[v];
-    EXPECT_GT(std::abs(before.mean + 0.2), 0.01);
-    EXPECT_NEAR(after.mean, -0.2, 1e-3) << valence;
-    EXPECT_NEAR(turns(mesh, PN::Tuned_Loop_scheme(), v, 3).second, -0.2, 0.03) << valence;
+    EXPECT_GT(std::abs(before.mean + 0.4), 0.1);
+    EXPECT_NEAR(after.mean, -0.4, 1e-3) << valence;
+    EXPECT_NEAR(turns(mesh, PN::Tuned_Loop_scheme(), v, 3).second, -0.4, 0.08) << valence;
   }
 }
 

@@ -24,11 +24,6 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-inline double largest_coordinate(const Coordinates<double, 3>& v)
-{
-  return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
-
 inline Coordinates<double, 3> offset(const Coordinates<double, 3>& p,
                                      const Coordinates<double, 3>& o)
 {
