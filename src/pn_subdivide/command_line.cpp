@@ -14,7 +14,6 @@
 #include "curve/curve_scheme_names.h"
 #include "io/Error.h"
 #include "io/mesh_io.h"
-#include "io/near_miss.h"
 
 #include <CGAL/PN_subdivision_3/version.h>
 

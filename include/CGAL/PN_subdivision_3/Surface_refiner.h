@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Kept_refinement.h>

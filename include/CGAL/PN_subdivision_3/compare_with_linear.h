@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/comparison/refined_aside.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/crease_maps.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>

@@ -10,7 +10,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERPOLATE_CURVE_H
 
 #include <CGAL/PN_subdivision_3/internal/interpolation/Control_normal_solution.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/Curve_limit_functionals.h>
+#include <CGAL/PN_subdivision_3/internal/interpolation/Limit_functionals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>

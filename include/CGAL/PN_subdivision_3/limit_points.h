@@ -9,9 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_LIMIT_POINTS_H
 #define CGAL_PN_SUBDIVISION_3_LIMIT_POINTS_H
 
-#include <CGAL/PN_subdivision_3/internal/limit/Face_limits.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
-#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
+#include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/limit/vertex_limits.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>

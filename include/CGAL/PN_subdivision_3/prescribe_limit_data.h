@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/on_host.h>
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/interpolation/Prescribed_curvature.h>
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/build_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/refiner_checks.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Kept_level.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_limits.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>

@@ -12,7 +12,6 @@
 #include <CGAL/Dimension.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/PN_subdivision_3/exact/Cylinder_3.h>
 #include <CGAL/PN_subdivision_3/exact/Deviation.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>

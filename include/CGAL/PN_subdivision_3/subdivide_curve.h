@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/average/kernel_checks.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_points.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <string>

@@ -18,8 +18,7 @@
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Midpoint_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Sqrt3_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Transfer_CatmullClark_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>

@@ -11,7 +11,6 @@
 #include "curve/curve_corners.h"
 #include "curve/curve_picture.h"
 #include "curve/curve_schemes.h"
-#include "curve/interpolate_curve.h"
 #include "curve/limit_curve.h"
 #include "io/Error.h"
 #include "io/Report.h"

@@ -11,7 +11,6 @@
 
 #include "io/Limit_choice.h"
 #include "io/Report.h"
-#include "surface/Verify_options.h"
 
 #include <optional>
 #include <string>

@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
-#include "io/file_content.h"
 
 #include <CGAL/PN_subdivision_3/curves/recognize_arcs.h>
 

@@ -10,7 +10,7 @@
 #define PN_SUBDIVIDE_CURVE_SCHEMES_H
 
 #include "curve/curve_scheme_names.h"
-#include "io/curve_data.h"
+#include "io/curve_io.h"
 
 #include <CGAL/PN_subdivision_curve.h>
 

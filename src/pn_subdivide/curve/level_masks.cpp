@@ -8,7 +8,7 @@
 #include "curve/level_masks.h"
 
 #include "io/Error.h"
-#include "io/file_content.h"
+#include "io/Text_reader.h"
 
 #include <algorithm>
 #include <charconv>

@@ -12,8 +12,13 @@
 
 #include <CGAL/PN_subdivision_3/curve_limit_points.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
+
+#if __has_include(<Eigen/Core>)
+#  include <CGAL/PN_subdivision_3/interpolate_curve.h>
+#endif
 
 namespace pn_subdivide {
 namespace {
@@ -66,6 +71,60 @@ Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rou
     curve.points);
   if (choice.normals) curve.has_normals = true;
   return {report, report.tolerance / tolerance};
+}
+
+namespace PN = CGAL::PN_subdivision_3;
+
+void require_interpolation(const std::string& scheme, const Curve_rule& rule)
+{
+  using Interpolatory = PN::Dubuc_Deslauriers_mask;
+  if (!std::holds_alternative<Interpolatory>(rule.scheme.mask) && scheme != "bspline:3")
+    throw Usage_error("--interpolate: curves of " + scheme +
+                      " cannot be made to pass through points; take bspline:3");
+  if (rule.normal_scheme)
+    throw Usage_error(
+      "--interpolate and --normal-scheme exclude each other: interpolation is for one "
+      "scheme of points and normals");
+  if (rule.end == PN::Curve_end::none)
+    throw Usage_error("--interpolate and --end none exclude each other: without its ends the curve "
+                      "does not pass through them");
+}
+
+#if __has_include(<Eigen/Core>)
+Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule,
+                                       Interpolation_mode mode)
+{
+  // other masks interpolate anyway
+  const auto* const mask = std::get_if<PN::B_spline_mask>(&rule.scheme.mask);
+  if (mask == nullptr) return {};
+  return std::visit(
+    [&](auto& points) {
+      const auto np = PN::parameters::interpolation_mode(mode).roundness(rule.roundness);
+      auto result = rule.linear ? PN::interpolate_curve(points, PN::linear(*mask), rule.end, np)
+                                : PN::interpolate_curve(points, *mask, rule.end, np);
+      points = std::move(result.first);
+      return result.second;
+    },
+    curve.points);
+}
+#else // parse_interpolation() has refused
+Interpolation_report interpolate_curve(Curve_data&, const Curve_rule&, Interpolation_mode)
+{
+  return {};
+}
+#endif
+
+Interpolation_report joined(const Interpolation_report& a, const Interpolation_report& b)
+{
+  // of two parts the one that misses its tolerance by more
+  const bool is_a = a.residual * b.tolerance > b.residual * a.tolerance;
+  Interpolation_report worst = is_a ? a : b;
+  worst.error = std::max(a.error, b.error);
+  worst.steps = std::max(a.steps, b.steps);
+  worst.slip_of_edge = std::max(a.slip_of_edge, b.slip_of_edge);
+  worst.left_out = a.left_out + b.left_out;
+  worst.fallback = a.fallback || b.fallback;
+  return worst;
 }
 
 } // namespace pn_subdivide

@@ -11,7 +11,7 @@
 
 #include "curve/curve_schemes.h"
 #include "io/Limit_choice.h"
-#include "io/curve_data.h"
+#include "io/curve_io.h"
 
 #include <string>
 
@@ -26,6 +26,16 @@ void require_limits_of_points(const std::string& scheme, const Curve_rule& rule,
 // The curve is that of some rounds.
 Limit_summary set_limits(Curve_data& curve, const Curve_rule& rule, unsigned rounds,
                          const Limit_choice& choice);
+
+// Throws Usage_error if curves of the rule cannot be made to pass through points.
+void require_interpolation(const std::string& scheme, const Curve_rule& rule);
+
+// Makes a polygon the control polygon of a curve through its points. Passes on the library's exceptions.
+Interpolation_report interpolate_curve(Curve_data& curve, const Curve_rule& rule,
+                                       Interpolation_mode mode);
+
+// The worst of both.
+Interpolation_report joined(const Interpolation_report& a, const Interpolation_report& b);
 
 } // namespace pn_subdivide
 

@@ -9,8 +9,6 @@
 #ifndef PN_SUBDIVIDE_ATTRIBUTES_H
 #define PN_SUBDIVIDE_ATTRIBUTES_H
 
-#include "io/Scalar_type.h"
-
 #include <array>
 #include <cstddef>
 #include <string>
@@ -18,6 +16,31 @@
 #include <vector>
 
 namespace pn_subdivide {
+
+class Output_file;
+
+// The types of numbers in files. Every number of them fits into a double.
+enum class Scalar_type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Scalar_traits
+{
+  const char *ply, *other_ply; // the names of the type
+  const char* vtk;
+  std::size_t bytes;
+  bool is_integer;
+  double lowest, highest; // of integers
+};
+
+const Scalar_traits& traits(Scalar_type type);
+
+// As in "uchar (whole numbers from 0 to 255)".
+std::string description(Scalar_type type);
+
+// The number of the type that is nearest; numbers out of range become the lowest or highest.
+double nearest(Scalar_type type, double x);
+
+// x must be a number of the type.
+void write_little_endian(Output_file& out, Scalar_type type, double x);
 
 // Behind what is wrong with an attribute.
 inline const char* const reading_without_it = "; --drop-attributes reads the file without it";

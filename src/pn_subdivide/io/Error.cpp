@@ -10,7 +10,11 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <new>
+#include <numeric>
 
 namespace pn_subdivide {
 
@@ -24,6 +28,50 @@ std::string message_of(const std::exception& e)
       (dynamic_cast<const std::length_error*>(&e) && !is_of_library))
     return "not enough memory";
   return boost::algorithm::replace_all_copy(what, library, "");
+}
+
+namespace {
+
+// Levenshtein's distance: letters added, missing or others.
+std::size_t distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t other = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = (std::min)({row[j] + 1, row[j + 1] + 1, other});
+    }
+  }
+  return row.back();
+}
+
+constexpr std::size_t longest_word = 100; // nothing that is known comes near
+
+} // namespace
+
+std::string near_miss(const std::string& word, const std::vector<std::string>& known)
+{
+  if (word.size() > longest_word) return {};
+  std::string nearest;
+  std::size_t least = (std::numeric_limits<std::size_t>::max)();
+  for (const std::string& candidate : known) {
+    const bool goes_on = word.size() > 3 && candidate.rfind(word, 0) == 0;
+    const std::size_t d = distance(word, candidate);
+    if ((3 * d > candidate.size() && !goes_on) || d >= least) continue;
+    least = d;
+    nearest = candidate;
+  }
+  return nearest;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known)
+{
+  const std::string nearest = near_miss(word, known);
+  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
 } // namespace pn_subdivide

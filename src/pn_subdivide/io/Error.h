@@ -9,8 +9,10 @@
 #ifndef PN_SUBDIVIDE_ERROR_H
 #define PN_SUBDIVIDE_ERROR_H
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -55,6 +57,19 @@ struct Strict_error : std::runtime_error
 
 // What people read of an exception: without the name of the library, and nothing of allocators.
 std::string message_of(const std::exception& e);
+
+// "1 face", "2 faces"
+inline std::string plural(std::size_t n, const std::string& one, const std::string& many)
+{
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+// The word that was probably meant: at most a third of its letters are added, missing or others, or it
+// goes on where `word` ends. Empty if there is none.
+std::string near_miss(const std::string& word, const std::vector<std::string>& known);
+
+// "; did you mean --levels?", or nothing
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 } // namespace pn_subdivide
 

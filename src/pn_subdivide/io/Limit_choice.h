@@ -11,6 +11,7 @@
 
 #include "io/Report.h"
 
+#include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <cstddef>
@@ -54,6 +55,32 @@ struct Limit_summary
   std::vector<Report::Number> numbers(const Limit_choice& choice) const;
   // empty if all is well
   std::string warning() const;
+};
+
+using Interpolation_mode = CGAL::PN_subdivision_3::Limit_interpolation::Mode;
+using Interpolation_report = CGAL::PN_subdivision_3::Limit_interpolation;
+
+// slide | points, if the option --interpolate is given. Throws Usage_error.
+std::optional<Interpolation_mode> parse_interpolation(const std::optional<std::string>& text);
+
+// What the interpolation has reached.
+std::string description(const Interpolation_report& report);
+// What has to be said of it; empty if all is well.
+std::string warning(const Interpolation_report& report);
+
+// --verify and --tolerance as they are on the command line.
+struct Verify_options
+{
+  std::optional<std::string> shape;
+  std::optional<double> tolerance;
+};
+
+// --sharp, --sharpness, --border and what goes with them, as they are on the command line.
+struct Crease_options
+{
+  std::optional<std::string> sharp, sharpness, border;
+  // with --sharp surfaces
+  std::optional<std::string> min_facets, surface_tolerance, sharp_angle, surface_labels;
 };
 
 } // namespace pn_subdivide

@@ -10,12 +10,6 @@
 #define PN_SUBDIVIDE_MESH_DATA_H
 
 #include "io/Attributes.h"
-#include "io/Crease_tags.h"
-#include "io/Mesh_origin.h"
-#include "io/Normal_kind.h"
-#include "io/Written_digits.h"
-
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,9 +17,76 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pn_subdivide {
+
+// What the normals of a mesh are: data for a further round, those of its faces, or those of the surface that
+// the rounds lead to.
+enum class Normal_kind { control, of_mesh, of_surface };
+
+// by which files say so: "control normals"
+const char* comment_of(Normal_kind kind);
+// Where no comment says anything they are control normals.
+Normal_kind normal_kind_of(const std::vector<std::string>& comments);
+// Does a comment say that they are?
+bool are_said_to_be_control(const std::vector<std::string>& comments);
+
+// With how many digits a text has vectors. Trailing zeros may be left out and vectors may have any length, so the
+// largest coordinates count, and among these the one with the most digits.
+class Written_digits
+{
+public:
+  void see(const std::array<std::string_view, 3>& words, const std::array<double, 3>& vector);
+  // for whole numbers that are no text
+  void see_whole_number() { see("1"); }
+
+  // What the last digit of a vector counts; 0 where nothing has been seen, as in binary files.
+  double unit(const std::array<double, 3>& vector) const;
+
+private:
+  void see(std::string_view word);
+
+  int decimals_ = none, significant_ = none;
+  static constexpr int none = -1000;
+};
+
+// What is sharp in a mesh, by the numbers of its vertices in the file.
+struct Crease_tags
+{
+  struct Edge
+  {
+    std::array<std::uint32_t, 2> ends;
+    double sharpness; // greater than 0; infinite for ever
+    // unit tangents at the ends, along the edge and into it; zero where there is none
+    std::array<std::array<double, 3>, 2> tangents;
+  };
+
+  std::vector<Edge> edges;
+  std::vector<double> vertices; // sharpness, or empty
+
+  bool any() const { return !edges.empty() || !vertices.empty(); }
+};
+
+// Of which faces, by which rounds, a mesh has been made. A further call needs it to number edges, and to begin at
+// vertices, as one call would do: new vertices are numbered, and sums ordered, by these.
+struct Mesh_origin
+{
+  struct Rounds
+  {
+    std::string scheme;
+    unsigned number;
+  };
+
+  std::vector<Rounds>
+    rounds;                 // of one call after the other; empty: the mesh has been made of nothing
+  std::size_t vertices = 0; // before these
+  std::vector<std::uint32_t> corners; // of the faces before these, one face after the other
+  std::vector<std::size_t> face_end;  // where each ends
+
+  bool any() const { return !rounds.empty(); }
+};
 
 using Triple = std::array<double, 3>; // a point or a vector; a kernel's would cost compile time
 using Color = std::array<std::uint8_t, 3>; // red, green, blue
@@ -66,7 +127,25 @@ class Mesh_data
 {
 public:
   using Index = std::uint32_t;
-  using Face = boost::iterator_range<const Index*>;
+  // The vertices of a face, in its place among all corners. No range of Boost's: its headers took a quarter of the time
+  // that the files about files take to compile.
+  class Face
+  {
+  public:
+    Face(const Index* begin, const Index* end)
+      : begin_(begin)
+      , end_(end)
+    {}
+
+    const Index* begin() const { return begin_; }
+    const Index* end() const { return end_; }
+    std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+    Index front() const { return *begin_; }
+    Index operator[](std::ptrdiff_t i) const { return begin_[i]; }
+
+  private:
+    const Index *begin_, *end_;
+  };
   static constexpr std::size_t max_number_of_points = std::numeric_limits<Index>::max();
 
   std::vector<Triple> points;
@@ -141,6 +220,16 @@ private:
   std::vector<Index> corners_;        // the faces' vertices, one face after the other
   std::vector<std::size_t> face_end_; // where each face ends in `corners_`
 };
+
+// The smallest box along the axes that holds the points; there must be one.
+struct Bounding_box
+{
+  explicit Bounding_box(const std::vector<Triple>& points);
+
+  Triple low, high;
+};
+
+double diagonal_of(const Bounding_box& box);
 
 } // namespace pn_subdivide
 

@@ -9,9 +9,11 @@
 #ifndef PN_SUBDIVIDE_PLY_HEADER_H
 #define PN_SUBDIVIDE_PLY_HEADER_H
 
-#include "io/Scalar_type.h"
+#include "io/Attributes.h"
+#include "io/Mesh_data.h"
 #include "io/Text_reader.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -48,6 +50,32 @@ struct Ply_header
 
 // Leaves `in` on the last line of the header. Throws Error.
 Ply_header read_ply_header(Text_reader& in);
+
+// The element 'edge' of a PLY file, if it has the sharpness of edges; then the property 'sharpness' of vertices
+// is theirs, too.
+class Ply_tags
+{
+public:
+  explicit Ply_tags(const Ply_header& header);
+
+  bool any() const { return edges_ != nullptr; }
+  bool is_edge(const Ply_element& element) const { return &element == edges_; }
+
+  // Adds an edge, whose scalars are those of the element. Throws Error.
+  void add_edge(const std::vector<double>& scalars, std::size_t number_of_vertices,
+                Crease_tags& tags) const;
+
+private:
+  const Ply_element* edges_ = nullptr;
+  std::array<std::size_t, 9> places_{}; // of the properties
+  bool has_tangents_ = false;
+};
+
+// Throws Error unless it is a number that is not negative.
+void require_sharpness(double sharpness);
+
+constexpr const char* edge_properties[] = {"vertex1", "vertex2", "sharpness", "t1x", "t1y",
+                                           "t1z",     "t2x",     "t2y",       "t2z"};
 
 } // namespace pn_subdivide
 

@@ -9,13 +9,32 @@
 #ifndef PN_SUBDIVIDE_PLY_ORIGIN_H
 #define PN_SUBDIVIDE_PLY_ORIGIN_H
 
-#include "io/Mesh_origin.h"
+#include "io/Mesh_data.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
+
+// What the header of a PLY file without attributes says.
+struct Ply_shape
+{
+  std::uint64_t vertices = 0, faces = 0;
+  bool has_normals = false, has_control_normals = false;
+  Normal_kind normal_kind = Normal_kind::control;
+  bool has_short_lists = true; // of at most 255 values
+  bool has_roundness = false;
+
+  bool fits_int() const { return vertices <= 0x7fffffffu; }
+  std::string list() const
+  {
+    return has_short_lists ? "property list uchar " : "property list uint ";
+  }
+};
+
+// as of a binary file
+std::string ply_header(const Ply_shape& shape, const Mesh_origin& origin);
 
 // The origin of a mesh in a PLY file: comments such as "2 rounds of loop from control_face of 8 vertices", one for each
 // kind of rounds, and the faces before them as an element of this name.

@@ -80,6 +80,10 @@ private:
   std::array<std::string_view, 3> last_words_;
 };
 
+// All bytes of a file or, for "-", of standard input. Throws Error if there are none or they cannot be read; the message does not
+// name the file.
+std::string file_content(const std::string& file);
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_TEXT_READER_H

@@ -12,7 +12,6 @@
 #include "io/Attributes.h"
 #include "io/mesh_io.h"
 #include "io/write_text.h"
-#include "io/xml_text.h"
 
 #include <functional>
 #include <string>

@@ -8,9 +8,9 @@
 
 #include "io/corner_normals.h"
 
-#include "io/Different_values.h"
-
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -69,6 +69,62 @@ std::size_t vertices_with_several_normals(const Mesh_data& mesh)
       if (directions_differ(first[v], n)) has_several[v] = true;
     }
   return static_cast<std::size_t>(std::count(has_several.begin(), has_several.end(), true));
+}
+
+Different_values::Different_values(const Mesh_data& mesh, const std::vector<Triple>& of_corners)
+{
+  std::vector<Mesh_data::Index> vertex_of;
+  vertex_of.reserve(of_corners.size());
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    vertex_of.insert(vertex_of.end(), mesh.face(f).begin(), mesh.face(f).end());
+
+  std::vector<std::size_t> order(of_corners.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (vertex_of[a] != vertex_of[b]) return vertex_of[a] < vertex_of[b];
+    return are_equal(of_corners[a], of_corners[b]) ? a < b : is_less(of_corners[a], of_corners[b]);
+  });
+  std::vector<std::size_t> first(of_corners.size()); // corner with the same vertex and value
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t c = order[i];
+    const bool is_new = i == 0 || vertex_of[order[i - 1]] != vertex_of[c] ||
+                        !are_equal(of_corners[order[i - 1]], of_corners[c]);
+    first[c] = is_new ? c : first[order[i - 1]];
+  }
+  of_corner.resize(of_corners.size());
+  for (std::size_t c = 0; c < of_corners.size(); ++c) {
+    of_corner[c] = first[c] == c ? values.size() : of_corner[first[c]];
+    if (first[c] != c) continue;
+    values.push_back(of_corners[c]);
+    vertex.push_back(vertex_of[c]);
+  }
+}
+
+Triple face_normal(const Mesh_data& mesh, std::size_t f)
+{
+  const Mesh_data::Face face = mesh.face(f);
+  const Triple& origin = mesh.points[face.front()];
+  double largest = 0; // so that no product overflows or vanishes
+  for (const Mesh_data::Index v : face)
+    for (const double x : difference(mesh.points[v], origin))
+      largest = std::fmax(largest, std::abs(x));
+  if (!(largest > 0)) return {0, 0, 0};
+
+  const auto side = [&](const Mesh_data::Index& v) {
+    Triple d = difference(mesh.points[v], origin);
+    for (double& x : d) x /= largest;
+    return d;
+  };
+  Triple before = side(face[1]), area = {0, 0, 0};
+  for (std::ptrdiff_t i = 2; i < std::ptrdiff_t(face.size()); ++i) {
+    const Triple now = side(face[i]), part = cross_product(before, now);
+    if (i == 2)
+      area = part; // with its signs of zero
+    else
+      for (std::size_t k = 0; k < 3; ++k) area[k] += part[k];
+    before = now;
+  }
+  return normalized(area);
 }
 
 } // namespace pn_subdivide

@@ -12,6 +12,8 @@
 #include "io/Mesh_data.h"
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace pn_subdivide {
 
@@ -39,6 +41,32 @@ void set_several_normals(Mesh_data& mesh, std::vector<Corner_normal>&& normals);
 
 // Vertices whose corners have normals in clearly different directions.
 std::size_t vertices_with_several_normals(const Mesh_data& mesh);
+
+// Normals or texture points of a mesh's corners, where equal ones at the same vertex count once.
+struct Different_values
+{
+  Different_values(const Mesh_data& mesh, const std::vector<Triple>& of_corners);
+
+  std::vector<Triple> values;           // in the order of the first corners that have them
+  std::vector<Mesh_data::Index> vertex; // of each
+  std::vector<std::size_t> of_corner;   // which of them each corner has
+};
+
+// The unit vector of the area vector; zero if there is no area.
+Triple face_normal(const Mesh_data& mesh, std::size_t f);
+
+inline Triple difference(const Triple& a, const Triple& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Triple cross_product(const Triple& a, const Triple& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double scalar_product(const Triple& a, const Triple& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 } // namespace pn_subdivide
 

@@ -9,6 +9,7 @@
 #ifndef PN_SUBDIVIDE_FORMATS_H
 #define PN_SUBDIVIDE_FORMATS_H
 
+#include "io/Attributes.h"
 #include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 
@@ -39,6 +40,15 @@ std::vector<std::string> not_held_by_off(const Mesh_data& mesh);
 std::vector<std::string> not_held_by_obj(const Mesh_data& mesh);
 std::vector<std::string> not_held_by_stl(const Mesh_data& mesh);
 std::vector<std::string> not_held_by_vtp(const Mesh_data& mesh);
+
+// Where the format has types, other programs read colors as bytes and texture coordinates as floats. Those that
+// a file has given no type become such.
+void take_types_of_format(const Mesh_file& output, Attributes& attributes);
+
+// The names of material and texture files are relative to the folder of the mesh file. Makes them
+// those that hold for the output, where it is in another folder. Standard input and output are in the
+// current folder.
+void move_file_references(Attributes& attributes, const Mesh_file& input, const Mesh_file& output);
 
 } // namespace pn_subdivide
 

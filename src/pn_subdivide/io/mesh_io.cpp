@@ -10,7 +10,7 @@
 
 #include "io/Error.h"
 #include "io/Output_file.h"
-#include "io/file_content.h"
+#include "io/Text_reader.h"
 #include "io/formats.h"
 
 #include <boost/algorithm/string/case_conv.hpp>

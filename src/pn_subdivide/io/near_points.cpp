@@ -9,7 +9,7 @@
 #include "io/near_points.h"
 
 #include "io/Error.h"
-#include "io/face_normal.h"
+#include "io/corner_normals.h"
 #include "io/soup_check.h"
 
 #include <CGAL/box_intersection_d.h>

@@ -8,9 +8,8 @@
 
 #include "io/normals_of_file.h"
 
-#include "io/Normal_slots.h"
 #include "io/corner_normals.h"
-#include "io/face_normal.h"
+#include "io/shading_normals.h"
 
 #include <algorithm>
 #include <array>

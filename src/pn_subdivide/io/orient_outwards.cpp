@@ -8,7 +8,7 @@
 
 #include "io/orient_outwards.h"
 
-#include "io/face_normal.h"
+#include "io/corner_normals.h"
 #include "io/soup_check.h"
 
 #include <boost/math/constants/constants.hpp>

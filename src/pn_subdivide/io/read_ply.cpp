@@ -7,10 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Error.h"
-#include "io/Ply_columns.h"
 #include "io/Ply_header.h"
 #include "io/Ply_origin.h"
-#include "io/Ply_tags.h"
 #include "io/Ply_values.h"
 #include "io/corner_normals.h"
 #include "io/formats.h"

@@ -10,7 +10,6 @@
 #include "io/Error.h"
 #include "io/Output_file.h"
 #include "io/Text_reader.h"
-#include "io/file_content.h"
 
 #include <new>
 #include <string_view>

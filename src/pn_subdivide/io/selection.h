@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_SELECTION_H
 #define PN_SUBDIVIDE_SELECTION_H
 
-#include "io/Crease_tags.h"
+#include "io/Mesh_data.h"
 
 #include <array>
 #include <cstddef>

@@ -8,9 +8,7 @@
 
 #include "io/shading_normals.h"
 
-#include "io/Normal_slots.h"
 #include "io/corner_normals.h"
-#include "io/face_normal.h"
 
 #include <algorithm>
 #include <array>

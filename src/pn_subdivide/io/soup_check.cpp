@@ -9,7 +9,6 @@
 #include "io/soup_check.h"
 
 #include "io/Error.h"
-#include "io/plural.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -8,8 +8,8 @@
 
 #include "io/soup_repair.h"
 
+#include "io/Error.h"
 #include "io/orient_outwards.h"
-#include "io/plural.h"
 #include "io/soup_check.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

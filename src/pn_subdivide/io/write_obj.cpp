@@ -6,10 +6,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/Different_values.h"
 #include "io/Held_attributes.h"
 #include "io/Obj_attributes.h"
-#include "io/Obj_tags.h"
+#include "io/corner_normals.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 

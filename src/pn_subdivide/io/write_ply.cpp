@@ -7,9 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "io/Held_attributes.h"
+#include "io/Ply_header.h"
 #include "io/Ply_origin.h"
-#include "io/Ply_shape.h"
-#include "io/Ply_tags.h"
 #include "io/formats.h"
 #include "io/write_text.h"
 

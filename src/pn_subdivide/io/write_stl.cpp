@@ -9,7 +9,7 @@
 #include "io/Error.h"
 #include "io/Held_attributes.h"
 #include "io/Output_file.h"
-#include "io/face_normal.h"
+#include "io/corner_normals.h"
 #include "io/formats.h"
 
 #include <cmath>

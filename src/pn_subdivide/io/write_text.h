@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace pn_subdivide {
 
@@ -68,6 +69,13 @@ void write_vertices_and_faces(Output_file& out, const Mesh_data& mesh,
     out.text("\n");
   }
 }
+
+// Text as it stands between quotes in XML, whose files are UTF-8. What XML cannot hold, most control characters
+// and bytes that are no UTF-8, becomes '?'.
+std::string xml_text(const std::string& text);
+
+// Does XML hold all of it?
+bool is_xml_text(const std::string& text);
 
 } // namespace pn_subdivide
 

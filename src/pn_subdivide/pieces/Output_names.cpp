@@ -10,7 +10,7 @@
 
 #include "io/Error.h"
 #include "io/Output_file.h"
-#include "io/xml_text.h"
+#include "io/write_text.h"
 #include "pieces/Finished_pieces.h"
 #include "pieces/Piece_folder.h"
 

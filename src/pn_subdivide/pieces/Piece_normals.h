@@ -9,7 +9,6 @@
 #ifndef PN_SUBDIVIDE_PIECE_NORMALS_H
 #define PN_SUBDIVIDE_PIECE_NORMALS_H
 
-#include "io/Different_values.h"
 #include "io/Limit_choice.h"
 #include "io/corner_normals.h"
 #include "pieces/Any_pieces.h"

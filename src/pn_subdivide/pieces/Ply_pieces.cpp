@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/Ply_origin.h"
-#include "io/Ply_shape.h"
 #include "pieces/Piece_output.h"
 #include "pieces/Ranks.h"
 #include "pieces/Row_writer.h"

@@ -11,7 +11,7 @@
 #include "io/Error.h"
 #include "io/Output_file.h"
 #include "io/Vtp_writer.h"
-#include "io/xml_text.h"
+#include "io/write_text.h"
 #include "pieces/Checksum.h"
 #include "pieces/Piece_folder.h"
 #include "pieces/Piece_output.h"

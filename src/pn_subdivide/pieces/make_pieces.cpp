@@ -7,8 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 
 #include "pieces/Any_pieces.h"
-#include "surface/Control_corner_normals.h"
 #include "surface/Scheme.h"
+#include "surface/Wedges.h"
 
 #include <CGAL/PN_subdivision_3.h>
 

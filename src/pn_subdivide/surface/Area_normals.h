@@ -10,7 +10,6 @@
 #define PN_SUBDIVIDE_AREA_NORMALS_H
 
 #include "io/corner_normals.h"
-#include "io/face_normal.h"
 
 #include <cstddef>
 #include <utility>

@@ -9,13 +9,91 @@
 #include "surface/Crease_plan.h"
 
 #include "io/Error.h"
-#include "io/near_miss.h"
 #include "io/parse_numbers.h"
+#include "surface/surface_command.h"
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 namespace pn_subdivide {
+namespace {
+
+constexpr const char* sharp_surfaces = "--sharp surfaces";
+
+unsigned parse_min_facets(const std::string& text)
+{
+  constexpr double most = 1000000;
+  const double n = parse_numbers(text, 1, "--min-facets")[0];
+  const bool is_number = text.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number || n < 3 || n > most)
+    throw Usage_error("--min-facets " + text + ": it takes a whole number of at least 3");
+  return static_cast<unsigned>(n);
+}
+
+double parse_tolerance(const std::string& text)
+{
+  const double tolerance = parse_numbers(text, 1, "--surface-tolerance")[0];
+  if (!(tolerance > 0)) throw Usage_error("--surface-tolerance " + text + ": it must be positive");
+  return tolerance;
+}
+
+double parse_sharp_angle(const std::string& text)
+{
+  const double degrees = parse_numbers(text, 1, "--sharp-angle")[0];
+  if (!(degrees >= 0 && degrees <= 180))
+    throw Usage_error("--sharp-angle " + text + ": the angle must be between 0 and 180 degrees");
+  return degrees;
+}
+
+// of the options that need --sharp surfaces the first that is given, or an empty word
+std::string given_option(const Crease_options& options)
+{
+  const std::pair<const char*, const std::optional<std::string>*> all[] = {
+    {"--min-facets", &options.min_facets},
+    {"--surface-tolerance", &options.surface_tolerance},
+    {"--sharp-angle", &options.sharp_angle},
+    {"--surface-labels", &options.surface_labels}};
+  for (const auto& [name, value] : all)
+    if (*value) return name;
+  return {};
+}
+
+void exclude(bool is_given, const std::string& option, const std::string& why)
+{
+  if (is_given)
+    throw Usage_error(option + " and " + sharp_surfaces + " exclude each other: " + why);
+}
+
+} // namespace
+
+bool wants_surfaces(const Crease_options& options)
+{
+  return options.sharp == "surfaces";
+}
+
+Recognition_plan Recognition_plan::make(const Crease_options& options)
+{
+  Recognition_plan plan;
+  if (options.min_facets) plan.min_facets = parse_min_facets(*options.min_facets);
+  if (options.surface_tolerance) plan.tolerance = parse_tolerance(*options.surface_tolerance);
+  if (options.sharp_angle) plan.sharp_angle = parse_sharp_angle(*options.sharp_angle);
+  const std::string option = given_option(options);
+  if (!option.empty() && !wants_surfaces(options))
+    throw Usage_error(option + " needs " + sharp_surfaces);
+  return plan;
+}
+
+void require_options_for_surfaces(const Surface_options& options)
+{
+  if (!wants_surfaces(options.creases)) return;
+  exclude(options.creases.sharpness.has_value(), "--sharpness",
+          "creases between surfaces are sharp for ever");
+  exclude(options.interpolate.has_value(), "--interpolate",
+          "surfaces with sharp edges cannot be made to pass through points");
+}
+
 namespace {
 
 using Source = Crease_plan::Source;

@@ -9,17 +9,36 @@
 #ifndef PN_SUBDIVIDE_CREASE_PLAN_H
 #define PN_SUBDIVIDE_CREASE_PLAN_H
 
+#include "io/Limit_choice.h"
 #include "io/selection.h"
-#include "surface/Crease_options.h"
-#include "surface/Recognition_plan.h"
 #include "surface/surface_schemes.h"
 
 #include <CGAL/PN_subdivision_3/parameters.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace pn_subdivide {
+
+struct Crease_options;
+struct Surface_options;
+
+// How --sharp surfaces looks for surfaces, as --min-facets, --surface-tolerance and --sharp-angle say it.
+struct Recognition_plan
+{
+  unsigned min_facets = 8;
+  std::optional<double> tolerance; // without: of the rounding of the file
+  double sharp_angle = 30;         // in degrees
+
+  // Throws Usage_error, also if the options are given without --sharp surfaces.
+  static Recognition_plan make(const Crease_options& options);
+};
+
+bool wants_surfaces(const Crease_options& options);
+
+// Throws Usage_error if other options exclude --sharp surfaces.
+void require_options_for_surfaces(const Surface_options& options);
 
 using Border = CGAL::PN_subdivision_3::Border;
 

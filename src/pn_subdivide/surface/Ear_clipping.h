@@ -13,14 +13,139 @@
 #include "surface/split_polygon.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
+
+// Turns diagonals of a polygon's triangles without folds until all are as Delaunay has them, in its plane. The sum
+// of the angles' cotangents falls with each, so it ends; quadratic at worst, which the number of turns bounds.
+class Polygon_flips
+{
+public:
+  using Index = std::uint32_t;
+
+  Polygon_flips(const Polygon_in_plane& polygon, const Is_edge& is_edge,
+                const std::vector<Corner_triangle>& triangles)
+    : polygon_(polygon)
+    , is_edge_(is_edge)
+  {
+    for (const Corner_triangle& t : triangles) triangles_.push_back({t, {none, none, none}});
+    join();
+  }
+
+  std::vector<Corner_triangle> triangles()
+  {
+    std::vector<Side> open;
+    for (Index t = 0; t < triangles_.size(); ++t)
+      for (Index i = 0; i < 3; ++i)
+        if (triangles_[t].across[i] > t && triangles_[t].across[i] != none) open.push_back({t, i});
+    for (std::size_t turns = 64 * triangles_.size(); turns > 0 && !open.empty();) {
+      const Side side = open.back();
+      open.pop_back();
+      if (triangles_[side.triangle].across[side.corner] == none || !turn(side)) continue;
+      --turns;
+      const Index s = triangles_[side.triangle].across[1];
+      open.insert(open.end(), {{side.triangle, 0}, {side.triangle, 2}, {s, 0}, {s, 1}});
+    }
+    std::vector<Corner_triangle> result;
+    for (const Triangle& t : triangles_) {
+      result.push_back(t.corners);
+      std::sort(result.back().begin(), result.back().end());
+    }
+    return result;
+  }
+
+private:
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  struct Triangle
+  {
+    Corner_triangle corners;     // turning left
+    std::array<Index, 3> across; // the triangle beyond the side opposite to each
+  };
+  struct Side
+  {
+    Index triangle, corner; // opposite to it
+  };
+
+  void join()
+  {
+    using Diagonal = std::pair<Index, Index>;
+    std::vector<std::pair<Diagonal, Side>> sides;
+    for (Index t = 0; t < triangles_.size(); ++t)
+      for (Index i = 0; i < 3; ++i) {
+        const Corner_triangle& c = triangles_[t].corners;
+        sides.push_back({std::minmax(c[(i + 1) % 3], c[(i + 2) % 3]), {t, i}});
+      }
+    std::sort(sides.begin(), sides.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+      if (sides[k].first != sides[k + 1].first) continue;
+      const Side a = sides[k].second, b = sides[k + 1].second;
+      triangles_[a.triangle].across[a.corner] = b.triangle;
+      triangles_[b.triangle].across[b.corner] = a.triangle;
+    }
+  }
+
+  // Whether the circle through a, b, d holds c, by more than rounding.
+  bool is_better(Index a, Index b, Index c, Index d) const
+  {
+    const Angle at_a = angle(b, a, d), at_c = angle(d, c, b);
+    return at_a.cosine * at_c.sine + at_a.sine * at_c.cosine < -std::ldexp(1., -40);
+  }
+  struct Angle
+  {
+    double cosine, sine;
+  };
+  Angle angle(Index from, Index at, Index to) const
+  {
+    const auto &f = polygon_.in_plane(from), &o = polygon_.in_plane(at), &t = polygon_.in_plane(to);
+    const double ux = f[0] - o[0], uy = f[1] - o[1], vx = t[0] - o[0], vy = t[1] - o[1];
+    const double lengths = std::hypot(ux, uy) * std::hypot(vx, vy);
+    if (!(lengths > 0)) return {1, 0};
+    return {(ux * vx + uy * vy) / lengths, (ux * vy - uy * vx) / lengths};
+  }
+
+  // The corners a, b, c, d of the two triangles beside the side b d; it becomes a c.
+  bool turn(const Side& side)
+  {
+    Triangle& t = triangles_[side.triangle];
+    const Index i = side.corner, other = t.across[i];
+    Triangle& s = triangles_[other];
+    const Index j =
+      Index(std::find(s.across.begin(), s.across.end(), side.triangle) - s.across.begin());
+    const Index a = t.corners[i], b = t.corners[(i + 1) % 3], c = s.corners[j],
+                d = t.corners[(i + 2) % 3];
+    if (!is_better(a, b, c, d) || polygon_.turn(a, b, c) <= 0 || polygon_.turn(a, c, d) <= 0 ||
+        is_edge_(a, c))
+      return false;
+    const Index bc = s.across[(j + 1) % 3], cd = s.across[(j + 2) % 3], da = t.across[(i + 1) % 3],
+                ab = t.across[(i + 2) % 3];
+    t = {{a, b, c}, {bc, other, ab}};
+    s = {{a, c, d}, {cd, da, side.triangle}};
+    if (bc != none) replace(bc, other, side.triangle);
+    if (da != none) replace(da, side.triangle, other);
+    return true;
+  }
+  void replace(Index in, Index from, Index to)
+  {
+    std::array<Index, 3>& across = triangles_[in].across;
+    *std::find(across.begin(), across.end(), from) = to;
+  }
+
+  const Polygon_in_plane& polygon_;
+  const Is_edge& is_edge_;
+  std::vector<Triangle> triangles_;
+};
 
 // Cuts off corners, of those that can be cut off the one with the shortest diagonal first. In a polygon that
 // touches or crosses itself there may be none: then the one that does least harm. Corners that turn right, the only

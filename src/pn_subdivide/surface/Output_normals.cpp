@@ -9,8 +9,7 @@
 #include "surface/Output_normals.h"
 
 #include "io/Error.h"
-#include "io/near_miss.h"
-#include "surface/Bounding_box.h"
+#include "io/Mesh_data.h"
 #include "surface/surface_command.h"
 
 #include <algorithm>

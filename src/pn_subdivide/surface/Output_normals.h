@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_OUTPUT_NORMALS_H
 #define PN_SUBDIVIDE_OUTPUT_NORMALS_H
 
-#include "io/Normal_kind.h"
+#include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 
 #include <string>

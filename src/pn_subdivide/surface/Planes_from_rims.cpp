@@ -9,7 +9,6 @@
 #include "surface/Planes_from_rims.h"
 
 #include "io/Error.h"
-#include "io/plural.h"
 #include "surface/surface_command.h"
 
 #include <CGAL/PN_subdivision_3/triangulate_planes.h>

@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_RECOGNIZED_PART_H
 #define PN_SUBDIVIDE_RECOGNIZED_PART_H
 
-#include "surface/Recognition_plan.h"
+#include "surface/Crease_plan.h"
 #include "surface/Surface.h"
 
 #include <CGAL/PN_subdivision_3/Recognized_surface.h>

@@ -11,6 +11,8 @@
 
 #include "surface/Surface.h"
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -61,6 +63,21 @@ private:
       of_corner[h] = vertex.size();
     }
   }
+};
+
+// The normals of take_corner_normals(), by half-edge.
+struct Control_corner_normals
+{
+  using key_type = Surface::Halfedge_index;
+  using value_type = Vector_3;
+  using reference = const Vector_3&;
+  using category = boost::readable_property_map_tag;
+
+  friend const Vector_3& get(const Control_corner_normals& n, key_type h)
+  {
+    return (*n.normals)[h];
+  }
+  const std::vector<Vector_3>* normals;
 };
 
 } // namespace pn_subdivide

@@ -10,7 +10,6 @@
 
 #include "io/Error.h"
 #include "io/Text_reader.h"
-#include "io/near_miss.h"
 #include "surface/surface_schemes.h"
 
 #include <CGAL/boost/graph/iterator.h>

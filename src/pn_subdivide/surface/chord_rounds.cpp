@@ -9,7 +9,6 @@
 #include "surface/chord_rounds.h"
 
 #include "io/Error.h"
-#include "io/near_miss.h"
 #include "surface/limit_surface.h"
 #include "surface/refine_surface.h"
 #include "surface/surface_command.h"

@@ -9,6 +9,7 @@
 #include "surface/control_mesh.h"
 
 #include "io/Error.h"
+#include "io/Mesh_data.h"
 #include "io/Text_reader.h"
 #include "io/near_points.h"
 #include "io/normals_of_file.h"
@@ -16,7 +17,6 @@
 #include "io/shading_normals.h"
 #include "io/soup_check.h"
 #include "io/soup_repair.h"
-#include "surface/Bounding_box.h"
 #include "surface/Surface.h"
 #include "surface/attributes.h"
 

@@ -9,7 +9,7 @@
 #ifndef PN_SUBDIVIDE_INTERPOLATE_SURFACE_H
 #define PN_SUBDIVIDE_INTERPOLATE_SURFACE_H
 
-#include "io/Interpolation_choice.h"
+#include "io/Limit_choice.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"

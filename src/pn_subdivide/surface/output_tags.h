@@ -13,6 +13,7 @@
 #include "io/Report.h"
 #include "io/mesh_io.h"
 #include "surface/Output_normals.h"
+#include "surface/Recognized_part.h"
 #include "surface/surface_command.h"
 
 #include <optional>
@@ -47,6 +48,34 @@ private:
   std::string name_;
   std::optional<Output_file> file_;
 };
+
+struct Surface_options;
+
+// The numbers of segments: of control faces in a file, and as a property of the faces of the result.
+
+// Throws Usage_error or Error if the file of --surface-labels cannot be one: it is none of `others`.
+void require_labels_place(const Surface_options& options, const std::vector<std::string>& others);
+
+// A file with the segment of each face, one a line, which appears by commit().
+class Labels_file
+{
+public:
+  // Nothing without --surface-labels.
+  Labels_file(const Surface_options& options, const Recognized_part* part);
+  void commit();
+
+private:
+  std::string name_;
+  std::optional<Output_file> file_;
+};
+
+// Adds the property, which the children of the faces get, too. One of the user's with this name gives way.
+void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,
+                  Report& report);
+// That property; nullptr if there is none.
+const std::vector<double>* segments_of(const Attributes& attributes);
+// It stays where files have properties of faces, without a word elsewhere.
+void suit_segments(Mesh_data& mesh, const Mesh_file& output);
 
 } // namespace pn_subdivide
 

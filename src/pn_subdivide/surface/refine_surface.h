@@ -21,6 +21,16 @@
 
 namespace pn_subdivide {
 
+// About how many seconds the rounds take on one thread; 0 for meshes without large valences and large
+// faces, whose rounds are reported one by one. Some schemes combine, for each edge at a vertex, all of its
+// neighbors: the time then grows with the square of the valence.
+double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned levels);
+
+// About how many seconds the rounds take on one thread; 0 for meshes without large valences and large
+// faces, whose rounds are reported one by one. Some schemes combine, for each edge at a vertex, all of its
+// neighbors: the time then grows with the square of the valence.
+double expected_seconds(Surface& surface, const Scheme_choice& choice, unsigned levels);
+
 struct Refinement
 {
   unsigned levels = 1;

@@ -9,7 +9,6 @@
 #include "surface/split_polygon.h"
 
 #include "surface/Ear_clipping.h"
-#include "surface/Polygon_flips.h"
 #include "surface/Polygon_in_plane.h"
 
 #include <algorithm>

@@ -9,10 +9,9 @@
 #ifndef PN_SUBDIVIDE_SURFACE_COMMAND_H
 #define PN_SUBDIVIDE_SURFACE_COMMAND_H
 
+#include "io/Limit_choice.h"
 #include "io/Report.h"
 #include "pieces/Pieces_options.h"
-#include "surface/Crease_options.h"
-#include "surface/Verify_options.h"
 #include "surface/limit_surface.h"
 #include "surface/surface_schemes.h"
 

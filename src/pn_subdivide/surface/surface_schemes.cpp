@@ -9,7 +9,6 @@
 #include "surface/surface_schemes.h"
 
 #include "io/Error.h"
-#include "io/near_miss.h"
 #include "surface/Scheme.h"
 
 #include <CGAL/PN_subdivision_3/schemes/Grid_CatmullClark_scheme.h>

@@ -9,9 +9,9 @@
 #ifndef PN_SUBDIVIDE_VERIFICATION_H
 #define PN_SUBDIVIDE_VERIFICATION_H
 
+#include "io/Limit_choice.h"
 #include "io/Mesh_data.h"
-#include "io/curve_data.h"
-#include "surface/Verify_options.h"
+#include "io/curve_io.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>

@@ -14,7 +14,7 @@
 
 #include "io/Error.h"
 #include "io/Held_attributes.h"
-#include "io/file_references.h"
+#include "io/formats.h"
 #include "io/mesh_io.h"
 #include "io/soup_repair.h"
 

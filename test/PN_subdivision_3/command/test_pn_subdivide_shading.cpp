@@ -10,7 +10,7 @@
 
 #include "Command_test.h"
 
-#include "io/Written_digits.h"
+#include "io/Mesh_data.h"
 #include "io/mesh_io.h"
 
 #include <gtest/gtest.h>

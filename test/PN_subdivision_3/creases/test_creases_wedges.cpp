@@ -12,7 +12,7 @@
 #include "Tagged_meshes.h"
 
 #include <CGAL/PN_subdivision_3.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Wedge_normals.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/DooSabin_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/internal/average/Stencil_block.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Tuned_Loop_frequencies.h>
-#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Simple_cartesian.h>

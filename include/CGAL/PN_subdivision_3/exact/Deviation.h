@@ -22,6 +22,38 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Reproduction
 
+A circular cylinder: the points at a given distance from a line.
+
+\tparam Kernel a model of `Kernel`
+*/
+template <class Kernel>
+class Cylinder_3
+{
+public:
+  /// the number type.
+  using FT = typename Kernel::FT;
+  /// the type of the axis.
+  using Line_3 = typename Kernel::Line_3;
+
+  /// the cylinder of radius R about the axis, given R<sup>2</sup>.
+  Cylinder_3(const Line_3& axis, const FT& squared_radius)
+    : axis_(axis)
+    , squared_radius_(squared_radius)
+  {}
+
+  /// the axis.
+  const Line_3& axis() const { return axis_; }
+  /// the squared radius.
+  const FT& squared_radius() const { return squared_radius_; }
+
+private:
+  Line_3 axis_;
+  FT squared_radius_;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Reproduction
+
 What a mesh or curve deviates from a shape by, as `mesh_deviation()` and `curve_deviation()` return it.
 
 \tparam Number see `Deviation_number`

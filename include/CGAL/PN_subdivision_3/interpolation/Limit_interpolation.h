@@ -78,6 +78,25 @@ struct Limit_interpolation
   bool is_within_tolerance() const { return residual <= tolerance; }
 };
 
+/*!
+\ingroup PkgPNSubdivision3Interpolation
+The curvature that the limit surface shall have at a vertex, see `prescribe_limit_data()`: its principal
+curvatures, or those in any two perpendicular directions between which the surface does not twist. Signs
+are those of `Vertex_curvature`: positive where the surface bends away from its normal.
+
+\tparam GeomTraits a model of `Kernel`
+*/
+template <class GeomTraits>
+struct Prescribed_curvature
+{
+  /// the curvature in `direction`.
+  double along = 0;
+  /// the curvature perpendicular to `direction`.
+  double across = 0;
+  /// a vector of any length; its part in the tangent plane counts. Not used if both curvatures are equal.
+  typename GeomTraits::Vector_3 direction{0, 0, 0};
+};
+
 } // namespace PN_subdivision_3
 } // namespace CGAL
 

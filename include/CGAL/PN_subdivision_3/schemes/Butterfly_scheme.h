@@ -12,10 +12,9 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 #include <cstddef>
 #include <map>

@@ -11,9 +11,8 @@
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
-#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
-#include <CGAL/PN_subdivision_3/schemes/border_rules.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -12,8 +12,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
-#include <CGAL/PN_subdivision_3/schemes/border_rules.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 namespace CGAL {
 namespace PN_subdivision_3 {

@@ -52,6 +52,16 @@ private:
   int numerator_ = 0, denominator_ = 0; // 0: none is given
 };
 
+/// \ingroup PkgPNSubdivision3Schemes
+/// at which extraordinary vertices a modified scheme has rules of its own.
+enum class Tuned_valences {
+  /// at all.
+  all,
+  /// where the curvature of the linear scheme diverges: not at valence 3 of Catmull-Clark and valences
+  /// 4 and 5 of Loop subdivision, where it is bounded.
+  diverging
+};
+
 } // namespace PN_subdivision_3
 } // namespace CGAL
 

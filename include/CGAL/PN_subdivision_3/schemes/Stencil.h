@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
 #define CGAL_PN_SUBDIVISION_3_SCHEMES_STENCIL_H
 
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -87,6 +89,44 @@ private:
   std::unique_ptr<Entry[]> entries_{new Entry[capacity_]};
   std::size_t begin_ = 0;
   std::size_t size_ = 0;
+};
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+writes the row of a border vertex, the one that the border half-edge `border` leads to: `w` for its two
+neighbors on the border and 1 - 2`w` for itself.
+\pre `level.is_border(border)`
+*/
+template <class FT, class Stencil>
+void add_along_border(const Level_connectivity& level, Level_connectivity::Index border,
+                      const FT& w, Stencil& s)
+{
+  s.add(level.source(border), w);
+  s.add(level.target(level.next(border)), w);
+  s.add_rest(level.target(border));
+}
+
+/*!
+\ingroup PkgPNSubdivision3Schemes
+
+What has to be regular around a vertex for a scheme to do there, from now on, the same in every round: to map the
+ring of the vertex to that of its successor by one matrix. A scheme has a static constant `limit_neighborhood` of this
+type; without it, these are the defaults, which serve all schemes with masks no larger than those of the package.
+*/
+struct Limit_neighborhood
+{
+  /// in how many rings the other vertices have to be regular. With 0 the rules at a vertex depend on its valence and
+  /// the degrees of its faces alone.
+  unsigned regular_rings = 2;
+  /// whether these vertices may lie on the border.
+  bool takes_border = false;
+  /// whether the surface is one of piecewise polynomials where all vertices are regular.
+  bool is_spline = false;
+  /// whether vertices keep their points and normals.
+  bool keeps_points = false;
+  /// whether the surface has tangent planes. Where it has none, control normals stand in for its normals; vertices
+  /// then have to keep their points.
+  bool has_tangent_planes = true;
 };
 
 } // namespace PN_subdivision_3

@@ -13,14 +13,12 @@
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Merged_row.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Ring_tuning.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Separated_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Tuned_Loop_frequencies.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/Weight_number.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/dense_rows.h>
 #include <CGAL/PN_subdivision_3/schemes/Cosine_weights.h>
-#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
-#include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
+#include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 #include <vector>
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Scheme_parameter.h>
-#include <CGAL/PN_subdivision_3/schemes/Tuned_valences.h>
 #include <CGAL/PN_subdivision_3/schemes/shipped_schemes.h>
 
 #include <map>

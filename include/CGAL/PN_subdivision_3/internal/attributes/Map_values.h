@@ -12,7 +12,7 @@
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Attribute_values.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
 
 #include <boost/container/vector.hpp>
 #include <boost/property_map/property_map.hpp>

@@ -14,7 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/join_wedges.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -12,9 +12,8 @@
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_subdivision.h>
 #include <CGAL/PN_subdivision_3/internal/curves/Curve_windows.h>
-#include <CGAL/PN_subdivision_3/internal/curves/Window_geometry.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/Uncertain.h>
 

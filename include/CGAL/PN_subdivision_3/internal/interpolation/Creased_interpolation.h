@@ -11,15 +11,15 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_options.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/interpolate_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/slot_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/interpolation/Limit_interpolation.h>
 
 #include <Eigen/Core>

@@ -15,14 +15,12 @@
 #include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Interpolation_data.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Mesh_limit_functionals.h>
-#include <CGAL/PN_subdivision_3/internal/interpolation/Natural_normals.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Prescription.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Slide_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Strict_interpolation.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/roundness_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/number_utils.h>
 

@@ -17,7 +17,6 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
-#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_writer.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>

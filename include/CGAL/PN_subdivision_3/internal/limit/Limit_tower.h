@@ -11,11 +11,11 @@
 
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_transfer.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_class.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_geometry.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Ring_planes.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/number_type_basic.h>
 

@@ -9,17 +9,24 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_TOWERS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_LIMIT_TOWERS_H
 
+#include <CGAL/PN_subdivision_3/average/Crease_average.h>
 #include <CGAL/PN_subdivision_3/average/Unit_normal_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_classes.h>
+#include <CGAL/PN_subdivision_3/internal/limit/Limit_options.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_tower.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
-#include <CGAL/PN_subdivision_3/internal/limit/refuse_intervals.h>
-
+#include <CGAL/PN_subdivision_3/internal/limit/Sub_level.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/Uncertain.h>
 
+#include <boost/container/small_vector.hpp>
+
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -143,6 +150,105 @@ private:
   Coordinates<FT, 3> last_{};
   double last_step_ = 0, error_ = 0;
   unsigned depth_ = 0;
+};
+
+// The weights of the curve that a scheme makes of a border or crease: of a vertex and its neighbors in a
+// round, and in the limit. In a round edges are halved, so that the limit mask (x, y, x) satisfies
+// x = w y + x/2 with the weight w of a neighbor: it is (1, 4, 1)/6 for the cubic spline.
+template <class FT>
+struct Crease_curve_weights
+{
+  FT vertex, limit;
+
+  // on a level that is cut open, of a vertex on its border
+  template <class Scheme>
+  static Crease_curve_weights of(const Scheme& scheme, const Level_connectivity& level,
+                                 Level_connectivity::Index v, unsigned round)
+  {
+    const Sub_level around(level, {v}, 1);
+    const Level_connectivity::Index center = around.centers().front();
+    Entry_row<FT> row;
+    scheme.template mask<FT>(around.level(), round).vertex(center, row);
+    Crease_curve_weights result{FT(0), FT(0)};
+    for (const auto* e = row.begin(); e != row.end(); ++e)
+      if (e->vertex == center) result.vertex += e->weight;
+    result.limit = FT(1) / (FT(3) - FT(2) * result.vertex);
+    return result;
+  }
+};
+
+// The limit at a vertex on a crease. The vertex and its neighbors along the crease, with the tangents and the
+// normals of the wedges, are refined by themselves.
+template <class FT, bool is_pn>
+class Crease_vertex_limit
+{
+public:
+  using Vector = Coordinates<FT, 3>;
+  // of the vertex, of the neighbor that the crease comes from, and of the one that it goes to
+  using Three = std::array<Vector, 3>;
+
+  Three points;
+  Three tangents;         // in the direction of travel
+  Vector arrival_tangent; // that of the vertex, for the edge that the crease comes on
+  boost::container::small_vector<Three, 2> normals; // of each wedge
+  std::array<FT, 3> roundness{FT(1), FT(1), FT(1)}; // the means of the wedges
+
+  // becomes the limit at the vertex, which is the first one of each three
+  void evaluate(const Crease_curve_weights<FT>& weights, Limit_steps<FT>& steps)
+  {
+    const Vector center = points[0];
+    if constexpr (std::is_floating_point_v<FT>)
+      for (Vector& p : points) add_multiple<FT, 3>(p, FT(-1), center);
+    for (;;) {
+      const Crease_vertex_limit limit = averages(weights.limit, false);
+      if (steps.is_last(limit.points[0])) {
+        *this = limit;
+        break;
+      }
+      *this = averages(weights.vertex, true);
+    }
+    if constexpr (std::is_floating_point_v<FT>) add_multiple<FT, 3>(points[0], FT(1), center);
+  }
+
+private:
+  using Rule = Crease_average<FT, 3>;
+  using Entry = typename Rule::Entry;
+
+  // the next values, those of the vertex by its weight; of the neighbors they are asked for or remain
+  Crease_vertex_limit averages(const FT& vertex_weight, bool with_neighbors) const
+  {
+    Crease_vertex_limit next = *this;
+    const FT side = (FT(1) - vertex_weight) / FT(2), half = FT(1) / FT(2);
+    const std::array<Entry, 3> all{{{side, points[1], tangents[1]},
+                                    {side, points[2], tangents[2]},
+                                    {vertex_weight, points[0], tangents[0]}}};
+    put(all, 0, {1, 2, 0}, next);
+    next.arrival_tangent = next.tangents[0];
+    if (!with_neighbors) return next;
+    const std::array<Entry, 2> arrival{
+      {{half, points[1], tangents[1]}, {half, points[0], arrival_tangent}}};
+    put(arrival, 1, {1, 0, 0}, next);
+    const std::array<Entry, 2> departure{
+      {{half, points[0], tangents[0]}, {half, points[2], tangents[2]}}};
+    put(departure, 2, {0, 2, 0}, next);
+    return next;
+  }
+
+  // entry j is that of place[j]
+  template <std::size_t n>
+  void put(const std::array<Entry, n>& entries, std::size_t at,
+           const std::array<std::size_t, 3>& place, Crease_vertex_limit& next) const
+  {
+    next.roundness[at] =
+      averaged_roundness(entries, [&](std::size_t j) { return roundness[place[j]]; });
+    const Rule rule(entries.data(), entries.data() + n, next.roundness[at]);
+    next.points[at] = rule.point();
+    next.tangents[at] = rule.tangent();
+    if constexpr (is_pn)
+      for (std::size_t w = 0; w < normals.size(); ++w)
+        next.normals[w][at] =
+          rule.normal([&](std::size_t j) -> const Vector& { return normals[w][place[j]]; });
+  }
 };
 
 } // namespace internal

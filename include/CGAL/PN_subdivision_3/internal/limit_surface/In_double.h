@@ -9,7 +9,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_LIMIT_SURFACE_IN_DOUBLE_H
 
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 

@@ -16,7 +16,6 @@
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>

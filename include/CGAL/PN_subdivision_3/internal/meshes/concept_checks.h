@@ -342,6 +342,68 @@ constexpr bool check_subdivision_parameters()
   return is_integer;
 }
 
+// the maps of a call that say what is sharp and how round it is
+template <class Mesh, class Parameters>
+constexpr bool check_sharpness_and_roundness()
+{
+  return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
+                              typename Parameters::Edge_constraint_map>() &&
+         check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                              typename Parameters::Vertex_constraint_map>() &&
+         check_roundness<Mesh, Parameters>();
+}
+
+// points and normals, of vertices or, if the function takes them, of corners
+template <class Mesh, class Parameters, class Access_tag, bool takes_corners>
+constexpr bool check_points_and_normals()
+{
+  return check_point_map<typename Parameters::Point_map, Access_tag, typename Parameters::FT>() &&
+         check_normal_map<Mesh, typename Parameters::Normal_map, typename Parameters::Point_map,
+                          typename Parameters::Geom_traits, Access_tag, takes_corners>();
+}
+
+// the scheme and the control mesh, which is only read or refined
+template <class Mesh, class Scheme, class NamedParameters,
+          class Access_tag = boost::readable_property_map_tag>
+constexpr bool check_control_arguments()
+{
+  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
+    return false;
+  else {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
+    static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
+    if constexpr (is_scheme)
+      return check_points_and_normals<Mesh, Parameters, Access_tag, true>() &&
+             check_sharpness_and_roundness<Mesh, Parameters>();
+    return false;
+  }
+}
+
+template <class Mesh, class Scheme, class NamedParameters>
+constexpr bool check_refiner_arguments()
+{
+  constexpr bool has_tangents = has_crease_tangents_v<Scheme>;
+  static_assert(!has_tangents, "PN_subdivision_3: Surface_refiner makes the tangents of creases "
+                               "from the control points: it takes no crease_tangent_map");
+  if constexpr (has_tangents)
+    return false;
+  else
+    return check_control_arguments<Mesh, Scheme, NamedParameters>();
+}
+
+template <class Mesh, class Scheme, class NamedParameters,
+          class Access_tag = boost::readable_property_map_tag>
+constexpr bool check_pieces_arguments()
+{
+  if constexpr (check_control_arguments<Mesh, Scheme, NamedParameters, Access_tag>()) {
+    using Parameters = Surface_parameters<Mesh, NamedParameters>;
+    return check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
+                                 typename Parameters::Geom_traits>();
+  } else
+    return false;
+}
+
 template <class Mesh, class Scheme, class NamedParameters>
 constexpr bool check_subdivision_arguments()
 {
@@ -349,28 +411,22 @@ constexpr bool check_subdivision_arguments()
     return false;
   else if constexpr (!check_named_parameters<NamedParameters>())
     return false;
-  else if constexpr (check_subdivision_parameters<NamedParameters>()) {
-    if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
-      using Parameters = Surface_parameters<Mesh, NamedParameters>;
-      constexpr bool is_scheme = Is_scheme<Scheme, typename Parameters::FT>::value;
-      static_assert(is_scheme, "PN_subdivision_3: the scheme is no model of PNSubdivisionScheme_3");
-      if constexpr (is_scheme &&
-                    check_point_map<typename Parameters::Point_map,
-                                    boost::writable_property_map_tag, typename Parameters::FT>())
-        return check_normal_map<Mesh, typename Parameters::Normal_map,
-                                typename Parameters::Point_map, typename Parameters::Geom_traits,
-                                boost::writable_property_map_tag, true>() &&
-               check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
-                                    typename Parameters::Edge_constraint_map>() &&
-               check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                                    typename Parameters::Vertex_constraint_map>() &&
-               check_roundness<Mesh, Parameters>() &&
-               check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
-                                     typename Parameters::Geom_traits>();
-    }
+  else if constexpr (check_subdivision_parameters<NamedParameters>())
+    return check_pieces_arguments<Mesh, Scheme, NamedParameters,
+                                  boost::writable_property_map_tag>();
+  else
     return false;
-  } else
-    return false;
+}
+
+template <class Mesh, class NamedParameters, bool takes_corners = false>
+constexpr bool check_build_arguments()
+{
+  if constexpr (check_mutable_mesh<Mesh>()) {
+    if constexpr (check_is_point_map<Mesh, NamedParameters>())
+      return check_points_and_normals<Mesh, Surface_parameters<Mesh, NamedParameters>,
+                                      boost::writable_property_map_tag, takes_corners>();
+  }
+  return false;
 }
 
 template <class T, class = void>
@@ -410,11 +466,7 @@ constexpr bool check_creased_limit_arguments()
 {
   if constexpr (check_is_point_map<Mesh, NamedParameters>()) {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
-    return check_constraint_map<typename boost::graph_traits<Mesh>::edge_descriptor,
-                                typename Parameters::Edge_constraint_map>() &&
-           check_constraint_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
-                                typename Parameters::Vertex_constraint_map>() &&
-           check_roundness<Mesh, Parameters>() &&
+    return check_sharpness_and_roundness<Mesh, Parameters>() &&
            check_crease_tangents<Mesh, Scheme, typename Parameters::Point_map,
                                  typename Parameters::Geom_traits>();
   } else

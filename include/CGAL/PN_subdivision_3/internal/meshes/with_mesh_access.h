@@ -9,14 +9,267 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_WITH_MESH_ACCESS_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_WITH_MESH_ACCESS_H
 
+#include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Bgl_mesh_access.h>
-#include <CGAL/PN_subdivision_3/internal/meshes/Surface_mesh_access.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <new>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
+
+// Declared, not included: Surface_mesh has a licence of its own, and whoever calls with one has it.
+template <typename P>
+class Surface_mesh;
+
+namespace Properties {
+template <typename I, typename T, typename CRTP_derived_class>
+class Property_map_base;
+}
+
 namespace PN_subdivision_3 {
 namespace internal {
+
+// The numbers of the elements of a Surface_mesh: their slots or, where some are removed, their positions among the
+// others; new elements come behind all slots.
+class Slot_numbers
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  template <class Is_removed>
+  Slot_numbers(std::uint64_t slots, std::uint64_t number, const Is_removed& is_removed)
+    : number_(static_cast<Index>(number))
+    , removed_(static_cast<Index>(slots - number))
+  {
+    if (removed_ == 0) return;
+    slots_.reserve(number_);
+    for (Index i = 0; i < slots; ++i)
+      if (!is_removed(i)) slots_.push_back(i);
+  }
+
+  bool are_slots() const { return removed_ == 0; }
+  Index number() const { return number_; } // of those that are there
+  Index slot(Index i) const { return i < slots_.size() ? slots_[i] : i + removed_; }
+  std::uint64_t slots_for(std::uint64_t n) const { return n + removed_; }
+
+  // from slots to numbers; null for those that are removed, or none
+  class Inverse
+  {
+  public:
+    explicit Inverse(const Slot_numbers& numbers)
+      : numbers_(numbers.slots_.size() + numbers.removed_, Level_connectivity::null)
+    {
+      for (Index i = 0; i < numbers.slots_.size(); ++i) numbers_[numbers.slots_[i]] = i;
+    }
+    Index operator()(Index slot) const
+    {
+      if (numbers_.empty()) return slot;
+      return slot < numbers_.size() ? numbers_[slot] : Level_connectivity::null;
+    }
+
+  private:
+    std::vector<Index> numbers_;
+  };
+
+private:
+  Index number_, removed_;
+  std::vector<Index> slots_; // empty if none is removed
+};
+
+// A Surface_mesh. It grows by one resize() into fresh memory. (A reserve() before it would make the resize() ten
+// times slower.)
+template <class Mesh>
+class Surface_mesh_access : public Element_names
+{
+  using Vertex = typename Mesh::Vertex_index;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+
+public:
+  using Index = Level_connectivity::Index;
+  using vertex_descriptor = Vertex;
+
+  explicit Surface_mesh_access(Mesh& mesh)
+    : mesh_(mesh)
+    , vertices_(mesh.num_vertices(), mesh.number_of_vertices(),
+                [&](Index i) { return mesh.is_removed(Vertex(i)); })
+    , edges_(mesh.num_edges(), mesh.number_of_edges(),
+             [&](Index i) { return mesh.is_removed(Edge(i)); })
+    , faces_(mesh.num_faces(), mesh.number_of_faces(),
+             [&](Index i) { return mesh.is_removed(Face(i)); })
+  {
+    old_size_.vertices = vertices_.number();
+    old_size_.edges = edges_.number();
+    old_size_.faces = faces_.number();
+  }
+
+  // the last round of a host writes the mesh itself, if numbers are slots
+  static constexpr bool may_be_child_of_hosts = true;
+  bool is_child_of_hosts() const
+  {
+    return vertices_.are_slots() && edges_.are_slots() && faces_.are_slots();
+  }
+  static constexpr bool has_concurrent_connectivity = true;
+
+  static constexpr std::uint64_t index_limit() { return Level_connectivity::null; }
+
+  Level_size size() const { return old_size_; }
+  Vertex vertex(Index v) const { return Vertex(vertices_.slot(v)); }
+  Halfedge halfedge_at(Index h) const { return Halfedge(2 * edges_.slot(h >> 1) + (h & 1u)); }
+  Edge edge_at(Index e) const { return Edge(edges_.slot(e)); }
+  Face face_at(Index f) const { return Face(faces_.slot(f)); }
+
+  std::string vertex_name(Index v) const override { return name("vertex ", vertices_, v); }
+  std::string halfedge_name(Index h) const override
+  {
+    return "half-edge " + std::to_string(static_cast<Index>(halfedge_at(h)));
+  }
+  std::string face_name(Index f) const override { return name("face ", faces_, f); }
+
+  // an element that does not belong to the mesh becomes an invalid index
+  void read(Level_connectivity& level) const
+  {
+    const Slot_numbers::Inverse vertices(vertices_), edges(edges_), faces(faces_);
+    const auto halfedge = [&](Halfedge h) {
+      const Index e = edges(static_cast<Index>(h) >> 1);
+      return e < edges_.number() ? 2 * e + (static_cast<Index>(h) & 1u) : invalid(h);
+    };
+    for (Index h = 0; h < 2 * edges_.number(); ++h) {
+      const Halfedge d = halfedge_at(h);
+      level.set_target(h, vertices(mesh_.target(d)));
+      level.set_next(h, halfedge(mesh_.next(d)));
+      const Face f = mesh_.face(d);
+      level.set_face(h, f == Mesh::null_face()
+                          ? Level_connectivity::null
+                          : (std::min)(faces(f), static_cast<Index>(faces_.number())));
+    }
+    for (Index v = 0; v < vertices_.number(); ++v)
+      level.set_halfedge_of_vertex(v, halfedge(mesh_.halfedge(vertex(v))));
+    for (Index f = 0; f < faces_.number(); ++f)
+      level.set_halfedge_of_face(f, halfedge(mesh_.halfedge(face_at(f))));
+  }
+
+  // never smaller than before: what the user holds must be there to be put back
+  void grow(const Level_size& size)
+  {
+    Level_size larger;
+    larger.vertices = (std::max)(size.vertices, old_size_.vertices);
+    larger.edges = (std::max)(size.edges, old_size_.edges);
+    larger.faces = (std::max)(size.faces, old_size_.faces);
+    resize(larger);
+  }
+  // the vertices alone
+  void grow_vertices(const Level_size& size)
+  {
+    Level_size larger = old_size_;
+    larger.vertices = (std::max)(size.vertices, old_size_.vertices);
+    resize(larger);
+  }
+  void shrink() { resize(old_size_); }
+  // Removes the elements that the result does not use and, if the user's maps follow, all that were
+  // removed before. Where the memory for the latter is lacking they stay: the result is right, and
+  // nothing may fail any more.
+  void trim(const Level_size& size, bool collect)
+  {
+    if (is_child_of_hosts()) return resize(size);
+    for (auto f = number_of_slots(mesh_.num_faces(), faces_); f > size.faces;)
+      mesh_.remove_face(face_at(--f));
+    for (auto e = number_of_slots(mesh_.num_edges(), edges_); e > size.edges;)
+      mesh_.remove_edge(edge_at(--e));
+    for (auto v = number_of_slots(mesh_.num_vertices(), vertices_); v > size.vertices;)
+      mesh_.remove_vertex(vertex(--v));
+    try {
+      if (collect) mesh_.collect_garbage();
+    } catch (const std::bad_alloc&) {
+    }
+  }
+
+  // the child of a host, if numbers are slots
+  void set_target(Index h, Index v) { mesh_.set_target(Halfedge(h), Vertex(v)); }
+  void set_next(Index h, Index n) { mesh_.set_next(Halfedge(h), Halfedge(n)); }
+  void set_face(Index h, Index f) { mesh_.set_face(Halfedge(h), Face(f)); }
+  void set_border(Index h) { mesh_.set_face(Halfedge(h), Mesh::null_face()); }
+  void set_halfedge_of_vertex(Index v, Index h) { mesh_.set_halfedge(Vertex(v), Halfedge(h)); }
+  void set_isolated(Index) {}
+  void set_halfedge_of_face(Index f, Index h) { mesh_.set_halfedge(Face(f), Halfedge(h)); }
+
+  // gives the grown mesh the connectivity of the level
+  template <class For_chunks>
+  void write(const Level_connectivity& level, const For_chunks& for_chunks)
+  {
+    for_chunks(level.number_of_halfedges(), [&](Index begin, Index end) {
+      for (Index h = begin; h < end; ++h) {
+        const Halfedge d = halfedge_at(h);
+        mesh_.set_target(d, vertex(level.target(h)));
+        mesh_.set_next(d, halfedge_at(level.next(h)));
+        mesh_.set_face(d, level.is_border(h) ? Mesh::null_face() : face_at(level.face(h)));
+      }
+    });
+    for_chunks(level.number_of_vertices(), [&](Index begin, Index end) {
+      for (Index v = begin; v < end; ++v)
+        if (!level.is_isolated(v))
+          mesh_.set_halfedge(vertex(v), halfedge_at(level.halfedge_of_vertex(v)));
+    });
+    for_chunks(level.number_of_faces(), [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f)
+        mesh_.set_halfedge(face_at(f), halfedge_at(level.halfedge_of_face(f)));
+    });
+  }
+
+private:
+  static std::string name(const char* kind, const Slot_numbers& numbers, Index i)
+  {
+    return kind + std::to_string(numbers.slot(i));
+  }
+  // null stays null, and others are beyond all that are there
+  Index invalid(Halfedge h) const
+  {
+    return h == Mesh::null_halfedge() ? Level_connectivity::null : 2 * edges_.number();
+  }
+  // how many numbers have slots in the mesh as it is
+  static Index number_of_slots(std::uint64_t slots, const Slot_numbers& numbers)
+  {
+    return static_cast<Index>(slots - numbers.slots_for(0));
+  }
+
+  void resize(const Level_size& size)
+  {
+    using Size = typename Mesh::size_type;
+    mesh_.resize(static_cast<Size>(vertices_.slots_for(size.vertices)),
+                 static_cast<Size>(edges_.slots_for(size.edges)),
+                 static_cast<Size>(faces_.slots_for(size.faces)));
+  }
+
+  Mesh& mesh_;
+  Slot_numbers vertices_, edges_, faces_;
+  Level_size old_size_;
+};
+
+// Whether different keys may be put by different threads: known of the maps of Surface_mesh only,
+// and not of its bits.
+template <class I, class T, class Map>
+std::bool_constant<!std::is_same_v<T, bool>>
+is_surface_mesh_map(const Properties::Property_map_base<I, T, Map>*);
+std::false_type is_surface_mesh_map(const void*);
+
+template <class I, class T, class Map>
+std::true_type is_property_of_surface_mesh(const Properties::Property_map_base<I, T, Map>*);
+std::false_type is_property_of_surface_mesh(const void*);
+
+// whether all elements that a mesh gets have one and the same value in the map
+template <class Property_map>
+constexpr bool has_one_new_value_v =
+  decltype(is_property_of_surface_mesh(static_cast<const Property_map*>(nullptr)))::value;
+
+template <class Property_map>
+constexpr bool has_concurrent_put_v =
+  decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
 
 template <class Mesh>
 constexpr bool is_surface_mesh_v = false;

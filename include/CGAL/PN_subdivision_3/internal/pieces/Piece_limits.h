@@ -12,10 +12,9 @@
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_writer.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Settled_neighborhood.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
-#include <CGAL/PN_subdivision_3/internal/limit/read_limit_level.h>
 #include <CGAL/PN_subdivision_3/internal/own_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/limit/Limit_point.h>
 
 #include <cstddef>

@@ -18,7 +18,7 @@
 #include <CGAL/PN_subdivision_3/internal/recognition/Vec3.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>

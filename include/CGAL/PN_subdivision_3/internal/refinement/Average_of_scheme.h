@@ -10,7 +10,7 @@
 
 #include <CGAL/PN_subdivision_3/average/Grid_average.h>
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/With_roundness.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 

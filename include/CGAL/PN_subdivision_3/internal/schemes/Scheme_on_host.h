@@ -14,21 +14,168 @@
 #include <CGAL/PN_subdivision_3/hosts/PQQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/PTQ_host.h>
 #include <CGAL/PN_subdivision_3/hosts/Sqrt3_host.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/check_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/schemes/Erased_mask.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
-#include <CGAL/PN_subdivision_3/schemes/Limit_neighborhood.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
+#include <CGAL/PN_subdivision_3/schemes/Stencil.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// of an old element; the hosts tell which
+enum class Row_kind { vertex, edge, face, corner, border_vertex, border_edge };
+
+// A mask behind a virtual call a row.
+template <class FT>
+class Erased_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  Erased_mask() = default;
+  Erased_mask(const Erased_mask&) = delete;
+  Erased_mask& operator=(const Erased_mask&) = delete;
+  virtual ~Erased_mask() = default;
+
+  virtual void write(Row_kind kind, Index i, Index ordinal, Stencil<FT>& row) const = 0;
+  virtual void write(Row_kind kind, Index i, Index ordinal, Entry_row<FT>& row) const = 0;
+  // 0 without parts of faces, see Slot_shares
+  virtual FT face_part_of_vertex(Index h, Index valence) const = 0;
+  virtual FT face_part_of_edge(Index h) const = 0;
+  // where the scheme transfers curvature
+  virtual std::vector<Index> separated_vertices() const = 0;
+};
+
+template <class Mask, class Scheme, class FT>
+class Erased_mask_of final : public Erased_mask<FT>
+{
+  using Host = typename Scheme::Host;
+
+public:
+  using typename Erased_mask<FT>::Index;
+
+  Erased_mask_of(const Scheme& scheme, const Level_connectivity& level, unsigned round)
+    : mask_(scheme.template mask<FT>(level, round))
+  {}
+
+  void write(Row_kind kind, Index i, Index ordinal, Stencil<FT>& row) const override
+  {
+    write_row(kind, i, ordinal, row);
+  }
+  void write(Row_kind kind, Index i, Index ordinal, Entry_row<FT>& row) const override
+  {
+    write_row(kind, i, ordinal, row);
+  }
+  FT face_part_of_vertex([[maybe_unused]] Index h, [[maybe_unused]] Index valence) const override
+  {
+    if constexpr (Has_face_parts<Mask>::value)
+      return mask_.face_part_of_vertex(h, valence);
+    else
+      return FT(0);
+  }
+  FT face_part_of_edge([[maybe_unused]] Index h) const override
+  {
+    if constexpr (Has_face_parts<Mask>::value)
+      return mask_.face_part_of_edge(h);
+    else
+      return FT(0);
+  }
+  std::vector<Index> separated_vertices() const override
+  {
+    if constexpr (Has_curvature_transfer<Scheme>::value)
+      return mask_.separated_vertices();
+    else
+      return {};
+  }
+
+private:
+  template <class Row>
+  void write_row(Row_kind kind, Index i, [[maybe_unused]] Index ordinal, Row& row) const
+  {
+    if constexpr (std::is_same_v<Host, DQQ_host>)
+      mask_.corner(i, row);
+    else if (kind == Row_kind::vertex)
+      mask_.vertex(i, row);
+    else if constexpr (std::is_same_v<Host, Sqrt3_host>) {
+      if (kind == Row_kind::face)
+        mask_.face(i, row);
+      else if (kind == Row_kind::border_vertex)
+        mask_.border_vertex(i, row);
+      else
+        mask_.border_edge(i, ordinal, row);
+    } else if constexpr (std::is_same_v<Host, PTQ_host>)
+      mask_.edge(i, row);
+    else if (kind == Row_kind::edge)
+      mask_.edge(i, row);
+    else
+      mask_.face(i, row);
+  }
+
+  Mask mask_;
+};
+
+// the mask of a scheme that is chosen at run time, on any host
+template <class FT>
+class Any_mask
+{
+public:
+  using Index = Level_connectivity::Index;
+
+  explicit Any_mask(std::shared_ptr<const Erased_mask<FT>> mask)
+    : mask_(std::move(mask))
+  {}
+
+  template <class Row>
+  void vertex(Index v, Row& row) const
+  {
+    mask_->write(Row_kind::vertex, v, 0, row);
+  }
+  template <class Row>
+  void edge(Index e, Row& row) const
+  {
+    mask_->write(Row_kind::edge, e, 0, row);
+  }
+  template <class Row>
+  void face(Index f, Row& row) const
+  {
+    mask_->write(Row_kind::face, f, 0, row);
+  }
+  template <class Row>
+  void corner(Index h, Row& row) const
+  {
+    mask_->write(Row_kind::corner, h, 0, row);
+  }
+  template <class Row>
+  void border_vertex(Index h, Row& row) const
+  {
+    mask_->write(Row_kind::border_vertex, h, 0, row);
+  }
+  template <class Row>
+  void border_edge(Index e, Index ordinal, Row& row) const
+  {
+    mask_->write(Row_kind::border_edge, e, ordinal, row);
+  }
+  FT face_part_of_vertex(Index h, Index valence) const
+  {
+    return mask_->face_part_of_vertex(h, valence);
+  }
+  FT face_part_of_edge(Index h) const { return mask_->face_part_of_edge(h); }
+  std::vector<Index> separated_vertices() const { return mask_->separated_vertices(); }
+
+private:
+  std::shared_ptr<const Erased_mask<FT>> mask_;
+};
 
 // All that is asked of a scheme but its host.
 template <class FT>

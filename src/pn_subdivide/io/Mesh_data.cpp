@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/Written_digits.h"
+#include "io/Mesh_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,42 @@
 #include <string>
 
 namespace pn_subdivide {
+
+const char* comment_of(Normal_kind kind)
+{
+  switch (kind) {
+  case Normal_kind::of_mesh:
+    return "normals of the mesh";
+  case Normal_kind::of_surface:
+    return "normals of the surface";
+  case Normal_kind::control:
+    break;
+  }
+  return "control normals";
+}
+
+namespace {
+
+bool is_said(const std::vector<std::string>& comments, Normal_kind kind)
+{
+  return std::find(comments.begin(), comments.end(), comment_of(kind)) != comments.end();
+}
+
+} // namespace
+
+Normal_kind normal_kind_of(const std::vector<std::string>& comments)
+{
+  for (const Normal_kind kind : {Normal_kind::of_mesh, Normal_kind::of_surface})
+    if (is_said(comments, kind)) return kind;
+  return Normal_kind::control;
+}
+
+bool are_said_to_be_control(const std::vector<std::string>& comments)
+{
+  return normal_kind_of(comments) == Normal_kind::control &&
+         is_said(comments, Normal_kind::control);
+}
+
 namespace {
 
 bool is_digit(char c)
@@ -64,6 +100,22 @@ double Written_digits::unit(const std::array<double, 3>& vector) const
   if (significant_ == none || !(x > 0)) return 0;
   return (std::max)(std::pow(10., -decimals_),
                     std::pow(10., std::floor(std::log10(x)) + 1 - significant_));
+}
+
+Bounding_box::Bounding_box(const std::vector<Triple>& points)
+  : low(points.front())
+  , high(points.front())
+{
+  for (const Triple& p : points)
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], p[i]);
+      high[i] = (std::max)(high[i], p[i]);
+    }
+}
+
+double diagonal_of(const Bounding_box& box)
+{
+  return std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
 }
 
 } // namespace pn_subdivide

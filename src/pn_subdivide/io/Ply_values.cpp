@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/Ply_columns.h"
+#include "io/Ply_values.h"
 
 #include "io/Text_reader.h"
 

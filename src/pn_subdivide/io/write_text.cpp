@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-#include "io/xml_text.h"
+#include "io/write_text.h"
 
 #include <cstddef>
 #include <cstdint>
