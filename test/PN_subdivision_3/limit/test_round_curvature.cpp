@@ -13,7 +13,7 @@
 
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/prescribe_limit_data.h>
-#include <CGAL/PN_subdivision_3/schemes/Transfer_Loop_scheme.h>
+#include <CGAL/PN_subdivision_3/schemes/Transfer_schemes.h>
 #include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/Surface_mesh.h>
@@ -116,34 +116,34 @@ void expect_curvature_of_turns(const Scheme& scheme, int valence)
 
 TEST(Round_curvature, IsWhatNormalsTurn)
 {
-  expect_curvature_of_turns(PN::Tuned_Loop_scheme(), 7);
+  expect_curvature_of_turns(PN::Loop_scheme::Tuned(), 7);
 }
 
 TEST(Round_curvature, IsTransferred)
 {
-  expect_curvature_of_turns(PN::Transfer_Loop_scheme(), 7);
+  expect_curvature_of_turns(PN::Loop_scheme::Transfer(), 7);
 }
 
 TEST(Round_curvature, CanBePrescribed)
 {
   for (const int valence : {6, 7}) {
     Surface_mesh mesh = star(valence, 0.4, 0);
-    PN::subdivide(mesh, PN::Tuned_Loop_scheme(),
+    PN::subdivide(mesh, PN::Loop_scheme::Tuned(),
                   PN::parameters::join(CGAL::parameters::number_of_iterations(1), with_maps(mesh)));
     const Vertex v(0);
-    const Limit before = limits(mesh, PN::Tuned_Loop_scheme())[v];
+    const Limit before = limits(mesh, PN::Loop_scheme::Tuned())[v];
     const auto curvatures = mesh.add_property_map<Vertex, std::optional<Curvature>>("v:c").first;
     curvatures[v] = Curvature{-0.4, -0.4, {}};
     const auto report = PN::prescribe_limit_data(
-      mesh, PN::Tuned_Loop_scheme(),
+      mesh, PN::Loop_scheme::Tuned(),
       PN::parameters::join(
         PN::parameters::prescribed_curvature_map(curvatures).curvature_tolerance(1e-4),
         with_maps(mesh)));
     EXPECT_LE(report.curvature_steps, 8u);
-    const Limit after = limits(mesh, PN::Tuned_Loop_scheme())[v];
+    const Limit after = limits(mesh, PN::Loop_scheme::Tuned())[v];
     EXPECT_GT(std::abs(before.mean + 0.4), 0.1);
     EXPECT_NEAR(after.mean, -0.4, 1e-3) << valence;
-    EXPECT_NEAR(turns(mesh, PN::Tuned_Loop_scheme(), v, 3).second, -0.4, 0.08) << valence;
+    EXPECT_NEAR(turns(mesh, PN::Loop_scheme::Tuned(), v, 3).second, -0.4, 0.08) << valence;
   }
 }
 
@@ -154,7 +154,7 @@ TEST(Round_curvature, NeedsRoundnessAtIrregularVertices)
   curvatures[Vertex(0)] = Curvature{-0.2, -0.2, {}};
   try {
     PN::prescribe_limit_data(
-      mesh, PN::Tuned_Loop_scheme(),
+      mesh, PN::Loop_scheme::Tuned(),
       PN::parameters::join(PN::parameters::prescribed_curvature_map(curvatures), with_maps(mesh)));
     ADD_FAILURE();
   } catch (const std::invalid_argument& e) {

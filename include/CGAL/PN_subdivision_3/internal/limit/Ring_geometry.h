@@ -52,8 +52,7 @@ public:
   {
     if (!(dot<double, 3>(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
     const auto height = [&](const Value& v) {
-      const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
-      const double of_arc = h.numerator / (std::max)(h.denominator, 1. / 1024);
+      const double of_arc = arc_height(v);
       return roundness_ == 1 ? of_arc : of_arc - (1 - roundness_) * (of_arc - frame_.z(v.point));
     };
     for (std::size_t c = 0; c < 2; ++c) {
@@ -84,10 +83,7 @@ public:
     for (const Value& v : ring_)
       turn = (std::max)(
         turn, 4 - 2 * pn_height<double, 3>(v, frame_.origin(), frame_.normal()).denominator);
-    const auto of_arc = [&](const Value& v) {
-      const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
-      return h.numerator / (std::max)(h.denominator, 1. / 1024) - frame_.z(v.point);
-    };
+    const auto of_arc = [&](const Value& v) { return arc_height(v) - frame_.z(v.point); };
     const auto [a, b] = solve(size_, masked(of_arc));
     return (std::max)(turn / 2, 4 * std::sqrt(a * a + b * b));
   }
@@ -143,6 +139,12 @@ private:
     for (std::size_t c = 0; c < 2; ++c)
       h[c] = solve(size_, masked([&](const Value& v) { return frame_.slope(v.normal)[c]; }));
     return {share * h[0][0], share * (h[0][1] + h[1][0]) / 2, share * h[1][1]};
+  }
+
+  double arc_height(const Value& v) const
+  {
+    const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
+    return h.numerator / (std::max)(h.denominator, 1. / 1024);
   }
 
   static bool has_normal(const Value& v) { return !PN_average<double, 3>::is_zero(v.normal); }

@@ -179,17 +179,19 @@ private:
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
       return;
     }
-    const double regular = regularity_of(e);
+    const bool was_narrow = e.is_narrow;
+    double regular = was_narrow ? 1 : regularity_of(s);
     const double share = t * either(e.weight, regular);
     if (share >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
       e.weight = either(e.weight, regular);
     } else {
       const Vector n = mixed(share, e.normal, e.area());
-      e.is_narrow = e.is_narrow && is_close(n, e.normal);
+      e.is_narrow = was_narrow && is_close(n, e.normal);
+      if (was_narrow && !e.is_narrow) regular = regularity_of(s);
       e.normal = n;
       set_normal(s, reciprocal_.converted(n));
-      e.weight = roundness_of(s, regular);
+      e.weight = roundness_of(e, regular);
     }
     if (sectors_.is_at_crease(s)) e.weight = 1;
   }
@@ -197,22 +199,22 @@ private:
   void estimate_open(Index s)
   {
     if (!sectors_.is_at_crease(s))
-      estimates_[s].weight = roundness_of(s, regularity_of(estimates_[s]));
+      estimates_[s].weight = roundness_of(estimates_[s], regularity_of(s));
   }
 
-  double roundness_of(Index s, double regular)
+  // of the fan at hand
+  double roundness_of(const Estimate& e, double regular) const
   {
-    const Estimate& e = estimates_[s];
     if (is_zero(e.normal)) return 0;
-    if (e.is_narrow || regular >= 1) return 1;
-    inverted_.assign(level_, sectors_.fan(s), point_);
-    return either(roundness_of_turn(e.normal, inverted_), regular);
+    return e.is_narrow ? 1 : either(roundness_of_turn(e.normal, inverted_), regular);
   }
 
-  static double regularity_of(Estimate& e)
+  double regularity_of(Index s)
   {
+    inverted_.assign(level_, sectors_.fan(s), point_);
+    Estimate& e = estimates_[s];
     return regularity(quick_length(difference<double, 3>(e.normal, e.area())),
-                      std::sqrt(e.largest_squared_arc_error()));
+                      std::sqrt(e.largest_squared_arc_error()), evenness(inverted_));
   }
 
   static Vector mixed(double share, const Vector& a, const Vector& b)
