@@ -63,8 +63,9 @@ g(n) the largest \f$ |(n + n_j) \cdot e_j| / |e_j| \f$, and
 
 \f[ f(n) = S \left( \frac{c(n) - \cos 45^\circ}{\cos 36^\circ - \cos 45^\circ} \right), \quad
 \rho = \left( 1 - S \left( \frac{|r - a| - 0.1}{0.2} \right) \right) \left( 1 - S \left( \frac{g(r) - 0.1}{0.2}
-\right) \right), \f]
+\right) \right) S ( 12 q - 1 ) \f]
 
+with the length q of the shortest edge over that of the longest one,
 1 where the vertex turns no more than a regular pentagon and 0 where it turns as two planes at a right angle do; and 1
 where a coarse mesh is regular, as a cube is. The normal is the unit vector of s r + (1 - s) a with s = t (f(r) + (1 -
 f(r)) &rho;), the reciprocal one itself where s = 1. The roundness is w' = f(n) + (1 - f(n)) &rho;, but that a

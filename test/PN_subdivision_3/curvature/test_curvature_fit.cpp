@@ -15,7 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_data.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Curvature_estimations.h>
 #include <CGAL/PN_subdivision_3/internal/curvature/Local_frame.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
+#include <CGAL/PN_subdivision_3/internal/normals/estimate_normals.h>
 
 #include <Eigen/SVD>
 
@@ -272,8 +272,9 @@ TEST(Curvature_fit, NormalsAreThoseOfAngles)
       Soup soup = s.soup;
       for (Triple& p : soup.points) p = {scale * p[0], scale * p[1], scale * p[2]};
       const Estimation e(mesh_of(soup));
-      in::angle_weighted_normals<double>(
-        e.data.level, [&](Index v) -> const auto& { return e.data.vertices[v].point; },
+      in::estimate_normals<double>(
+        e.data.level, PN::Control_normal_estimate::angle,
+        [&](Index v) -> const auto& { return e.data.vertices[v].point; },
         [&](Index v, const PN::Coordinates<double, 3>& n) {
           for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(e.data.vertices[v].normal[c], n[c], 1e-7);
         });

@@ -148,6 +148,9 @@ std::vector<Control_mesh> any_shapes()
   shapes.push_back(scattered(0, 0.2, 3, on_ellipsoid));
   shapes.push_back(bent_plane(5));
   for (int steps : {1, 2, 3, 6}) shapes.push_back(rounded_beam(4.6, 2.6, 0.3, steps, 4));
+  for (int rows : {20, 26, 50}) // a square beam: the fans are regular but uneven
+    shapes.push_back(
+      cylinder(uneven(5, 0, generator), uneven(rows, 0.3, generator), 3, Cells::quads));
   for (double length : {1.3, 3., 50.})
     shapes.push_back(scaled(named_shapes::cube(), 1, 1.5, length));
   for (int n : {3, 4, 5, 8}) shapes.push_back(scaled(named_shapes::prism(n), 1, 1.1, 1.4));

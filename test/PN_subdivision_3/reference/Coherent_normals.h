@@ -115,6 +115,18 @@ private:
     return std::abs((n[std::size_t(v)] + n[std::size_t(j)]).dot(e)) / e.norm();
   }
 
+  // the length of the shortest edge over that of the longest
+  Real evenness(int v) const
+  {
+    Real least = HUGE_VALL, most = 0;
+    for (int j : mesh_.ring(v)) {
+      const Real length = (at(j) - at(v)).norm();
+      if (length > 0) least = std::min(least, length);
+      most = std::max(most, length);
+    }
+    return least / most;
+  }
+
   Real mismatch(int v, const Point_3& n) const
   {
     Real sum = 0;
@@ -134,7 +146,8 @@ private:
     if (mesh_.ring(v).empty()) return 1;
     Real g = 0;
     for (int j : mesh_.ring(v)) g = std::max(g, arc_error(v, j, reciprocal_));
-    const Real rho = (1 - window((r - a).norm(), 0.1L, 0.3L)) * (1 - window(g, 0.1L, 0.3L));
+    const Real rho = (1 - window((r - a).norm(), 0.1L, 0.3L)) * (1 - window(g, 0.1L, 0.3L)) *
+                     window(evenness(v), 1 / 12.L, 1 / 6.L);
     n = r;
     if (!mesh_.is_border(v)) {
       const Real er = mismatch(v, r), ea = mismatch(v, a);

@@ -152,6 +152,11 @@ Coordinates<double, 3> to_double_3(const Coordinates<T, 3>& a)
   return {close_double(a[0]), close_double(a[1]), close_double(a[2])};
 }
 
+inline double largest_coordinate(const Coordinates<double, 3>& a)
+{
+  return (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+}
+
 inline double length(const Coordinates<double, 3>& a)
 {
   return std::hypot(a[0], a[1], a[2]);
@@ -163,7 +168,7 @@ inline double quick_length(const Coordinates<double, 3>& a)
 {
   const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
   if (square > 0x1p-900 && square < 0x1p900) return std::sqrt(square);
-  const double largest = (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+  const double largest = largest_coordinate(a);
   if (!(largest > 0) || !std::isfinite(largest)) return largest;
   const int exponent = std::ilogb(largest);
   return std::ldexp(quick_length({std::ldexp(a[0], -exponent), std::ldexp(a[1], -exponent),

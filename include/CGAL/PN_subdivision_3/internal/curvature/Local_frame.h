@@ -103,7 +103,7 @@ Pair<FT> solve(const std::array<Pair<FT>, 2>& m, const Pair<FT>& b)
   return {(b[0] * m[1][1] - b[1] * m[0][1]) / det, (m[0][0] * b[1] - m[1][0] * b[0]) / det};
 }
 
-// The normals of angle_weighted_normals(), vertex by vertex, but for angles that are good to 3e-8: where
+// The normals of Angle_weighted_normals, vertex by vertex, but for angles that are good to 3e-8: where
 // they only lay the planes of fits, the others take longer than all the rest.
 class Corner_normals
 {

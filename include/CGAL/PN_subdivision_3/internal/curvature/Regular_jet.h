@@ -87,8 +87,8 @@ Curvatures<FT> curvatures(const Jet_2<FT>& x, const Jet_2<FT>& y, const Jet_2<FT
 }
 
 // Value and derivatives of a regular spline surface at a vertex from the vertex and its 1-ring:
-// bicubic B-splines on quads, the box spline of Loop's scheme on triangles. The PN surface is that of
-// z = w + g.u/2, where u, g and w = z - g.u/2 are refined linearly up to third order.
+// bicubic B-splines on quads, the box spline of Loop's scheme on triangles. The PN surface of the roundness r
+// at the vertex is that of z = w + r g.u/2, where u, g and w = z - r g.u/2 are refined linearly up to third order.
 template <class FT>
 class Regular_jet
 {
@@ -122,13 +122,15 @@ public:
     }
   }
 
-  Curvatures<FT> operator()(const Index* ring, const Value* values) const
+  Curvatures<FT> operator()(const Index* ring, const Value* values,
+                            const FT& roundness = FT(1)) const
   {
-    const Surface_jet<FT> jet = surface_jet(ring, values);
+    const Surface_jet<FT> jet = surface_jet(ring, values, roundness);
     return curvatures(jet.u[0], jet.u[1], jet.z);
   }
 
-  Surface_jet<FT> surface_jet(const Index* ring, const Value* values) const
+  Surface_jet<FT> surface_jet(const Index* ring, const Value* values,
+                              const FT& roundness = FT(1)) const
   {
     const Local_frame<FT> frame(values[*ring].point, normal(ring, values));
     Jet_2<FT> u[2], g[2], z;
@@ -139,9 +141,9 @@ public:
         u[c].add(uk[c], weights_[k]);
         g[c].add(gk[c], weights_[k]);
       }
-      z.add(frame.z(v.point) - (gk[0] * uk[0] + gk[1] * uk[1]) / 2, weights_[k]);
+      z.add(frame.z(v.point) - roundness * ((gk[0] * uk[0] + gk[1] * uk[1]) / 2), weights_[k]);
     }
-    for (int c = 0; c < 2; ++c) z.add_product(FT(1) / 2, g[c], u[c]);
+    for (int c = 0; c < 2; ++c) z.add_product(roundness / 2, g[c], u[c]);
     return {frame, {u[0], u[1]}, z};
   }
 

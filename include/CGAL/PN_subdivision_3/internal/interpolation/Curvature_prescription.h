@@ -43,8 +43,9 @@ struct Prescribed_form
 // Control points and control normals for prescribed curvatures, besides points and normals. In the frame
 // of the limit control normal N at the limit point, where the points of the ring are at u and their
 // normals have the slopes g, a quadratic form D is added to the surface by
-//   g += D u,  z += u.D u / 2,
-// which keeps the PN heights, hence the limit and its tangent plane, to third order; these are then
+//   g += D u / r,  z += u.D u / 2,
+// where r is the share that slopes have in the second form, 1 but at irregular vertices of another roundness. It keeps
+// what is refined linearly, hence the limit and its tangent plane, to third order; these are then
 // restored as by Prescription. That is repeated: what remains of the curvature is of higher order.
 class Curvature_prescription
 {
@@ -92,6 +93,7 @@ private:
 
   static constexpr double least_cosine = 0.5; // of the control normals of a ring with N
   static constexpr double accuracy = 1e-7;    // of second forms, relative
+  static constexpr double least_share_of_slopes = 0.1;
 
   struct Target
   {
@@ -167,6 +169,9 @@ private:
     if (!f.has_second_form)
       refuse(name, "where the surface has none that the scheme tells of: take an interior vertex "
                    "with a control normal, and a modified scheme if it is irregular");
+    if (!(f.share_of_slopes >= least_share_of_slopes))
+      refuse(name, "where the roundness is below 0.1, so that control normals hardly bend the "
+                   "surface: give it more");
     for (const auto& e : f.entries)
       if (!(data_.normals[e.vertex].dot(f.control_normal) >= least_cosine))
         refuse(name, "about which control normals are zero or more than 60 degrees apart from "
@@ -267,7 +272,9 @@ private:
       const double c = r.normals[v].dot(n);
       if (!(c >= least_cosine / 2)) return false;
       r.points[v] += u.dot(d * u) / 2 * n;
-      r.normals[v] = (r.normals[v] / c - plane.transpose() * (d * u)).normalized();
+      r.normals[v] =
+        (r.normals[v] / c - plane.transpose() * (d * u) / functionals_[i].share_of_slopes)
+          .normalized();
     }
     return true;
   }

@@ -51,6 +51,7 @@ struct Limit_functionals
   Eigen::Matrix<double, dimension, dimension> second_form =
     Eigen::Matrix<double, dimension, dimension>::Zero();
   bool has_second_form = false; // if it was asked for and is known
+  double share_of_slopes = 1;   // of the control normals, in the second form
   double error = 0;             // estimated, of the limit point
   unsigned depth = 0;
   unsigned rounds = 0; // of the mesh, before its rules settled about the vertex

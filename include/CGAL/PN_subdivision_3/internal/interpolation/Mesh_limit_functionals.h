@@ -193,6 +193,7 @@ private:
       if (const auto jet = surface_jet(stage.level, v, *kind.kind->ring_class, tower)) {
         f.second_form = second_form(*jet);
         f.has_second_form = true;
+        if (!is_spline_at(stage.level, v)) f.share_of_slopes = tower.limit().roundness;
       }
     if (!precision_.with_blocks) return;
     std::vector<double> weights(ring.size(), 0.);
@@ -262,15 +263,21 @@ private:
         Average::is_zero(tower.limit().normal))
       return std::nullopt;
     const std::vector<Point_normal<double, 3>> ring(tower.top().begin(), tower.top().end());
-    if (limit_neighborhood(scheme_).is_spline &&
-        level.valence(v) == Settled_neighborhood<Scheme>::regular_valence)
+    if (is_spline_at(level, v))
       return Regular_jet<double>(is_quads ? 4 : 3)
-        .surface_jet(is_quads ? quads : triangles, ring.data());
+        .surface_jet(is_quads ? quads : triangles, ring.data(), tower.limit().roundness);
     const double lambda2 = ring_class.lambda() * ring_class.lambda();
-    const Ring_geometry geometry(ring, tower.limit(), ring_class.tangents());
+    const Ring_geometry geometry(ring, tower.limit(), ring_class.tangents(),
+                                 tower.limit().roundness);
     if (!(ring_class.largest_other() < 0.9 * lambda2) || !geometry.is_regular())
       return std::nullopt;
     return geometry.extraordinary_jet();
+  }
+
+  bool is_spline_at(const Level_connectivity& level, Index v) const
+  {
+    return limit_neighborhood(scheme_).is_spline &&
+           level.valence(v) == Settled_neighborhood<Scheme>::regular_valence;
   }
 
   static void set_isolated(const Stage& stage, Index v, Functionals& f)

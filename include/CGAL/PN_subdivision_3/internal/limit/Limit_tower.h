@@ -276,7 +276,8 @@ private:
     add_multiple<FT, 3>(center, FT(1), origin(c));
     const auto part = remaining_part(planes_.divided(to_double_3(center)));
     Curvatures<double> k =
-      is_spline_ ? spline_curvatures() : g.extraordinary_curvatures(part ? &*part : nullptr);
+      is_spline_ ? spline_curvatures(class_.roundness_at(limits_[c]))
+                 : g.extraordinary_curvatures(transfer_.has_value(), part ? &*part : nullptr);
     k.gaussian = std::ldexp(k.gaussian, -2 * planes_.exponent());
     k.mean = std::ldexp(k.mean, -planes_.exponent());
     if (!std::isfinite(k.gaussian) || !std::isfinite(k.mean)) return;
@@ -297,14 +298,14 @@ private:
   }
 
   // of the ring of `planes_`, whose neighbors are in front of its diagonal vertices
-  Curvatures<double> spline_curvatures() const
+  Curvatures<double> spline_curvatures(double roundness) const
   {
     using Index = Level_connectivity::Index;
     static constexpr Index quads[] = {0, 1, 6, 2, 7, 3, 8, 4, 5};
     static constexpr Index triangles[] = {0, 1, 2, 3, 4, 5, 6};
     const bool is_quads = Scheme::Host::refined_degree == 4;
     return Regular_jet<double>(is_quads ? 4 : 3)(is_quads ? quads : triangles,
-                                                 planes_.ring().data());
+                                                 planes_.ring().data(), roundness);
   }
 
   const Class& class_;

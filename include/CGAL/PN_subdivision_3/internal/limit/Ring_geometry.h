@@ -52,8 +52,7 @@ public:
   {
     if (!(dot<double, 3>(frame_.normal(), frame_.normal()) > 0.5)) return; // collapsed
     const auto height = [&](const Value& v) {
-      const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
-      const double of_arc = h.numerator / (std::max)(h.denominator, 1. / 1024);
+      const double of_arc = arc_height(v);
       return roundness_ == 1 ? of_arc : of_arc - (1 - roundness_) * (of_arc - frame_.z(v.point));
     };
     for (std::size_t c = 0; c < 2; ++c) {
@@ -84,10 +83,7 @@ public:
     for (const Value& v : ring_)
       turn = (std::max)(
         turn, 4 - 2 * pn_height<double, 3>(v, frame_.origin(), frame_.normal()).denominator);
-    const auto of_arc = [&](const Value& v) {
-      const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
-      return h.numerator / (std::max)(h.denominator, 1. / 1024) - frame_.z(v.point);
-    };
+    const auto of_arc = [&](const Value& v) { return arc_height(v) - frame_.z(v.point); };
     const auto [a, b] = solve(size_, masked(of_arc));
     return (std::max)(turn / 2, 4 * std::sqrt(a * a + b * b));
   }
@@ -103,12 +99,13 @@ public:
   }
 
   // The curvatures of the limit, where the parts of second order that the ring matrix carries on by
-  // itself die out: what remains is the derivative of the slopes of the control normals. `part` is what
-  // they will still get by transfer.
+  // itself die out: what remains is the derivative of the slopes of the control normals, times the roundness.
+  // Where they are transferred instead, all will be in the slopes, which still get `part`.
   // \pre is_regular()
-  Curvatures<double> extraordinary_curvatures(const Quadratic_part<double>* part = nullptr) const
+  Curvatures<double> extraordinary_curvatures(bool are_transferred,
+                                              const Quadratic_part<double>* part) const
   {
-    auto [xx, xy, yy] = second_derivatives();
+    auto [xx, xy, yy] = second_derivatives(are_transferred ? 1 : roundness_);
     const double a = slope_[0], b = slope_[1], s = 1 + a * a + b * b;
     if (part != nullptr) {
       xx += (*part)(frame_.e1(), frame_.e1());
@@ -123,7 +120,7 @@ public:
   // \pre is_regular()
   Surface_jet<double> extraordinary_jet() const
   {
-    const auto [xx, xy, yy] = second_derivatives();
+    const auto [xx, xy, yy] = second_derivatives(roundness_);
     Surface_jet<double> jet{frame_, {}, {}};
     jet.u[0].a = jet.u[1].b = 1;
     jet.z.a = slope_[0];
@@ -136,12 +133,18 @@ public:
 
 private:
   // of the height in the frame: aa, ab, bb
-  std::array<double, 3> second_derivatives() const
+  std::array<double, 3> second_derivatives(double share) const
   {
     std::array<Pair<double>, 2> h;
     for (std::size_t c = 0; c < 2; ++c)
       h[c] = solve(size_, masked([&](const Value& v) { return frame_.slope(v.normal)[c]; }));
-    return {h[0][0], (h[0][1] + h[1][0]) / 2, h[1][1]};
+    return {share * h[0][0], share * (h[0][1] + h[1][0]) / 2, share * h[1][1]};
+  }
+
+  double arc_height(const Value& v) const
+  {
+    const auto h = pn_height<double, 3>(v, frame_.origin(), frame_.normal());
+    return h.numerator / (std::max)(h.denominator, 1. / 1024);
   }
 
   static bool has_normal(const Value& v) { return !PN_average<double, 3>::is_zero(v.normal); }

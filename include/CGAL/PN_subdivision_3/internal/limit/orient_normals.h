@@ -13,7 +13,6 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/read_mesh.h>
-#include <CGAL/PN_subdivision_3/internal/normals/angle_weighted_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <algorithm>
@@ -23,17 +22,6 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-inline double largest_coordinate(const Coordinates<double, 3>& v)
-{
-  return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
-
-inline Coordinates<double, 3> offset(const Coordinates<double, 3>& p,
-                                     const Coordinates<double, 3>& o)
-{
-  return {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
-}
 
 // Whether the sum of the area vectors of triangles is on the other side than a normal. for_each(f) calls f(a, b)
 // with two sides of each.
@@ -66,7 +54,7 @@ bool is_against_faces(const Level_connectivity& level, Level_connectivity::Index
 {
   using Index = Level_connectivity::Index;
   const Coordinates<double, 3> center = point(v);
-  const auto away = [&](Index w) { return offset(point(w), center); };
+  const auto away = [&](Index w) { return difference<double, 3>(point(w), center); };
   const Index first = level.halfedge_of_vertex(v);
   return is_against_area(normal, [&](const auto& add) {
     Index h = first;
@@ -84,7 +72,7 @@ bool is_against_face(const Level_connectivity& level, Level_connectivity::Index 
 {
   using Index = Level_connectivity::Index;
   const Coordinates<double, 3> corner = point(level.target(first));
-  const auto away = [&](Index h) { return offset(point(level.target(h)), corner); };
+  const auto away = [&](Index h) { return difference<double, 3>(point(level.target(h)), corner); };
   return is_against_area(normal, [&](const auto& add) {
     for (Index h = level.next(first); level.next(h) != first; h = level.next(h))
       add(away(h), away(level.next(h)));

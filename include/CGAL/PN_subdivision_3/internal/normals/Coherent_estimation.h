@@ -63,32 +63,37 @@ public:
         estimate_closed(s, set_normal);
       else if (e.kind == Kind::open)
         estimate_open(s);
-      are_round = are_round && e.roundness == 1;
-      if (e.kind != Kind::given) set_roundness(s, e.roundness);
+      are_round = are_round && e.weight == 1;
+      if (e.kind != Kind::given) set_roundness(s, e.weight);
     }
     if (are_round) return;
     const std::vector<double> shares = shares_beside_neighbors();
     for (Index s = 0; s < estimates_.size(); ++s)
       if (shares[s] < 1 && estimates_[s].kind != Kind::given)
-        set_roundness(s, estimates_[s].roundness * shares[s]);
+        set_roundness(s, estimates_[s].weight * shares[s]);
   }
 
 private:
   enum class Kind : char { given, empty, open, closed };
 
-  // beside the normal, which is first the reciprocal one
+  // Beside the normal, which is first the reciprocal one, and its weight, which is the roundness when
+  // all normals are estimated, but for what the neighbors do to it. New memory costs more than what is
+  // done with it here, so numbers take the places of others.
   struct More
   {
     Area_sum area_sum; // then of length 1 or zero; before, what an open sector got for a normal
     Curvature_mismatch mismatch;
-    double squared_arc_error = 0; // the largest
-    double roundness = 1;         // but for what the neighbors do to it
     Kind kind = Kind::given;
     bool is_reciprocal = false; // not the area normal in its place
     bool has_normal = false;
+    bool is_narrow = false; // turns little from the reciprocal normal
 
     Vector& area() { return area_sum.area; }
     const Vector& area() const { return area_sum.area; }
+    double& largest_squared_arc_error()
+    {
+      return area_sum.rounding;
+    } // when the area is of length 1
   };
   using Reciprocal_estimation = Normal_estimation<FT, Sectors, Point_of, More>;
   using Estimate = typename Reciprocal_estimation::Estimate;
@@ -107,7 +112,8 @@ private:
                          [&](Index s, const Fan&, const Inverted_fan<FT>& inverted) {
                            Estimate& e = estimates_[s];
                            e.is_reciprocal = e.is_known;
-                           e.roundness = roundness_of_turn(e.normal, inverted);
+                           e.is_narrow = is_narrow(e.normal, inverted);
+                           e.weight = e.is_narrow ? 1 : roundness_of_turn(e.normal, inverted);
                            e.kind = Kind::closed;
                            return true;
                          });
@@ -122,7 +128,9 @@ private:
               [&](Index s) -> Area_sum& { return estimates_[s].area_sum; });
     for (Estimate& e : estimates_) {
       e.area() = e.area_sum.unit();
+      e.largest_squared_arc_error() = 0;
       if (is_zero(e.area())) e.area() = e.normal;
+      if (e.kind != Kind::closed) e.weight = 1;
       if (e.kind == Kind::closed && !e.is_reciprocal) e.normal = e.area();
       e.has_normal = !is_zero(e.normal);
     }
@@ -158,7 +166,8 @@ private:
   {
     const double arc_error = of_normal * of_normal * inverse;
     e.mismatch.add(arc_error, of_area * of_area * inverse, inverse);
-    e.squared_arc_error = (std::max)(e.squared_arc_error, arc_error);
+    double& largest = e.largest_squared_arc_error();
+    largest = (std::max)(largest, arc_error);
   }
 
   template <class Set_normal>
@@ -166,41 +175,46 @@ private:
   {
     Estimate& e = estimates_[s];
     const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
-    if (t >= 1 && e.roundness >= 1 && e.is_reciprocal) {
+    if (t >= 1 && e.weight >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
       return;
     }
-    const double regular = regularity_of(e);
-    const double share = t * either(e.roundness, regular);
-    if (share >= 1 && e.is_reciprocal)
+    const bool was_narrow = e.is_narrow;
+    double regular = was_narrow ? 1 : regularity_of(s);
+    const double share = t * either(e.weight, regular);
+    if (share >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
-    else {
-      e.normal = mixed(share, e.normal, e.area());
-      set_normal(s, reciprocal_.converted(e.normal));
-      set_roundness_of_turn(s);
+      e.weight = either(e.weight, regular);
+    } else {
+      const Vector n = mixed(share, e.normal, e.area());
+      e.is_narrow = was_narrow && is_close(n, e.normal);
+      if (was_narrow && !e.is_narrow) regular = regularity_of(s);
+      e.normal = n;
+      set_normal(s, reciprocal_.converted(n));
+      e.weight = roundness_of(e, regular);
     }
-    e.roundness = is_zero(e.normal) ? 0 : either(e.roundness, regular);
-    if (sectors_.is_at_crease(s)) e.roundness = 1;
+    if (sectors_.is_at_crease(s)) e.weight = 1;
   }
 
   void estimate_open(Index s)
   {
-    Estimate& e = estimates_[s];
-    if (sectors_.is_at_crease(s)) return;
-    set_roundness_of_turn(s);
-    e.roundness = is_zero(e.normal) ? 0 : either(e.roundness, regularity_of(e));
+    if (!sectors_.is_at_crease(s))
+      estimates_[s].weight = roundness_of(estimates_[s], regularity_of(s));
   }
 
-  void set_roundness_of_turn(Index s)
+  // of the fan at hand
+  double roundness_of(const Estimate& e, double regular) const
+  {
+    if (is_zero(e.normal)) return 0;
+    return e.is_narrow ? 1 : either(roundness_of_turn(e.normal, inverted_), regular);
+  }
+
+  double regularity_of(Index s)
   {
     inverted_.assign(level_, sectors_.fan(s), point_);
-    estimates_[s].roundness = roundness_of_turn(estimates_[s].normal, inverted_);
-  }
-
-  static double regularity_of(const Estimate& e)
-  {
+    Estimate& e = estimates_[s];
     return regularity(quick_length(difference<double, 3>(e.normal, e.area())),
-                      std::sqrt(e.squared_arc_error));
+                      std::sqrt(e.largest_squared_arc_error()), evenness(inverted_));
   }
 
   static Vector mixed(double share, const Vector& a, const Vector& b)
@@ -214,7 +228,7 @@ private:
   std::vector<double> shares_beside_neighbors() const
   {
     std::vector<double> shares(estimates_.size(), 1);
-    const auto is_round = [](const Estimate& e) { return e.roundness == 1; };
+    const auto is_round = [](const Estimate& e) { return e.weight == 1; };
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
       if (is_round(s) && is_round(t)) return;
@@ -223,8 +237,8 @@ private:
       if (!(e_length > 0)) return;
       const double error =
         std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e)) / e_length;
-      shares[i] = (std::min)(shares[i], roundness_beside(t.roundness, error));
-      shares[j] = (std::min)(shares[j], roundness_beside(s.roundness, error));
+      shares[i] = (std::min)(shares[i], roundness_beside(t.weight, error));
+      shares[j] = (std::min)(shares[j], roundness_beside(s.weight, error));
     });
     for (Index s = 0; s < shares.size(); ++s)
       if (sectors_.is_at_crease(s)) shares[s] = 1;

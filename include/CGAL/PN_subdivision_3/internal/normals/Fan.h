@@ -159,10 +159,6 @@ private:
     }
   }
 
-  static double largest_coordinate(const Vector& a)
-  {
-    return (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-  }
   static double epsilon() { return static_cast<double>(CGAL::to_double(machine_epsilon<FT>())); }
 
   static constexpr double conversion_error =

@@ -143,19 +143,6 @@ private:
   double least_area_ = 0;
 };
 
-// calls set_normal(v, n) for every vertex, where point(v) returns Coordinates<FT, 3>
-template <class FT, class Point_of, class Set_normal>
-void angle_weighted_normals(const Level_connectivity& level, const Point_of& point,
-                            const Set_normal& set_normal)
-{
-  const Vertex_sectors sectors(level);
-  Angle_weighted_normals<FT, Vertex_sectors> normals(level, sectors);
-  for (Level_connectivity::Index f = 0; f < level.number_of_faces(); ++f)
-    normals.add_face(f, point);
-  for (Level_connectivity::Index v = 0; v < level.number_of_vertices(); ++v)
-    set_normal(v, normals.normal(v));
-}
-
 // The unit area vectors of polygons, in double. Those of large ones are kept, since each of their
 // corners may ask.
 template <class FT, class Point_of>

@@ -41,7 +41,7 @@ public:
     constexpr double most = 0x1p200;
     double largest = 0;
     for (Index v = 1; v < level.number_of_vertices(); ++v)
-      largest = (std::max)(largest, size_of((*this)(v, 0)));
+      largest = (std::max)(largest, largest_coordinate((*this)(v, 0)));
     if (std::isfinite(largest) && largest > 0 && !(largest < most && largest > 1 / most))
       exponent_ = -std::ilogb(largest);
   }
@@ -64,15 +64,10 @@ public:
       return of_double * size;
     else {
       const auto epsilon = static_cast<double>(CGAL::to_double(machine_epsilon<FT>()));
-      double coordinate = size_of(to_double_3<FT>(point_(origin)));
+      double coordinate = largest_coordinate(to_double_3<FT>(point_(origin)));
       if (exponent_ != 0) coordinate = std::ldexp(coordinate, exponent_);
       return (std::max)(epsilon * (coordinate + size), of_double * size);
     }
-  }
-
-  static double size_of(const Vector& a)
-  {
-    return (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
   }
 
 private:
@@ -112,15 +107,15 @@ void add_areas(const Level_connectivity& level, const Sectors& sectors,
     const Index first = level.halfedge_of_face(f), origin = level.target(first);
     Index h = level.next(first);
     Area_sum::Vector area{0, 0, 0}, before = difference(level.target(h), origin);
-    double size = difference.size_of(before);
+    double size = largest_coordinate(before);
     for (h = level.next(h); h != first; h = level.next(h)) {
       const auto d = difference(level.target(h), origin);
       add_multiple<double, 3>(area, 1, cross(before, d));
-      size = (std::max)(size, difference.size_of(d));
+      size = (std::max)(size, largest_coordinate(d));
       before = d;
     }
     const double rounding = 16 * size * difference.rounding(origin, size) +
-                            3 * vanishing_tolerance<FT>() * difference.size_of(area);
+                            3 * vanishing_tolerance<FT>() * largest_coordinate(area);
     do {
       sum_of(sectors.at_target(h)).add(area, rounding);
       h = level.next(h);

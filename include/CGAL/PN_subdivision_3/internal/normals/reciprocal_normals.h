@@ -181,10 +181,6 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
                     Face_normal_of& face_normal)
 {
   constexpr double cos_40 = 0.76604444311897803520, cos_60 = 0.5;
-  const auto smoothstep = [](double x) {
-    x = (std::min)(1., (std::max)(0., x));
-    return x * x * (3 - 2 * x);
-  };
   double least = 2;
   for (std::size_t i = 0; i < fan.corners().size(); ++i) {
     const auto& corner = fan.corners()[i];
@@ -195,14 +191,14 @@ double blend_weight(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan
       turn = d / std::sqrt(corner.squared);
       if (turn > 0) {
         const double gain = dot<double, 3>(n, face_normal(fan.rays()[i].halfedge)) - turn;
-        turn += smoothstep(turn / cos_60) * (std::max)(gain, 0.);
+        turn += smoothstep<double>(turn / cos_60) * (std::max)(gain, 0.);
       }
     }
     if (turn <= cos_60) return 0;
     least = (std::min)(least, turn);
   }
   if (least > 1) return 0;
-  return smoothstep((least - cos_60) / (cos_40 - cos_60));
+  return smoothstep<double>((least - cos_60) / (cos_40 - cos_60));
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
@@ -68,11 +69,46 @@ double roundness_of_turn(const Coordinates<double, 3>& n, const Inverted_fan<FT>
   return least > 1 ? 0 : smooth_window(least, cos_45, cos_36);
 }
 
-// Wide fans are round, too, if both normals and all arcs agree: a cube is a sphere.
-inline double regularity(double distance_of_normals, double largest_arc_error)
+// whether the roundness of the turn is 1 at n, and at all unit vectors that are close to n
+template <class FT>
+bool is_narrow(const Coordinates<double, 3>& n, const Inverted_fan<FT>& fan)
+{
+  constexpr double cosine = 0.8405; // more than that of 36 degrees and the distance of close ones
+  bool has_area = false;
+  for (const auto& corner : fan.corners()) {
+    if (!corner.has_area) continue;
+    const auto d = dot<double, 3>(n, corner.normal);
+    if (!(d > 0 && d * d >= cosine * cosine * corner.squared)) return false;
+    has_area = true;
+  }
+  return has_area;
+}
+
+inline bool is_close(const Coordinates<double, 3>& n, const Coordinates<double, 3>& m)
+{
+  const auto d = difference<double, 3>(n, m);
+  return dot<double, 3>(d, d) <= 0x1p-10;
+}
+
+// the length of the shortest edge over that of the longest one
+template <class FT>
+double evenness(const Inverted_fan<FT>& fan)
+{
+  double least = std::numeric_limits<double>::infinity(), most = 0; // of what is inverse to squares
+  for (const auto& ray : fan.rays()) {
+    least = (std::min)(least, ray.squared);
+    most = (std::max)(most, ray.squared);
+  }
+  return most > 0 ? std::sqrt(least / most) : 0;
+}
+
+// Wide fans are round, too, if both normals and all arcs agree: a cube is a sphere. What long edges bulge would fold
+// edges that are a tenth as long.
+inline double regularity(double distance_of_normals, double largest_arc_error, double evenness)
 {
   return (1 - smooth_window(distance_of_normals, 0.1, 0.3)) *
-         (1 - smooth_window(largest_arc_error, 0.1, 0.3));
+         (1 - smooth_window(largest_arc_error, 0.1, 0.3)) *
+         smooth_window(evenness, 1. / 12, 1. / 6);
 }
 
 // a or b
