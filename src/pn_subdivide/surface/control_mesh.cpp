@@ -45,11 +45,6 @@ void report_what_is_dropped(const Mesh_data& mesh, const std::string& name, Repo
                            mesh.dropped);
 }
 
-std::string plural(std::size_t n, const std::string& one, const std::string& many)
-{
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 // Where the surface is open although border edges lie on each other.
 void report_contacts(const Mesh_data& mesh, const Soup_defects& defects, double joined_within,
                      const std::string& name, Report& report)

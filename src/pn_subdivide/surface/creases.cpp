@@ -31,11 +31,6 @@ constexpr const char* edges_name = "e:sharpness";
 constexpr const char* vertices_name = "v:sharpness";
 constexpr const char* tangents_name = "h:tangent";
 
-std::string plural(std::size_t n, const std::string& one, const std::string& many)
-{
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 // --- by the normals of the file ---
 
 bool differ(const Vector_3& m, const Vector_3& n)
