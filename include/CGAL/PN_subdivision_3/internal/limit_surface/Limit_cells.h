@@ -139,9 +139,8 @@ public:
     }
     Index base(Index i) const
     {
-      const auto degree = static_cast<Index>(halfedges_.size());
-      if constexpr (Scheme::Host::refined_degree == 4)
-        return next(halfedges_[i], degree == 4 ? (4 - i) % 4 : 0);
+      if constexpr (degree == 4)
+        return next(halfedges_[i], halfedges_.size() == 4 ? (4 - i) % 4 : 0);
       else if (i == 3)
         return Level_connectivity::opposite(next(halfedges_[1], 2));
       else
