@@ -272,7 +272,8 @@ std::size_t number_of_defects(const Control_mesh& control_mesh, const Scheme& sc
       };
       using Index = PN::Level_connectivity::Index;
       const auto put_corner = [](Index, Index, const typename Refiner::Value&) {};
-      refiner.refine(i, 0, {begin, put, put_corner});
+      const auto put_attributes = [](const auto&) {};
+      refiner.refine(i, 0, {begin, put, put_corner, put_attributes});
     }
   });
   return other + (mesh.number_of_faces() - faces);
