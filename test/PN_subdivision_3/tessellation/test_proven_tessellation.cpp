@@ -153,7 +153,7 @@ TEST(ProvenTessellation, NamesTheFirstVertexThatIsNotCovered)
 {
   Surface_mesh cube = to_surface_mesh(disturbed(named_shapes::cube()));
   const auto normals = PN::parameters::border(PN::Border::curve);
-  expect_refused(cube, PN::Tuned_CatmullClark_scheme(), "modified", normals);
+  expect_refused(cube, PN::CatmullClark_scheme::Tuned(), "modified", normals);
   auto sharp = cube.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
   Surface_mesh::Halfedge_index last;
   for (auto h : cube.halfedges())
