@@ -742,9 +742,8 @@ void run_surface_command(const Surface_options& given_options)
       choose_rounds(mesh, plan, part, creases, scheme, options);
     if (rounds && !part) report_rounds(*rounds, chord, report);
     if (in_pieces)
-      pieces =
-        make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
-                        plan.output_normals, plan.limit, plan.texture_rule, report);
+      pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
+                               plan.output_normals, plan.limit, plan.texture_rule, report);
     else {
       if (part) table.emplace(*part, mesh);
       process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
