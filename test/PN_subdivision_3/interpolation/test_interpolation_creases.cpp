@@ -196,7 +196,7 @@ TEST(Interpolation_creases, WhatIsRefused)
   expect_refusal(
     c, c.scheme,
     with(PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::solved)),
-    "solved");
+    "control normals are found");
   expect_refusal(c, c.scheme,
                  with(PN::parameters::free_vertices(PN::Limit_interpolation::Free::smooth)),
                  "move along");

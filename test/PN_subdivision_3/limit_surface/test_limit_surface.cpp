@@ -12,6 +12,7 @@
 #include "Scheme_runs.h"
 #include "support/Options.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_by_name.h>
@@ -20,6 +21,8 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace {
 
@@ -267,7 +270,8 @@ TEST(LimitSurface, Spheres)
 
 // \name The limits of refined meshes
 
-// Every limit of the mesh refined is found at parameters that are multiples of a power of 1/2.
+// Every limit of the mesh refined is found at parameters that are multiples of a power of 1/2. The tolerance is a part of the
+// largest side of the box of the control points.
 template <class Scheme, class Parameters>
 void expect_limits(const Surface_mesh& control, Surface_mesh& refined, const Scheme& scheme,
                    const Parameters& np, const Parameters& np_refined, unsigned rounds,
@@ -287,6 +291,10 @@ void expect_limits(const Surface_mesh& control, Surface_mesh& refined, const Sch
         for (int j = 0; j <= (surface.is_triangular() ? n - i : n); ++j)
           places.push_back({f, 2 * double(piece) + double(i) / n, double(j) / n});
   }
+  CGAL::Bbox_3 box;
+  for (auto v : control.vertices()) box += control.point(v).bbox();
+  const double size =
+    (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
   std::vector<char> is_found(refined.number_of_vertices(), 0);
   std::size_t k = 0;
   for (const auto& s : surface.evaluate(places)) {
@@ -298,7 +306,7 @@ void expect_limits(const Surface_mesh& control, Surface_mesh& refined, const Sch
     }
     EXPECT_LE(std::sqrt(least), s.error + 1e-9)
       << places[k].face << " (" << places[k].u << ", " << places[k].v << ")";
-    EXPECT_LE(s.error, tolerance + 1e-9);
+    EXPECT_LE(s.error, tolerance * size + 1e-9);
     is_found[nearest.idx()] = 1;
     ++k;
   }

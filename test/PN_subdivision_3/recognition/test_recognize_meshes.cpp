@@ -271,7 +271,7 @@ TEST(Recognize_meshes, apexes_of_cones_are_corners)
   std::size_t number = 0;
   for (const auto v : mesh.vertices()) number += corners[v];
   EXPECT_EQ(number, 1u);
-  for (const auto v : mesh.vertices()) EXPECT_EQ(corners[v], mesh.point(v).z() > 1) << v;
+  for (const auto v : mesh.vertices()) EXPECT_EQ(corners[v], mesh.point(v).y() > 1) << v;
 }
 
 TEST(Recognize_meshes, corner_normals)
