@@ -131,6 +131,27 @@ TYPED_TEST(Roundness, OfOneIsTheSchemeAndOfZeroItsLinearTwinBitForBit)
   }
 }
 
+TYPED_TEST(Roundness, OfOneIsTheSchemeAtTheLimitBitForBit)
+{
+  if constexpr (TypeParam::is_primal)
+    for (const Control_mesh& control : meshes_for<TypeParam>()) {
+      if (control.faces.empty()) continue;
+      Surface_mesh round = to_surface_mesh(control), ones = round;
+      const auto np = [](Surface_mesh& m) {
+        return CGAL::parameters::number_of_iterations(1).vertex_normal_map(normal_map(m));
+      };
+      PN::subdivide_to_limit(round, TypeParam::scheme(), np(round));
+      PN::subdivide_to_limit(
+        ones, TypeParam::scheme(),
+        PN::parameters::join(PN::parameters::vertex_roundness_map(roundness_map(ones, 1)),
+                             np(ones)));
+      expect_same_points(round, ones, control.name);
+      for (auto v : round.vertices()) ASSERT_EQ(roundness_map(ones)[v], 1) << control.name;
+    }
+  else
+    GTEST_SKIP() << "does not apply: its limits are those of faces";
+}
+
 TYPED_TEST(Roundness, GoesFromCallToCallByItsMap)
 {
   if constexpr (TypeParam::composes_single_rounds)

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -47,6 +48,23 @@ struct Ring_round
   Ring_pair rings;
 };
 
+// In this order, too, the weights of a row shall sum to 1: the largest, the first one of those that are equal but for rounding, comes
+// last and is what the others leave.
+template <class FT>
+void put_rest_last([[maybe_unused]] Ring_row<FT>& row)
+{
+  if constexpr (std::is_floating_point_v<FT>) {
+    FT largest(0), sum(0);
+    for (const auto& [place, weight] : row) largest = (std::max)(largest, std::abs(weight));
+    const auto rest = std::find_if(row.begin(), row.end(), [&](const auto& e) {
+      return std::abs(e.second) >= largest * FT(1 - 1e-5);
+    });
+    std::rotate(rest, rest + 1, row.end());
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) sum += row[i].second;
+    row.back().second = FT(1) - sum;
+  }
+}
+
 // The rows of the next ring over the places of the ring, in the order of these: a mask begins where edges of the
 // level do, and sums shall have the same bits wherever a ring of the kind was met first. None if a row leaves the ring.
 template <class FT, class Host, class Mask>
@@ -69,6 +87,7 @@ std::optional<Ring_matrix<FT>> ring_matrix(const Host& host, const Mask& mask,
     }
     std::stable_sort(matrix.back().begin(), matrix.back().end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
+    put_rest_last<FT>(matrix.back());
   }
   return matrix;
 }
