@@ -12,6 +12,8 @@
 #
 #   scripts/check_portability.sh [c++20|clang|cgal6|aarch64|all]
 #   scripts/check_portability.sh cgal6 REGEX      only the sources whose paths match, as 'src/|examples/'
+#   scripts/check_portability.sh cgal6 --seconds N
+#                                               the tests last, and as many of them as N seconds allow; it says how many
 #
 # Debian packages: clang, g++-aarch64-linux-gnu, qemu-user (scripts/install_dependencies.sh does not install the
 # last two). The headers of CGAL 6 are fetched from Debian's mirror (scripts/fetch_cgal6_headers.sh), or CGAL6=FOLDER
@@ -21,6 +23,10 @@ cd "$(dirname "$0")/.."
 
 what=${1:-all}
 chosen=${2:-}
+seconds=
+if [[ $chosen == --seconds ]]; then
+  chosen= seconds=$3
+fi
 folder=build/portability
 mkdir -p "$folder"
 headers=(include/CGAL/*.h include/CGAL/PN_subdivision_3/*.h)
@@ -40,13 +46,35 @@ compile_headers()
   "$@" -fsyntax-only "${warnings[@]}" -frounding-math -DNOMINMAX -Iinclude -isystem /usr/include/eigen3 "$folder/headers.cpp"
 }
 
-# check_sources BUILD REGEX: what CMake compiles in that folder, but for paths that match, is checked, not translated
+# sources BUILD REGEX: the objects of what CMake compiles in that folder, but for paths that match
+sources()
+{
+  ninja -C "$1" -t targets all | sed -n 's/\.o: CXX_COMPILER.*/.o/p' | grep -vE "$2" | grep -E "$chosen"
+}
+
+# check_sources BUILD REGEX: these are checked, not translated
 check_sources()
 {
   local objects
-  mapfile -t objects < <(ninja -C "$1" -t targets all | sed -n 's/\.o: CXX_COMPILER.*/.o/p' | grep -vE "$2" | grep -E "$chosen")
+  mapfile -t objects < <(sources "$1" "$2")
   echo "== clang++: ${#objects[@]} sources of $1"
   [[ ${#objects[@]} -eq 0 ]] || ninja -C "$1" -k 0 --quiet "${objects[@]}"
+}
+
+# check_while_time_lasts BUILD REGEX: the same until the time is over; what is wrong in those that were checked counts
+check_while_time_lasts()
+{
+  local objects object left=0 status=0
+  mapfile -t objects < <(sources "$1" "$2")
+  echo "== clang++: ${#objects[@]} sources of $1, as many as $((seconds - SECONDS)) seconds allow"
+  [[ ${#objects[@]} -gt 0 ]] || return 0
+  if [[ $SECONDS -lt $seconds ]]; then
+    timeout --signal=INT $((seconds - SECONDS)) ninja -C "$1" -k 0 --quiet "${objects[@]}" | tee "$1.out" || status=$?
+    ! grep -q '^FAILED' "$1.out" || status=1
+  fi
+  for object in "${objects[@]}"; do [[ -e $1/$object ]] || left=$((left + 1)); done
+  echo "-- $left of ${#objects[@]} sources not checked"
+  [[ $status -eq 0 || $status -eq 124 ]]
 }
 
 # What is compiled neither by CMake nor here, and CMake's reasons.
@@ -71,8 +99,16 @@ everything_with_cgal6()
   cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${check[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
     "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1
   name_what_is_left_out "$build.txt" "$modeler.txt"
-  check_sources "$build" '/headers_alone/|/empty\.cpp' || status=1
+  local never='/headers_alone/|/empty\.cpp' tests='^test/.*/test_[^/]*\.dir/'
+  if [[ -z $seconds ]]; then
+    check_sources "$build" "$never" || status=1
+  else
+    check_sources "$build" "$never|$tests" || status=1
+  fi
   check_sources "$modeler" '/src/pn_subdivide/|/bindings\.cpp' || status=1
+  if [[ -n $seconds ]]; then
+    chosen=$tests check_while_time_lasts "$build" "$never" || status=1
+  fi
   return $status
 }
 
