@@ -210,8 +210,7 @@ those of `subdivide()`. `Surface_piece::normals()` has the mean normal of the we
 normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` tells that of each wedge.
 
 <b>Limits.</b> With `parameters::to_limit(true)` the vertices are on the limit surface, with
-`parameters::surface_normals(true)` beside it they have its normals: those of `subdivide_to_limit()`, bit for bit but for
-last bits with \f$ \sqrt{3} \f$ subdivision. The
+`parameters::surface_normals(true)` beside it they have its normals: those of `subdivide_to_limit()`, bit for bit. The
 `tolerance` is a part of the size of the refined surface: the first piece that is made goes over
 all pieces for it, without limits, which takes a small part of the time that these take. Several machines share that if
 each tells the others `box_of_piece()` of some, and gives `set_box()` what all of them are in. Pieces have seven rings or

@@ -134,11 +134,6 @@ void require_options_for_pieces(const Surface_options& options, const Mesh_file&
   refuse(options.interpolate.has_value(), "--interpolate");
   refuse(options.limit.points && options.output_normals == "both",
          "--limit together with --output-normals both");
-  // whose limits have other last bits where some are asked for
-  const bool has_limit =
-    options.limit.points || options.limit.normals || options.output_normals == "surface";
-  refuse(has_limit && options.scheme.scheme == "sqrt3",
-         "--limit or --output-normals surface together with --scheme sqrt3");
   refuse(options.ascii, "--ascii");
   refuse(options.write_tags.has_value(), "--write-tags");
   if (wants_surfaces(options.creases))

@@ -74,7 +74,7 @@ TEST_F(Pieces, OfEveryKindOfNormals)
 TEST_F(Pieces, AtTheLimit)
 {
   for (const std::string& scheme : schemes) {
-    if (scheme == "doo-sabin" || scheme == "sqrt3") continue;
+    if (scheme == "doo-sabin") continue;
     for (const char* const pieces : {"--pieces 1", "--pieces 7", "--pieces 64"})
       expect_whole(scheme, "--levels 2 --limit", pieces);
     expect_whole(scheme, "--levels 1 --output-normals surface", "--pieces 7");
@@ -192,7 +192,6 @@ TEST_F(Pieces, WhatDoesNotGoWithThem)
        {"--curvature mean", "--verify sphere:0,0,0,1", "--interpolate slide",
         "--limit --output-normals both", "--ascii"})
     expect_refusal("--pieces 2 " + option, 2, option.substr(0, option.find(' ')));
-  expect_one_line(run(in_out("sqrt3", "out.ply") + "--pieces 2 --limit"), 2, "--limit");
   expect_refusal("--pieces 2 --sharp angle:5 --output-normals control", 1, "--sharp none");
   expect_refusal("--pieces 2 --border curve --output-normals both", 1, "--border surface");
 }
