@@ -13,6 +13,7 @@
 #include "Tessellation_cases.h"
 
 #include <CGAL/PN_subdivision_3/tessellate.h>
+#include <CGAL/Surface_mesh.h>
 
 namespace {
 

@@ -58,6 +58,19 @@ struct Adaptive_level
     corners{}; // attributes of the corners of each face that is wanted
 };
 
+// calls f(half-edge) for those of a face
+template <class Function>
+void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivity::Index f,
+                               const Function& function)
+{
+  const Level_connectivity::Index first = level.halfedge_of_face(f);
+  Level_connectivity::Index h = first;
+  do {
+    function(h);
+    h = level.next(h);
+  } while (h != first);
+}
+
 // The slots of the corners of a level.
 template <class Level_creases>
 class Slots_of_corners;

@@ -25,6 +25,7 @@
 #include <CGAL/PN_subdivision_3/internal/tessellation/Face_flatness.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Proven_distance.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Split_edges.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation_attributes.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -64,6 +65,7 @@ public:
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
   using Level = Adaptive_level<Value, Level_creases>;
+  using Attributes = Tessellation_attributes<Scheme, FT, Level_creases>;
 
   Adaptive_refinement(const Scheme& scheme, const Tessellation_demand& demand,
                       const For_chunks& for_chunks)
@@ -71,23 +73,14 @@ public:
     , demand_(demand)
     , tolerance_((std::max)(demand.tolerance, least_tolerance))
     , for_chunks_(for_chunks)
-    , plane_demand_{demand.limits.tolerance, 0, demand.limits.max_depth}
     , limits_(scheme, demand_.limits, for_chunks)
-    , of_planes_(scheme, plane_demand_, for_chunks)
+    , attributes_(scheme, demand_.limits, for_chunks)
   {
     all_.set_exponent(demand.exponent);
   }
 
-  // What is carried besides the points, `dimension` numbers for each vertex of the control mesh and `of_corners` for each
-  // half-edge.
-  struct Attributes
-  {
-    std::size_t of_vertices = 0, of_corners = 0;
-    std::vector<double> vertices, corners;
-  };
-
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
-                  const Attributes& attributes = Attributes())
+                  const typename Attributes::Data& attributes = {})
   {
     Level level = first_level(std::move(control), std::move(creases), attributes);
     for (bool is_done = false; !is_done;) is_done = !refine(level);
@@ -106,19 +99,10 @@ public:
   void remove_unused(std::vector<bool>&& used)
   {
     std::fill_n(used.begin(), number_of_control_vertices_, true);
-    for (auto& limits : plane_limits_) {
-      std::size_t kept = 0;
-      for (std::size_t v = 0; v < used.size(); ++v)
-        if (used[v]) limits[kept++] = limits[v];
-      limits.resize(kept);
-    }
+    attributes_.keep_vertices(used);
     all_.keep_vertices(used);
   }
-  // a number of a vertex of the result
-  double attribute(Index vertex, std::size_t i) const
-  {
-    return std::ldexp(CGAL::to_double(plane_limits_[i / 3][vertex][i % 3]), -exponents_[i]);
-  }
+  const Attributes& attributes() const { return attributes_; }
   bool is_reached() const { return is_reached_; }
   unsigned depth() const { return rounds_; }
 
@@ -126,8 +110,6 @@ private:
   using Host = typename Scheme::Host;
   using Refiner = Level_refiner<Scheme, Average, Level_creases>;
   static constexpr bool is_creased = are_creases_v<Level_creases>;
-  using Evaluation =
-    std::conditional_t<is_creased, Creased_limits<Scheme, FT>, Limit_evaluation<Scheme, FT>>;
   using Result = typename Limit_evaluation<Scheme, FT>::Result;
   using Results = std::vector<Result>;
   using Flatness = Face_flatness<FT, Level>;
@@ -180,11 +162,11 @@ private:
 
   // \name Levels
   Level first_level(Valued_level<Value>&& control, Level_creases&& creases,
-                    const Attributes& attributes)
+                    const typename Attributes::Data& attributes)
   {
     Level level{std::move(control), std::move(creases), {}, {}, {}};
     number_of_control_vertices_ = level.level.level.number_of_vertices();
-    read(attributes, level);
+    attributes_.read(attributes, level);
     const Level_connectivity& connectivity = level.level.level;
     const Results results = limits(level, nullptr);
     for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
@@ -201,78 +183,11 @@ private:
       level.faces[f].is_wanted = true;
     }
     for (std::size_t p = 0; p < level.planes.size(); ++p) {
-      const Results of_plane = plane_limits(level, p, nullptr);
-      for (Index v = 0; v < connectivity.number_of_vertices(); ++v) set_plane(p, v, of_plane[v]);
+      const Results of_plane = attributes_.limits(level, p, rounds_, nullptr);
+      for (Index v = 0; v < connectivity.number_of_vertices(); ++v)
+        attributes_.set(p, v, of_plane[v]);
     }
     return level;
-  }
-
-  // Columns are scaled by powers of 2 to the size of the points, whose tolerance they then have.
-  void read(const Attributes& attributes, Level& level)
-  {
-    const auto& connectivity = level.level.level;
-    const std::size_t n = attributes.of_vertices, m = attributes.of_corners;
-    const double size = demand_.limits.tolerance * 0x1p30;
-    std::vector<Index> vertices;
-    for (Index v = 0; v < connectivity.number_of_vertices(); ++v) vertices.push_back(v);
-    for (const Index v : vertices_of_extra_slots(level.creases, connectivity.number_of_vertices()))
-      vertices.push_back(v);
-    level.planes.resize((n + 2) / 3);
-    plane_limits_.resize(level.planes.size());
-    for (auto& plane : level.planes) plane = std::vector<Value>(vertices.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      double largest = 0;
-      for (std::size_t k = i; k < attributes.vertices.size(); k += n)
-        largest = (std::max)(largest, std::abs(attributes.vertices[k]));
-      exponents_.push_back(largest > 0 && std::isfinite(largest) && size > 0
-                             ? std::ilogb(size) - std::ilogb(largest)
-                             : 0);
-      for (std::size_t s = 0; s < vertices.size(); ++s)
-        point_of(level.planes[i / 3][s])[i % 3] =
-          FT(std::ldexp(attributes.vertices[vertices[s] * n + i], exponents_[i]));
-    }
-    if (m == 0) return;
-    level.corners.resize(connectivity.number_of_faces());
-    for (Index f = 0; f < level.corners.size(); ++f)
-      for_each_halfedge(connectivity, f, [&](Index h) {
-        const auto from = attributes.corners.begin() + std::ptrdiff_t(h * m);
-        level.corners[f].insert(level.corners[f].end(), from, from + std::ptrdiff_t(m));
-      });
-    of_corners_ = m;
-  }
-
-  template <class Function>
-  static void for_each_halfedge(const Level_connectivity& level, Index f, const Function& function)
-  {
-    const Index first = level.halfedge_of_face(f);
-    Index h = first;
-    do {
-      function(h);
-      h = level.next(h);
-    } while (h != first);
-  }
-
-  // The curves of creases are those of the points alone.
-  static Level_creases without_tangents(Level_creases creases)
-  {
-    if constexpr (is_creased)
-      for (auto& e : creases.edges) e.tangent_from = {};
-    return creases;
-  }
-  Results plane_limits(const Level& level, std::size_t plane, const std::vector<Index>* some)
-  {
-    Valued_level<Value> values{level.level.level, level.planes[plane]};
-    if constexpr (is_creased) {
-      Level_creases creases = without_tangents(level.creases);
-      return of_planes_(values, creases, rounds_ + 1, some);
-    } else
-      return of_planes_(values, rounds_ + 1, some);
-  }
-  void set_plane(std::size_t plane, Index vertex, const Result& result)
-  {
-    auto& limits = plane_limits_[plane];
-    if (limits.size() <= vertex) limits.resize(vertex + 1);
-    limits[vertex] = point_of(result.value);
   }
 
   // A single face between two edges of a smooth curve has no angle that a tangent plane could tell.
@@ -305,7 +220,7 @@ private:
     }
     std::vector<Results> of_planes;
     for (std::size_t p = 0; p < next.planes.size(); ++p)
-      of_planes.push_back(plane_limits(next, p, is_control ? nullptr : &vertices));
+      of_planes.push_back(attributes_.limits(next, p, rounds_, is_control ? nullptr : &vertices));
     all_.reserve(vertices.size(), next.level.level.number_of_edges());
     connect(level, next, results, of_planes);
     level = std::move(next);
@@ -380,8 +295,8 @@ private:
     node.is_leaf = !face.is_split;
     number_of_leaves_ += node.is_leaf ? 1 : 0;
     if (!is_leaf(level, f))
-      for_each_halfedge(level.level.level, f,
-                        [&](Index h) { all_.pin(level.edges[Level_connectivity::edge(h)]); });
+      for_each_halfedge_of_face(
+        level.level.level, f, [&](Index h) { all_.pin(level.edges[Level_connectivity::edge(h)]); });
     else
       node.leaf = flatness.leaf(f, error.error, error.over_diagonals);
     if (!level.corners.empty()) corners_of_nodes_.push_back(level.corners[f]);
@@ -446,13 +361,7 @@ private:
                {}};
     level.creases = refiner.take_creases();
     level.level.level = refiner.take_level();
-    for (const auto& plane : level.planes) {
-      Refiner of_plane(scheme_, Level_connectivity(level.level.level),
-                       without_tangents(level.creases), {plane.begin(), plane.end()}, for_chunks_,
-                       rounds_);
-      of_plane.refine();
-      next.planes.emplace_back(of_plane.values().begin(), of_plane.values().end());
-    }
+    attributes_.refine(level, rounds_, next);
     return next;
   }
 
@@ -465,7 +374,8 @@ private:
     std::vector<Index> vertices, of_faces;
     for (Index f = 0; f < old.number_of_faces(); ++f) {
       if (!level.faces[f].is_split) continue;
-      for_each_halfedge(old, f, [&](Index h) { is_on_face[Level_connectivity::edge(h)] = 1; });
+      for_each_halfedge_of_face(old, f,
+                                [&](Index h) { is_on_face[Level_connectivity::edge(h)] = 1; });
       if constexpr (has_face_vertices) of_faces.push_back(host.vertex_of_face(f));
     }
     for (Index e = 0; e < is_on_face.size(); ++e)
@@ -530,48 +440,12 @@ private:
       nodes_[parent.node].discrepancy = parent.discrepancy;
       number_edges(next, f);
     }
-    if (!level.corners.empty()) split_corners(level, host, next);
-  }
-
-  // Corners that are new are in the middle, of an edge or of the face.
-  void split_corners(const Level& level, const Host& host, Level& next) const
-  {
-    const Level_connectivity &old = level.level.level, &refined = next.level.level;
-    next.corners.resize(next.faces.size());
-    for (Index f = 0; f < next.faces.size(); ++f) {
-      const Index parent = host.parent_of_face(f).index;
-      if (!level.faces[parent].is_split) continue;
-      const std::vector<double>& values = level.corners[parent];
-      for_each_halfedge(refined, f, [&](Index h) {
-        append_middle(old, parent, values, host.parent_of_vertex(refined.target(h)),
-                      next.corners[f]);
-      });
-    }
-  }
-  void append_middle(const Level_connectivity& old, Index parent, const std::vector<double>& values,
-                     const Element_parent& origin, std::vector<double>& to) const
-  {
-    using Kind = Element_parent::Kind;
-    std::vector<std::size_t> corners;
-    std::size_t i = 0, n = values.size() / of_corners_;
-    for_each_halfedge(old, parent, [&](Index h) {
-      const bool is_end = origin.kind == Kind::edge && Level_connectivity::edge(h) == origin.index;
-      if (origin.kind == Kind::face ||
-          (origin.kind == Kind::vertex && old.target(h) == origin.index))
-        corners.push_back(i);
-      if (is_end) corners.insert(corners.end(), {i, (i + n - 1) % n});
-      ++i;
-    });
-    for (std::size_t k = 0; k < of_corners_; ++k) {
-      double sum = 0;
-      for (const std::size_t c : corners) sum += values[c * of_corners_ + k];
-      to.push_back(sum / double(corners.size()));
-    }
+    if (!level.corners.empty()) attributes_.split_corners(level, host, next);
   }
 
   void number_edges(Level& level, Index f)
   {
-    for_each_halfedge(level.level.level, f, [&](Index h) {
+    for_each_halfedge_of_face(level.level.level, f, [&](Index h) {
       Index& e = level.edges[Level_connectivity::edge(h)];
       if (e == null) e = all_.add_edge();
     });
@@ -588,10 +462,10 @@ private:
       if (slot != null) return slot;
       set_slot(slot = all_.add_slot(vertex), results[new_slot]);
       for (std::size_t p = 0; p < of_planes.size(); ++p)
-        set_plane(p, vertex, of_planes[p][new_slot]);
+        attributes_.set(p, vertex, of_planes[p][new_slot]);
       return slot;
     };
-    for_each_halfedge(old, f, [&](Index h) {
+    for_each_halfedge_of_face(old, f, [&](Index h) {
       next.slots[new_slots(split.second_half(h))] = level.slots[old_slots(h)];
       const Index e = Level_connectivity::edge(h), edge = level.edges[e];
       if (!all_.edge(edge).is_split()) {
@@ -612,11 +486,8 @@ private:
   const Tessellation_demand demand_;
   double tolerance_;
   For_chunks for_chunks_;
-  const Limit_demand plane_demand_;
-  Evaluation limits_, of_planes_;
-  std::vector<std::vector<Coordinates<FT, 3>>> plane_limits_;
-  std::vector<int> exponents_; // of the scales of attributes
-  std::size_t of_corners_ = 0;
+  Limits_of_level<Scheme, FT, Level_creases> limits_;
+  Attributes attributes_;
   std::vector<std::vector<double>> corners_of_nodes_;
   Split_edges<FT> all_;
   std::optional<Cells> cells_; // of the level, for proofs

@@ -129,7 +129,7 @@ private:
           require_proof_of_all(Limit_cells<Scheme, decltype(creases)>(
             scheme, decltype(control)(control), decltype(creases)(creases)));
       using Refinement = Adaptive_refinement<Scheme, FT, decltype(creases), may_be_proven>;
-      const auto attributes = read_attributes<typename Refinement::Attributes>(control.level);
+      const auto attributes = read_attributes<typename Refinement::Attributes::Data>(control.level);
       Refinement refinement(scheme, demand, for_chunks_);
       refinement(std::move(control), std::move(creases), attributes);
       sink(refinement);
@@ -276,7 +276,7 @@ private:
       result.vertices.push_back({array.dimension, {}, array.rule});
       for (Index v = 0; v < refinement.all().number_of_vertices(); ++v)
         for (std::size_t k = 0; k < array.dimension; ++k)
-          result.vertices.back().values.push_back(refinement.attribute(v, first + k));
+          result.vertices.back().values.push_back(refinement.attributes().value(v, first + k));
       first += array.dimension;
     }
     first = 0;
