@@ -10,8 +10,8 @@
 // scheme, on creases too.
 
 #include "Mesh_cases.h"
+#include "support/Exact_rational.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -10,8 +10,8 @@
 
 #include "Curve_cases.h"
 #include "reference/Curve_limit.h"
+#include "support/Exact_rational.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/curve_limit_points.h>
 
 #include <cmath>

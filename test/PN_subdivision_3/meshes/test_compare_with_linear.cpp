@@ -8,9 +8,10 @@
 
 // Comparison with the linear result, against loops over faces and coordinates that are written here, in long double.
 
+#include "support/Exact_rational.h"
+
 #include <CGAL/PN_subdivision_3/compare_with_linear.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/parameters.h>

@@ -11,9 +11,9 @@
 #include "Estimated_normals.h"
 #include "Named_shapes.h"
 #include "reference/Coherent_normals.h"
+#include "support/Exact_rational.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 
 #include <numeric>
 

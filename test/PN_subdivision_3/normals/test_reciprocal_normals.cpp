@@ -10,8 +10,7 @@
 // what must not change them.
 
 #include "Estimated_normals.h"
-
-#include <CGAL/Exact_rational.h>
+#include "support/Exact_rational.h"
 
 #include <numeric>
 

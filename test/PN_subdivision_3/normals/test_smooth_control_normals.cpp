@@ -10,8 +10,8 @@
 // curvature of the refined surface, what must not change.
 
 #include "Sampled_surfaces.h"
+#include "support/Exact_rational.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 #include <CGAL/PN_subdivision_3/smooth_control_normals.h>

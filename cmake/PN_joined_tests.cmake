@@ -1,0 +1,62 @@
+# Several test sources as one program: what they instantiate alike is compiled once, which takes less than half the time.
+option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, or a few" OFF)
+set(PN_TESTS_IN_A_SOURCE 7) # so that none takes more than a minute or two and 1.5 GB
+# with settings of their own, or with an operator new of their own
+set(pn_tests_apart
+    test_PN_mask_3_custom test_Subdivision_method_3_examples test_enclose test_failures test_kernels_exact test_kernels_floating
+    test_kernels_intervals test_modified_schemes_numbers test_strong_guarantee)
+
+# Includes that depend on macros have to stay where they are; and a header of CGAL without include guard may be included once.
+function(pn_can_be_joined result source)
+  file(STRINGS ${source} directives REGEX "^#")
+  set(has_other FALSE)
+  file(STRINGS ${source} opened REGEX "^namespace [A-Za-z_]+ {") # that others open, too
+  set(can_be_joined TRUE)
+  if(opened)
+    set(can_be_joined FALSE)
+  endif()
+  foreach(directive IN LISTS directives)
+    if(NOT directive MATCHES "^#include")
+      set(has_other TRUE)
+    elseif(has_other OR directive MATCHES "CGAL/Exact_(rational|integer)\\.h")
+      set(can_be_joined FALSE)
+    endif()
+  endforeach()
+  set(${result} ${can_be_joined} PARENT_SCOPE)
+endfunction()
+
+# pn_write_joined(file source...): all headers first, then the sources, whose own includes do nothing any more, each in a
+# namespace of its own.
+function(pn_write_joined file)
+  set(headers)
+  set(content)
+  foreach(source IN LISTS ARGN)
+    file(STRINGS ${source} includes REGEX "^#include")
+    list(APPEND headers ${includes})
+    get_filename_component(name ${source} NAME_WE)
+    string(APPEND content "namespace of_${name} {\n#include \"${source}\"\n}\n")
+  endforeach()
+  list(REMOVE_DUPLICATES headers)
+  list(JOIN headers "\n" headers)
+  file(CONFIGURE OUTPUT ${file} CONTENT "${headers}\n${content}" @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN}) # for their headers
+endfunction()
+
+# pn_add_joined_tests(name source...): the programs NAME_1, NAME_2, ... of these sources.
+function(pn_add_joined_tests name)
+  set(number 0)
+  set(sources ${ARGN})
+  list(LENGTH sources left)
+  while(left GREATER 0)
+    math(EXPR number "${number} + 1")
+    list(SUBLIST sources 0 ${PN_TESTS_IN_A_SOURCE} some)
+    list(REMOVE_ITEM sources ${some})
+    list(LENGTH sources left)
+    set(joined ${CMAKE_CURRENT_BINARY_DIR}/joined/${name}_${number}.cpp)
+    pn_write_joined(${joined} ${some})
+    list(GET some 0 first)
+    get_filename_component(folder ${first} DIRECTORY)
+    pn_add_test(${name}_${number} ${joined})
+    target_include_directories(${name}_${number} PRIVATE ${folder})
+  endwhile()
+endfunction()
