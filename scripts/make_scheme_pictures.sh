@@ -10,7 +10,8 @@
 # Draws doc/PN_subdivision_3/fig/SCHEME.png for each scheme: a closed mesh in the first row, the same
 # mesh cut open in the second; the linear scheme on the left, the point-normal one with estimated
 # control normals on the right. Surfaces are shaded by their faces, not by the refined normals; those of the
-# modified schemes have the color of their Gaussian curvature, beside the unmodified scheme.
+# modified schemes have the color of their Gaussian curvature, beside the unmodified scheme. And grid-catmull-clark.png,
+# a torus and a vase of a few points.
 #
 #   scripts/make_scheme_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -98,3 +99,53 @@ draw_curvature() { # scheme, kind of faces, name
 
 draw_curvature catmull-clark quads Catmull-Clark
 draw_curvature loop triangles Loop
+
+# Points and normals of a torus, unevenly divided, and of a surface of revolution without a bottom.
+python3 - "$work" <<'PY'
+import sys
+from math import cos, hypot, pi, sin
+
+
+def write(name, rings, closed):
+    """Each ring: the angle round the axis of its points, radius, height, and the normal in the half plane."""
+    n, m = len(rings[0]), len(rings)
+    with open(f"{sys.argv[1]}/{name}.ply", "w") as file:
+        print(f"ply\nformat ascii 1.0\nelement vertex {n * m}", file=file)
+        for x in ("x", "y", "z", "nx", "ny", "nz"):
+            print(f"property double {x}", file=file)
+        print(f"element face {n * (m - 1 + closed)}\nproperty list uchar int vertex_indices\nend_header", file=file)
+        for ring in rings:
+            for t, r, z, nr, nz in ring:
+                print(r * cos(t), r * sin(t), z, nr * cos(t), nr * sin(t), nz, file=file)
+        for i in range(m - 1 + closed):
+            for j in range(n):
+                k, l = (i + 1) % m, (j + 1) % n
+                print(4, i * n + j, i * n + l, k * n + l, k * n + j, file=file)
+
+
+turns = [0, 1.2, 3.0, 4.4]
+write("torus", [[(t, 2 + cos(v), sin(v), cos(v), sin(v)) for t in turns] for v in (0, 1.4, 3.3, 4.6)], True)
+rings = []
+for i in range(6):
+    z = i / 5
+    slope = 0.9 * cos(3.6 * z + 0.4) * 3.6 / 3.2
+    size = hypot(1, slope)
+    rings.append([(t, 1.1 + 0.9 * sin(3.6 * z + 0.4), 3.2 * z, 1 / size, -slope / size)
+                  for t in (0, 0.9, 2.3, 3.4, 4.9)])
+write("vase", rings, False)
+PY
+
+meshes=() controls=()
+for shape in torus vase; do
+  for kind in linear PN grid; do
+    options=(--scheme catmull-clark --normals file)
+    if [[ $kind == linear ]]; then options=(--scheme catmull-clark --linear); fi
+    if [[ $kind == grid ]]; then options=(--scheme grid-catmull-clark --normals file); fi
+    "$command" surface "$work/$shape.ply" "$work/${shape}_$kind.ply" --levels 5 --quiet "${options[@]}"
+    meshes+=("$work/${shape}_$kind.ply")
+    controls+=(--control "$work/$shape.ply")
+  done
+done
+captions=(--caption "linear" --caption "PN-Catmull-Clark" --caption "grid lines")
+scripts/render.py --output "$folder/grid-catmull-clark.png" --columns 3 --tile 300 --shading averaged \
+                  --view=30,40 "${controls[@]}" "${captions[@]}" "${captions[@]}" "${meshes[@]}"
