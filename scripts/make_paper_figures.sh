@@ -209,9 +209,10 @@ figure_10() {
     surface $paper/$shape.ply "grid_linear_$shape.ply" --scheme doo-sabin --levels 4 --linear
   done
   measure 10 "$work"
-  sheet figure_10 2 --same-view --zoom 1.15 --shading averaged --view=25,45 --control $paper/waves.ply \
-        --control $paper/bumps.ply --control-normals --caption "(a) two normals in turn" \
-        --caption "(b) four normals, row by row" "$work"/grid_{waves,bumps}.ply
+  sheet figure_10 2 --tile 360 --same-view --zoom 1.15 --shading averaged --view=25,45 --control $paper/waves.ply \
+        --control $paper/bumps.ply --control none --control none --control-normals \
+        --caption "(a) two normals in turn" --caption "(b) four normals, row by row" --caption "(a) PN-Doo-Sabin" \
+        --caption "(b) PN-Doo-Sabin" $paper/{waves,bumps}.ply "$work"/grid_{waves,bumps}.ply
 }
 
 figure_11() {
@@ -232,10 +233,12 @@ figure_12() {
   surface $paper/wheel_tori.ply wheel_tori.ply --scheme catmull-clark --levels 4
   surface $paper/wheel.ply wheel_bare.ply --scheme catmull-clark --levels 0 --linear
   measure 12 "$work"
-  sheet figure_12 3 --same-view --shading averaged --view=20,55 --control "$work/wheel_bare.ply" \
-        --control $paper/wheel.ply --control $paper/wheel_tori.ply --control-normals \
-        --caption "(a) Catmull-Clark" --caption "(b) horizontal normals" \
-        --caption "(c) normals of tori" "$work"/wheel_{linear,PN,tori}.ply
+  sheet figure_12 3 --tile 360 --same-view --shading averaged --view=20,55 --control "$work/wheel_bare.ply" \
+        --control $paper/wheel.ply --control $paper/wheel_tori.ply --control none --control none --control none \
+        --control-normals --caption "(a) without normals" --caption "(b) horizontal normals" \
+        --caption "(c) normals of tori" --caption "(a) Catmull-Clark" --caption "(b) PN-Catmull-Clark" \
+        --caption "(c) PN-Catmull-Clark" "$work/wheel_bare.ply" $paper/{wheel,wheel_tori}.ply \
+        "$work"/wheel_{linear,PN,tori}.ply
 }
 
 figure_13() {

@@ -24,6 +24,7 @@
 #include <CGAL/Timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <functional>
@@ -231,6 +232,49 @@ void print_surfaces()
   print_surface("the same, `slide`", [](const Mesh& m) { return subdivided(m, Way::slide); });
 }
 
+// --- even grids ---
+
+Mesh torus_of_triangles(int n)
+{
+  Mesh mesh;
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const double turn = 2 * std::acos(-1.);
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double u = turn * i / (2 * n), v = turn * j / n, r = 2 + .8 * std::cos(v);
+      const auto w = mesh.add_vertex(Point(r * std::cos(u), r * std::sin(u), .8 * std::sin(v)));
+      normals[w] = Vector(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
+    }
+  const auto at = [n](int i, int j) {
+    return Mesh::Vertex_index(Mesh::size_type(i % (2 * n) * n + j % n));
+  };
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
+}
+
+void print_even_grids()
+{
+  std::puts("#table even_grids");
+  for (const auto& [name, way] :
+       {std::pair("linear Loop", Way::linear), std::pair("the same, solved", Way::linear_solved),
+        std::pair("PN-Loop", Way::plain), std::pair("the same, `slide`", Way::slide)}) {
+    std::printf("<tr><td>%s</td>", name);
+    for (const int n : {8, 16, 32}) {
+      double worst = 0;
+      for (const Sample& s : subdivided(torus_of_triangles(n), way).samples) {
+        const double across = std::hypot(s.point.x(), s.point.y()) - 2;
+        worst = (std::max)(worst, std::abs(std::hypot(across, s.point.z()) - .8));
+      }
+      std::printf("<td>%.1e</td>", worst);
+    }
+    std::puts("</tr>");
+  }
+}
+
 // --- curves ---
 
 using by_method::Curve_point;
@@ -377,5 +421,6 @@ void print_curves()
 int main()
 {
   print_surfaces();
+  print_even_grids();
   print_curves();
 }
