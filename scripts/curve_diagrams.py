@@ -40,7 +40,7 @@ def refined(command: Path, points: list[Point], options: list[str]) -> list[Poin
 
 def draw_recognized_arcs(drawing, command: Path) -> None:  # type: ignore[no-untyped-def]
     points = rounded_plate()
-    left, top = 24.0, 20.0
+    left, top = 24.0, 30.0
     for title, options in WAYS:
         place = _placed(left, top + 3 * UNIT)
         drawing.items.append(_outline([place(p) for p in points], GRAY, 1.5))

@@ -178,8 +178,8 @@ END
 }
 
 figure_9() {
-  local row mesh bound view panel options
-  while read -r row mesh bound view; do
+  local row mesh bound view colors panel options
+  while read -r row mesh bound view colors; do
     while read -r panel options; do
       # shellcheck disable=SC2086  # several words
       curvature "data/meshes/$mesh.ply" 5 "$row$panel" --scheme $options
@@ -190,14 +190,15 @@ c catmull-clark
 d modified-catmull-clark --first-round 2 --tuned-valences diverging
 e modified-catmull-clark
 END
-    sheet "figure_9_$row" 5 "${curvatures[@]}" --range "$bound" --view="$view" \
+    # shellcheck disable=SC2086  # none, or an option
+    sheet "figure_9_$row" 5 "${curvatures[@]}" --range "$bound" --view="$view" $colors \
           --caption "(a) linear" --caption "(b) modified linear" --caption "(c) PN" \
           --caption "(d) PN-modified, round 2" --caption "PN-modified, round 1" \
           "$work/$row"{a,b,c,d,e}.vtp
   done << 'END'
 1 saddle_5 5 35,60
 2 bezier_6 1 35,60
-3 cylinder_cap_8 0.01 35,50
+3 cylinder_cap_8 0.05 35,50 --cubic
 END
   measure 9 "$work"
 }
@@ -267,18 +268,20 @@ modified() { # figure, control mesh, scheme, range, view, name, options
   curvature "$2" 4 PN --scheme "$3" --normals angle "${@:7}"
   surface "$2" control.ply --scheme "$3" --levels 0 --normals angle "${@:7}"
   measure "$1" "$work"
-  sheet "figure_$1" 4 "${curvatures[@]}" --range "$4" --view="$5" --control none --control none \
-        --control none --control "$work/control.ply" --control-normals --caption "(a) $6" \
+  sheet "figure_$1" 4 "${curvatures[@]}" --range "$4" --view="$5" --cubic "${detail[@]}" --control none \
+        --control none --control none --control "$work/control.ply" --control-normals --caption "(a) $6" \
         --caption "(b) modified" --caption "(c) PN-modified" --caption "(d) PN-modified" \
         "$work"/{linear,modified,PN_modified}.vtp "$work/PN_modified.ply"
 }
 
 figure_14() {
-  modified 14 data/meshes/spoon.obj catmull-clark 4 -40,60 Catmull-Clark
+  local detail=(--zoom 2 --shift=-0.44,-0.2) # the bowl
+  modified 14 data/meshes/spoon.obj catmull-clark 30 -40,60 Catmull-Clark
 }
 
 figure_15() {
-  modified 15 data/meshes/head.obj loop 8 -35,10 Loop --triangulate
+  local detail=()
+  modified 15 data/meshes/head.obj loop 1000 -35,10 Loop --triangulate
 }
 
 figure_16() {

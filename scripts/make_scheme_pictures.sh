@@ -11,7 +11,8 @@
 # mesh cut open in the second; the linear scheme on the left, the point-normal one with estimated
 # control normals on the right. Surfaces are shaded by their faces, not by the refined normals; those of the
 # modified schemes have the color of their Gaussian curvature, beside the unmodified scheme. And grid-catmull-clark.png,
-# a torus and a vase of a few points.
+# a torus and a surface of revolution of a few points, with the color of
+# their Gaussian curvature.
 #
 #   scripts/make_scheme_pictures.sh [PN_SUBDIVIDE [FOLDER]]
 set -euo pipefail
@@ -92,7 +93,7 @@ draw_curvature() { # scheme, kind of faces, name
     done
   done
   scripts/render.py --output "$folder/modified-$1.png" --columns 4 --tile 450 --same-view \
-                    --shading averaged --scalars gaussian_curvature --range 3 --view=35,25 \
+                    --shading averaged --scalars gaussian_curvature --range 12 --cubic --view=35,25 \
                     --caption "$3" --caption "PN-$3" --caption "modified $3" \
                     --caption "PN-modified $3" "${meshes[@]}"
 }
@@ -126,26 +127,27 @@ def write(name, rings, closed):
 turns = [0, 1.2, 3.0, 4.4]
 write("torus", [[(t, 2 + cos(v), sin(v), cos(v), sin(v)) for t in turns] for v in (0, 1.4, 3.3, 4.6)], True)
 rings = []
-for i in range(6):
-    z = i / 5
-    slope = 0.9 * cos(3.6 * z + 0.4) * 3.6 / 3.2
+for i in range(7):
+    z = i / 6
+    r, slope = 1 + 0.45 * sin(6 * z), 0.45 * 6 * cos(6 * z) / 3
     size = hypot(1, slope)
-    rings.append([(t, 1.1 + 0.9 * sin(3.6 * z + 0.4), 3.2 * z, 1 / size, -slope / size)
-                  for t in (0, 0.9, 2.3, 3.4, 4.9)])
+    rings.append([(t, r, 3 * z, 1 / size, -slope / size) for t in (0, 0.9, 2.5, 3.4, 4.9)])
 write("vase", rings, False)
 PY
 
 meshes=() controls=()
 for shape in torus vase; do
+  meshes+=("$work/$shape.ply")
+  controls+=(--control "$work/$shape.ply" --control none --control none --control none)
   for kind in linear PN grid; do
     options=(--scheme catmull-clark --normals file)
     if [[ $kind == linear ]]; then options=(--scheme catmull-clark --linear); fi
     if [[ $kind == grid ]]; then options=(--scheme grid-catmull-clark --normals file); fi
-    "$command" surface "$work/$shape.ply" "$work/${shape}_$kind.ply" --levels 5 --quiet "${options[@]}"
-    meshes+=("$work/${shape}_$kind.ply")
-    controls+=(--control "$work/$shape.ply")
+    meshes+=("$work/${shape}_$kind.vtp")
+    "$command" surface "$work/$shape.ply" "${meshes[-1]}" --levels 5 --curvature gaussian --quiet "${options[@]}"
   done
 done
-captions=(--caption "linear" --caption "PN-Catmull-Clark" --caption "grid lines")
-scripts/render.py --output "$folder/grid-catmull-clark.png" --columns 3 --tile 300 --shading averaged \
-                  --view=30,40 "${controls[@]}" "${captions[@]}" "${captions[@]}" "${meshes[@]}"
+captions=(--caption "control mesh" --caption "linear" --caption "PN-Catmull-Clark" --caption "grid lines")
+scripts/render.py --output "$folder/grid-catmull-clark.png" --columns 4 --tile 260 --shading split \
+                  --scalars gaussian_curvature --range 6 --cubic --view=30,35 "${controls[@]}" \
+                  "${captions[@]}" "${captions[@]}" "${meshes[@]}"
