@@ -64,7 +64,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")
     parser.add_argument("--zoom", type=float, default=1.0, help="enlarge, past the tile's edges")
     parser.add_argument("--shift", metavar="RIGHT,UP", default="0,0",
-                        help="what is to be in the middle, in halves of the picture (write --shift=-0.3,0.1)")
+                        help="what is to be in the middle, in halves of the picture without zoom (write --shift=-0.3,0.1)")
     parser.add_argument("--tile", type=int, default=480, help="pixels of a tile's side")
     arguments = parser.parse_args()
     check_arguments(parser, arguments)
