@@ -275,13 +275,13 @@ modified() { # figure, control mesh, scheme, range, view, name, options
 }
 
 figure_14() {
-  local detail=(--zoom 2 --shift=-0.44,-0.2) # the bowl
+  local detail=(--zoom 2 "--shift=-0.44,-0.2") # the bowl
   modified 14 data/meshes/spoon.obj catmull-clark 30 -40,60 Catmull-Clark
 }
 
 figure_15() {
   local detail=()
-  modified 15 data/meshes/head.obj loop 1000 -35,10 Loop --triangulate
+  modified 15 data/meshes/head.obj loop 60 -35,10 Loop --triangulate
 }
 
 figure_16() {
