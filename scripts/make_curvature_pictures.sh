@@ -38,11 +38,11 @@ draw_policies() { # as draw()
   refine "$1" "$2" first_2 modified-catmull-clark --first-round 2
   refine "$1" "$2" transfer ct-catmull-clark
   scripts/render.py --output "$folder/curvature_transfer.png" --columns 4 --tile 300 --same-view \
-                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" \
+                    --shading averaged --scalars gaussian_curvature --range "$3" --view="$4" "${@:5}" \
                     --caption "PN" --caption "PN-modified" --caption "first round plain" \
                     --caption "transfer" "$work"/{PN,PN_modified,first_2,transfer}.vtp
 }
 
-draw_policies cylinder_cap_8.ply 5 0.02 35,50
-draw spoon.obj 4 4 -40,60
+draw_policies cylinder_cap_8.ply 5 0.05 35,50 --cubic
+draw spoon.obj 4 30 -40,60 --cubic --zoom 2 --shift=-0.44,-0.2
 draw head.obj 4 1000 -35,10 --cubic

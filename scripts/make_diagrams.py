@@ -6,7 +6,8 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Author(s): PN_subdivision_3 developers
-"""Draws the diagrams of the manual: what a round of each host makes of faces, and the stencils of the schemes.
+"""Draws the diagrams of the manual: what a round of each host makes of faces, the stencils of the schemes, and arcs that
+are recognized.
 
 The weights are not written down here: the command pn_subdivide refines a mesh whose vertices carry one
 number each, 1 at one vertex and 0 elsewhere, by the linear scheme, and the numbers that come out are the
@@ -20,6 +21,8 @@ import sys
 import tempfile
 from fractions import Fraction
 from pathlib import Path
+
+from curve_diagrams import draw_recognized_arcs
 
 ROOT = Path(__file__).resolve().parent.parent
 FIG = ROOT / "doc" / "PN_subdivision_3" / "fig"
@@ -322,6 +325,12 @@ def refinements() -> Drawing:
     return drawing
 
 
+def recognized_arcs() -> Drawing:
+    drawing = Drawing()
+    draw_recognized_arcs(drawing, COMMAND)
+    return drawing
+
+
 def main() -> int:
     global COMMAND
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -331,7 +340,7 @@ def main() -> int:
     COMMAND = arguments.command
     wrong = []
     for name, make in (("refinements", refinements), ("stencils_quads", quad_stencils),
-                       ("stencils_triangles", triangle_stencils)):
+                       ("stencils_triangles", triangle_stencils), ("recognized_arcs", recognized_arcs)):
         path = FIG / f"{name}.svg"
         text = make().svg()
         if not arguments.check:

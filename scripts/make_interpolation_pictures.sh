@@ -23,11 +23,11 @@ captions=(--caption "linear" --caption "PN, limit points" --caption "PN, slide")
 for shape in ellipsoid torus; do
   surfaces+=("$work/${shape}"_{linear,points,slide}.vtp)
 done
-range=(--range 3e-3)
+range=(--range 0.03 --cubic)
 scripts/render.py --output "$folder/interpolation_error.png" --columns 3 --tile 300 \
                   --scalars error "${range[@]}" "${captions[@]}" "${captions[@]}" "${surfaces[@]}"
 scripts/render.py --output "$folder/interpolation_curvature.png" --columns 3 --tile 300 \
-                  --scalars mean_curvature --range 1.5 "${captions[@]}" "${captions[@]}" "${surfaces[@]}"
+                  --scalars mean_curvature --range 3 "${captions[@]}" "${captions[@]}" "${surfaces[@]}"
 scripts/render.py --output "$folder/prescribed_nose.png" --columns 2 --tile 420 --same-view \
                   --shading smooth --view=75,10 --caption "before" \
                   --caption "normal at the tip turned by 35 degrees" "$work"/nose_{before,after}.ply

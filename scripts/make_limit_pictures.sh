@@ -37,7 +37,7 @@ draw sphere cube_on_sphere.ply 0.22% 4 none
 draw head head.obj 0.1% 3 angle:30
 draw housing parts/bearing_housing.obj 0.05% 2 angle:30
 
-scripts/render.py --output "$folder/tessellation.png" --columns 3 --tile 420 --shading flat --edges \
+scripts/render.py --output "$folder/tessellation.png" --columns 3 --tile 380 --shading flat --edges \
                   --view=35,30 --caption "sphere, to 0.2 %" --caption "head, to 0.1 %" \
                   --caption "housing, to 0.05 %" --caption "4 uniform rounds" \
                   --caption "3 uniform rounds" --caption "2 uniform rounds" \

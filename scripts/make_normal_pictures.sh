@@ -104,7 +104,7 @@ scripts/render.py --output "$folder/points_alone.png" --columns 3 --tile 450 --s
 
 refine catmull-clark data/meshes/head.obj 4 head
 scripts/render.py --output "$folder/rims.png" --columns 3 --tile 450 --shading averaged --same-view \
-                  --view=-35,-15 --scalars mean_curvature --range 3 "${captions[@]}" \
+                  --view=-35,-15 --scalars mean_curvature --range 40 --cubic "${captions[@]}" \
                   "$work"/head_{linear,angle,estimate}.vtp
 
 meshes=() all_captions=()

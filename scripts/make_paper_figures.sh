@@ -178,8 +178,8 @@ END
 }
 
 figure_9() {
-  local row mesh bound view panel options
-  while read -r row mesh bound view; do
+  local row mesh bound view colors panel options
+  while read -r row mesh bound view colors; do
     while read -r panel options; do
       # shellcheck disable=SC2086  # several words
       curvature "data/meshes/$mesh.ply" 5 "$row$panel" --scheme $options
@@ -190,14 +190,15 @@ c catmull-clark
 d modified-catmull-clark --first-round 2 --tuned-valences diverging
 e modified-catmull-clark
 END
-    sheet "figure_9_$row" 5 "${curvatures[@]}" --range "$bound" --view="$view" \
+    # shellcheck disable=SC2086  # none, or an option
+    sheet "figure_9_$row" 5 "${curvatures[@]}" --range "$bound" --view="$view" $colors \
           --caption "(a) linear" --caption "(b) modified linear" --caption "(c) PN" \
           --caption "(d) PN-modified, round 2" --caption "PN-modified, round 1" \
           "$work/$row"{a,b,c,d,e}.vtp
   done << 'END'
 1 saddle_5 5 35,60
 2 bezier_6 1 35,60
-3 cylinder_cap_8 0.01 35,50
+3 cylinder_cap_8 0.05 35,50 --cubic
 END
   measure 9 "$work"
 }
@@ -209,9 +210,10 @@ figure_10() {
     surface $paper/$shape.ply "grid_linear_$shape.ply" --scheme doo-sabin --levels 4 --linear
   done
   measure 10 "$work"
-  sheet figure_10 2 --same-view --zoom 1.15 --shading averaged --view=25,45 --control $paper/waves.ply \
-        --control $paper/bumps.ply --control-normals --caption "(a) two normals in turn" \
-        --caption "(b) four normals, row by row" "$work"/grid_{waves,bumps}.ply
+  sheet figure_10 2 --tile 360 --same-view --zoom 1.15 --shading averaged --view=25,45 --control $paper/waves.ply \
+        --control $paper/bumps.ply --control none --control none --control-normals \
+        --caption "(a) two normals in turn" --caption "(b) four normals, row by row" --caption "(a) PN-Doo-Sabin" \
+        --caption "(b) PN-Doo-Sabin" $paper/{waves,bumps}.ply "$work"/grid_{waves,bumps}.ply
 }
 
 figure_11() {
@@ -232,10 +234,12 @@ figure_12() {
   surface $paper/wheel_tori.ply wheel_tori.ply --scheme catmull-clark --levels 4
   surface $paper/wheel.ply wheel_bare.ply --scheme catmull-clark --levels 0 --linear
   measure 12 "$work"
-  sheet figure_12 3 --same-view --shading averaged --view=20,55 --control "$work/wheel_bare.ply" \
-        --control $paper/wheel.ply --control $paper/wheel_tori.ply --control-normals \
-        --caption "(a) Catmull-Clark" --caption "(b) horizontal normals" \
-        --caption "(c) normals of tori" "$work"/wheel_{linear,PN,tori}.ply
+  sheet figure_12 3 --tile 360 --same-view --shading averaged --view=20,55 --control "$work/wheel_bare.ply" \
+        --control $paper/wheel.ply --control $paper/wheel_tori.ply --control none --control none --control none \
+        --control-normals --caption "(a) without normals" --caption "(b) horizontal normals" \
+        --caption "(c) normals of tori" --caption "(a) Catmull-Clark" --caption "(b) PN-Catmull-Clark" \
+        --caption "(c) PN-Catmull-Clark" "$work/wheel_bare.ply" $paper/{wheel,wheel_tori}.ply \
+        "$work"/wheel_{linear,PN,tori}.ply
 }
 
 figure_13() {
@@ -264,18 +268,20 @@ modified() { # figure, control mesh, scheme, range, view, name, options
   curvature "$2" 4 PN --scheme "$3" --normals angle "${@:7}"
   surface "$2" control.ply --scheme "$3" --levels 0 --normals angle "${@:7}"
   measure "$1" "$work"
-  sheet "figure_$1" 4 "${curvatures[@]}" --range "$4" --view="$5" --control none --control none \
-        --control none --control "$work/control.ply" --control-normals --caption "(a) $6" \
+  sheet "figure_$1" 4 "${curvatures[@]}" --range "$4" --view="$5" --cubic "${detail[@]}" --control none \
+        --control none --control none --control "$work/control.ply" --control-normals --caption "(a) $6" \
         --caption "(b) modified" --caption "(c) PN-modified" --caption "(d) PN-modified" \
         "$work"/{linear,modified,PN_modified}.vtp "$work/PN_modified.ply"
 }
 
 figure_14() {
-  modified 14 data/meshes/spoon.obj catmull-clark 4 -40,60 Catmull-Clark
+  local detail=(--zoom 2 "--shift=-0.44,-0.2") # the bowl
+  modified 14 data/meshes/spoon.obj catmull-clark 30 -40,60 Catmull-Clark
 }
 
 figure_15() {
-  modified 15 data/meshes/head.obj loop 8 -35,10 Loop --triangulate
+  local detail=()
+  modified 15 data/meshes/head.obj loop 60 -35,10 Loop --triangulate
 }
 
 figure_16() {

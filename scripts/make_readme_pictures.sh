@@ -28,7 +28,7 @@ draw() { # name, result, options
 }
 draw smooth smooth.ply --control data/meshes/creature.obj
 draw sharp part.obj --shading split --view=30,40
-draw curvature curvature.vtp --tile 205 --shading averaged --scalars gaussian_curvature
+draw curvature curvature.vtp --tile 205 --shading averaged --scalars gaussian_curvature --range 1000 --cubic
 draw interpolate through.ply --control data/meshes/torus_quads.ply
 sed -i '/piece_[0-9]*[13579]\.vtp/d' "$work/huge.pvtp"
 draw huge huge.pvtp --view=35,20

@@ -40,15 +40,15 @@ refine() { # part, output, options
              --quiet "${@:3}" 2> "$work/warnings" || { cat "$work/warnings" >&2; return 1; }
 }
 
-draw() { # part, view, range of curvature
+draw() { # part, view, range of curvature, further options of render.py
   refine "$1" "$work/linear.vtp" --linear --sharp angle:30
   refine "$1" "$work/PN.vtp" --sharp angle:30
   refine "$1" "$work/surfaces.vtp" --sharp surfaces
   scripts/render.py --output "$folder/surfaces_$1.png" --columns 3 --tile 450 --same-view \
-                    --shading split --scalars mean_curvature --range "$3" --view="$2" \
+                    --shading split --scalars mean_curvature --range "$3" --view="$2" "${@:4}" \
                     --caption "linear, 30 degrees" --caption "PN, 30 degrees" \
                     --caption "PN, surfaces" "$work"/{linear,PN,surfaces}.vtp
 }
 
 draw joint 30,30 5
-draw couplingdown 30,40 5
+draw couplingdown 30,40 50 --cubic

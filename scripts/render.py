@@ -63,6 +63,8 @@ def parse_arguments() -> argparse.Namespace:
                         help="once per mesh (default: file name and number of faces)")
     parser.add_argument("--columns", type=int, help="tiles in a row (default: nearly square)")
     parser.add_argument("--zoom", type=float, default=1.0, help="enlarge, past the tile's edges")
+    parser.add_argument("--shift", metavar="RIGHT,UP", default="0,0",
+                        help="what is to be in the middle, in halves of the picture without zoom (write --shift=-0.3,0.1)")
     parser.add_argument("--tile", type=int, default=480, help="pixels of a tile's side")
     arguments = parser.parse_args()
     check_arguments(parser, arguments)
@@ -83,6 +85,10 @@ def check_arguments(parser: argparse.ArgumentParser, arguments: argparse.Namespa
         view_angles(arguments.view)
     except ValueError:
         parser.error(f"--view: '{arguments.view}' is neither a name nor AZIMUTH,ELEVATION")
+    try:
+        arguments.shift = shift_of(arguments.shift)
+    except ValueError:
+        parser.error(f"--shift: '{arguments.shift}' is not RIGHT,UP")
     for path in arguments.meshes + arguments.control:
         if not path.is_file() and not (str(path) == "none" and path in arguments.control):
             parser.error(f"{path}: no such file")
@@ -95,6 +101,11 @@ def view_angles(view: str) -> tuple[float, float] | None:
         return VIEWS[view]
     azimuth, elevation = map(float, view.split(","))
     return azimuth, elevation
+
+
+def shift_of(shift: str) -> tuple[float, float]:
+    right, up = map(float, shift.split(","))
+    return right, up
 
 
 def run_under_xvfb() -> int:

@@ -23,6 +23,9 @@
 #include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Timer.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <functional>
 #include <random>
@@ -39,6 +42,21 @@ using by_method::Barycentric;
 using by_method::Triangle;
 
 // --- patches ---
+
+// in nanoseconds; the first times are those of a cold memory, and others those of a busy machine
+template <class Work>
+double least_time(const Work& work)
+{
+  double least = 1e99;
+  for (int repeat = 0; repeat < 7; ++repeat) {
+    CGAL::Timer timer;
+    timer.start();
+    work();
+    timer.stop();
+    least = (std::min)(least, timer.time() * 1e9);
+  }
+  return least;
+}
 
 // point, normal and mean curvature of a patch, by differences
 template <class Patch>
@@ -102,18 +120,17 @@ Surface patches(const Mesh& control, const Make& make)
       surface.join = (std::max)(surface.join, degrees(angle(a.normal, b.normal)));
     }
   }
-  CGAL::Timer timer;
-  double sum = 0;
   std::size_t n = 0;
-  timer.start();
-  for (int repeat = 0; repeat < 5; ++repeat)
+  double sum = 0;
+  surface.nanoseconds = least_time([&] {
+    n = 0;
     for (const auto f : mesh.faces()) {
       const auto patch = patch_of(mesh.halfedge(f));
       for (int i = 0; i <= 8; ++i)
         for (int j = 0; i + j <= 8; ++j, ++n) sum += patch({1 - (i + j) / 8., i / 8., j / 8.}).x();
     }
-  timer.stop();
-  surface.nanoseconds = sum == .5 ? 0 : timer.time() / double(n) * 1e9;
+  });
+  surface.nanoseconds = sum == .5 ? 0 : surface.nanoseconds / double(n);
   return surface;
 }
 
@@ -121,29 +138,40 @@ Surface patches(const Mesh& control, const Make& make)
 
 enum class Way { linear, linear_solved, plain, slide };
 
+// the control mesh, which moves where it is solved for
+void solve(Mesh& mesh, Way way, const Normals& normals)
+{
+  const auto np = PN::parameters::tolerance(1e-9).vertex_normal_map(normals);
+  if (way == Way::linear_solved)
+    PN::interpolate_limit_points(
+      mesh, PN::linear(PN::Loop_scheme::Tuned()),
+      PN::parameters::join(
+        PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::strict), np));
+  else if (way == Way::slide)
+    PN::interpolate_limit_points(mesh, PN::Loop_scheme::Tuned(), np);
+}
+
 Surface subdivided(Mesh mesh, Way way)
 {
   const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   const bool is_linear = way == Way::linear || way == Way::linear_solved;
   if (is_linear)
     for (const auto v : mesh.vertices()) normals[v] = CGAL::NULL_VECTOR;
-  const auto np = PN::parameters::tolerance(1e-9).vertex_normal_map(normals);
-  CGAL::Timer timer;
-  timer.start();
-  if (way == Way::linear_solved) {
-    PN::interpolate_limit_points(
-      mesh, PN::linear(PN::Loop_scheme::Tuned()),
-      PN::parameters::join(
-        PN::parameters::interpolation_mode(PN::Limit_interpolation::Mode::strict), np));
-  } else if (way == Way::slide)
-    PN::interpolate_limit_points(mesh, PN::Loop_scheme::Tuned(), np);
-  Mesh refined = mesh;
-  const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
-  PN::subdivide(refined, PN::Loop_scheme::Tuned(),
-                params::number_of_iterations(3).vertex_normal_map(map));
-  timer.stop();
+  std::size_t n = 0;
   Surface surface;
-  surface.nanoseconds = timer.time() / double(refined.number_of_vertices()) * 1e9;
+  surface.nanoseconds = least_time([&] {
+    Mesh refined = mesh;
+    const Normals map = refined.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+    solve(refined, way, map);
+    const auto np = params::number_of_iterations(3).vertex_normal_map(map);
+    if (is_linear)
+      PN::subdivide(refined, PN::linear(PN::Loop_scheme::Tuned()), np);
+    else
+      PN::subdivide(refined, PN::Loop_scheme::Tuned(), np);
+    n = refined.number_of_vertices();
+  });
+  surface.nanoseconds /= double(n);
+  solve(mesh, way, normals);
   surface.samples = limits(mesh, PN::Loop_scheme::Tuned(), is_linear);
   return surface;
 }
@@ -202,6 +230,49 @@ void print_surfaces()
                 [](const Mesh& m) { return subdivided(m, Way::linear_solved); });
   print_surface("PN-modified Loop", [](const Mesh& m) { return subdivided(m, Way::plain); });
   print_surface("the same, `slide`", [](const Mesh& m) { return subdivided(m, Way::slide); });
+}
+
+// --- even grids ---
+
+Mesh torus_of_triangles(int n)
+{
+  Mesh mesh;
+  const Normals normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const double turn = 2 * std::acos(-1.);
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double u = turn * i / (2 * n), v = turn * j / n, r = 2 + .8 * std::cos(v);
+      const auto w = mesh.add_vertex(Point(r * std::cos(u), r * std::sin(u), .8 * std::sin(v)));
+      normals[w] = Vector(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
+    }
+  const auto at = [n](int i, int j) {
+    return Mesh::Vertex_index(Mesh::size_type(i % (2 * n) * n + j % n));
+  };
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
+}
+
+void print_even_grids()
+{
+  std::puts("#table even_grids");
+  for (const auto& [name, way] :
+       {std::pair("linear Loop", Way::linear), std::pair("the same, solved", Way::linear_solved),
+        std::pair("PN-Loop", Way::plain), std::pair("the same, `slide`", Way::slide)}) {
+    std::printf("<tr><td>%s</td>", name);
+    for (const int n : {8, 16, 32}) {
+      double worst = 0;
+      for (const Sample& s : subdivided(torus_of_triangles(n), way).samples) {
+        const double across = std::hypot(s.point.x(), s.point.y()) - 2;
+        worst = (std::max)(worst, std::abs(std::hypot(across, s.point.z()) - .8));
+      }
+      std::printf("<td>%.1e</td>", worst);
+    }
+    std::puts("</tr>");
+  }
 }
 
 // --- curves ---
@@ -350,5 +421,6 @@ void print_curves()
 int main()
 {
   print_surfaces();
+  print_even_grids();
   print_curves();
 }

@@ -29,6 +29,10 @@ class View:
     center: np.ndarray
     half_size: float
 
+    def move(self, right: float, up: float) -> None:
+        """By half sizes."""
+        self.center = self.center + self.half_size * (right * self.axes[0] + up * self.axes[2])
+
     def apply(self, renderer: vtkRenderer) -> None:
         camera = renderer.GetActiveCamera()
         camera.ParallelProjectionOn()

@@ -56,6 +56,7 @@ def draw(options: Namespace, angles: tuple[float, float] | None) -> None:
             seen = [*meshes, *controls] if options.same_view else [mesh, control]
             points = np.concatenate([points_of(m) for m in seen if m])
             view = fitted_view(points, angles, options.up)
+            view.move(*options.shift)
             view.half_size /= options.zoom
         add_mesh(renderer, mesh, options, limit)
         if control:

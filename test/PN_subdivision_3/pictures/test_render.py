@@ -73,6 +73,16 @@ class Render(unittest.TestCase):
             blue = sum(b > r + 15 for row in rows for r, g, b in row[tile * TILE:(tile + 1) * TILE])
             self.assertGreater(blue, TILE * TILE // 20)
 
+    def test_shift_is_in_halves_of_the_picture(self) -> None:
+        middles = []
+        for shift in ("0,0", "0.5,-0.25"):
+            rows = self.draw("--zoom", 0.5, f"--shift={shift}", "--caption", "", MESHES / "sphere_triangles.ply")
+            blue = [(x, y) for y, row in enumerate(rows) for x, (r, g, b) in enumerate(row) if b > r + 15]
+            middles.append([sum(p[i] for p in blue) / len(blue) for i in (0, 1)])
+        # what is to the right comes to the middle; half of the picture without the zoom is a quarter with it
+        self.assertAlmostEqual(middles[1][0] - middles[0][0], -0.5 * TILE / 4, delta=1.5)
+        self.assertAlmostEqual(middles[1][1] - middles[0][1], -0.25 * TILE / 4, delta=1.5)
+
     def test_captions_end_before_their_tile(self) -> None:
         for caption in (LONG, "bearing housing, linear", "x" * 300):
             with self.subTest(caption):
