@@ -31,6 +31,7 @@ class Linear_guard
 {
 public:
   using Value = Refined_heights::Value;
+  static constexpr int most_refinements = 10;
 
   Linear_guard(const Level_connectivity& level, const Part& part,
                std::vector<Recognized_surface>& surfaces, const std::vector<std::size_t>& patches,
@@ -191,7 +192,10 @@ private:
       high_.clear();
       for (Index f = 0; f < level_.number_of_faces(); ++f)
         if (is_worse(f, changes, around[f])) high_.push_back(f);
-      if (high_.empty() || k + 1 == most || !mend(k)) return;
+      const bool is_last = k + 1 == most || heights_.refinements() + 2 > most_refinements;
+      if (high_.empty() || is_last || !mend(k)) return;
+      if (has_other_tags_) linear_ = heights_.linear(is_crease_, is_corner_);
+      has_other_tags_ = false;
     }
   }
   // whether there has been anything to do about what is high
@@ -219,7 +223,7 @@ private:
     for (const Index f : high_)
       if (!is_known(f)) set_back(f);
     set_tags();
-    linear_ = heights_.linear(is_crease_, is_corner_);
+    has_other_tags_ = true;
     return true;
   }
   bool is_worse(Index f, const Face_changes& changes, double linear_around) const
@@ -253,7 +257,7 @@ private:
       Index h = first;
       do {
         if (is_crease_[Level_connectivity::edge(h)] && !is_corner_[v])
-          is_corner_[v] = has_changed = true;
+          is_corner_[v] = has_other_tags_ = has_changed = true;
         h = level_.next_around_target(h);
       } while (h != first);
     });
@@ -312,7 +316,7 @@ private:
   std::vector<Vec3> corner_normal_;
   Face_changes linear_;
   std::vector<Index> high_;
-  bool has_given_up_planes_ = false;
+  bool has_given_up_planes_ = false, has_other_tags_ = false; // than those of linear_
   std::size_t given_up_ = 0, set_back_ = 0;
 };
 

@@ -68,7 +68,7 @@ public:
       [&](Index v) { return is_corner[v] ? infinite_sharpness : 0.; });
   }
 
-  Face_changes linear(const std::vector<bool>& is_crease, const std::vector<bool>& is_corner) const
+  Face_changes linear(const std::vector<bool>& is_crease, const std::vector<bool>& is_corner)
   {
     Creases<double> c = creases(is_crease, is_corner);
     std::vector<Coordinates<double, 3>> values = points_;
@@ -80,7 +80,7 @@ public:
   }
 
   // with the values of the slots
-  Face_changes point_normal(Creases<double> c, const std::vector<Value>& values) const
+  Face_changes point_normal(Creases<double> c, const std::vector<Value>& values)
   {
     return level_.uniform_degree() == 3
              ? changes(With_roundness<Loop_scheme, double>{{Loop_scheme()}}, std::move(c), values)
@@ -89,11 +89,13 @@ public:
   }
 
   const std::vector<Coordinates<double, 3>>& points() const { return points_; }
+  int refinements() const { return refinements_; } // so far
 
 private:
   template <class Scheme, class Values>
-  Face_changes changes(const Scheme& scheme, Creases<double>&& c, const Values& values) const
+  Face_changes changes(const Scheme& scheme, Creases<double>&& c, const Values& values)
   {
+    ++refinements_;
     using Average = Average_of_scheme<Scheme, double>;
     using Refiner = Level_refiner<Scheme, Average, Creases<double>>;
     Level_connectivity level = level_;
@@ -169,6 +171,7 @@ private:
   const Part& part_;
   const Surface_tags* tags_ = nullptr;
   std::vector<Coordinates<double, 3>> points_;
+  int refinements_ = 0;
 };
 
 } // namespace recognition
