@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -63,16 +64,17 @@ public:
   std::size_t segments_given_up() const { return given_up_; }
   std::size_t wedges_set_back() const { return set_back_; }
   const std::vector<Index>& high_faces() const { return high_; }
-  // of the whole
-  double unknown_share_of_area() const
+  // By which part of it the volume of something closed without rounds, which would gain what the linear scheme loses, changes
+  // beyond what it does with that.
+  double excess_of_volume() const
   {
-    double unknown = 0, all = 0;
-    for (Index f = 0; f < level_.number_of_faces(); ++f) {
-      const double area = norm(part_.area[part_.rank_of_face[f]]);
-      all += area;
-      if (!is_known(f)) unknown += area;
-    }
-    return all > 0 ? unknown / all : 0;
+    for (Index e = 0; e < level_.number_of_edges(); ++e)
+      if (level_.is_border_edge(e)) return 0;
+    for (Index f = 0; f < level_.number_of_faces(); ++f)
+      if (tags_->is_round(f)) return 0;
+    const double before = heights_.volume();
+    const double excess = std::abs(volume_ - before) - std::abs(linear_.volume - before);
+    return excess > 0 ? excess / std::abs(before) : 0;
   }
 
 private:
@@ -188,6 +190,7 @@ private:
     for (int k = 0; k < most; ++k) {
       set_values();
       const Face_changes changes = heights_.point_normal(creases_, values_);
+      volume_ = changes.volume;
       const std::vector<double> around = largest_around(linear_.height);
       high_.clear();
       for (Index f = 0; f < level_.number_of_faces(); ++f)
@@ -318,6 +321,7 @@ private:
   std::vector<Index> high_;
   bool has_given_up_planes_ = false, has_other_tags_ = false; // than those of linear_
   std::size_t given_up_ = 0, set_back_ = 0;
+  double volume_ = 0;
 };
 
 } // namespace recognition
