@@ -158,13 +158,14 @@ void require_a_turn(const std::vector<Curve_data>& parts)
 
 // The polygon with its normals; in parts if it has corners.
 std::vector<Curve_data> arcs_of(const Curve_data& polygon, const Curve_rule& rule,
-                                std::vector<std::size_t>& corners, const std::string& title,
-                                Report& report)
+                                std::vector<std::size_t>& corners, std::string& normals,
+                                const std::string& title, Report& report)
 {
   Arc_parts arcs = split_into_arcs(polygon, rule.end, rule.linear);
-  if (arcs.found_any)
+  if (arcs.found_any) {
     report.note("recognized: " + arcs.summary);
-  else
+    if (!rule.linear) normals = "normals of lines and arcs";
+  } else
     report.warn(title +
                 ": no lines and arcs are recognized; the curve is that without --sharp arcs");
   corners = std::move(arcs.corners);
@@ -328,18 +329,17 @@ void run_curve_command(const Curve_options& options)
   if (center)
     polygon =
       naming(input_title(options), [&] { return with_spherical_normals(polygon, *center); });
-  const std::string normals = rule.linear               ? "no normals"
-                              : options.sharp == "arcs" ? "normals of lines and arcs"
-                              : center                  ? "normals of the sphere"
-                              : polygon.has_normals     ? "normals of the file"
-                                                        : "estimated normals";
+  std::string normals = rule.linear           ? "no normals"
+                        : center              ? "normals of the sphere"
+                        : polygon.has_normals ? "normals of the file"
+                                              : "estimated normals";
   std::vector<std::size_t> corners;
   const bool has_arcs = options.sharp == "arcs";
   if (options.sharp && !has_arcs) corners = read_corners(*options.sharp, polygon.size());
   const Refined_curve refined = naming(input_title(options), [&] {
     const std::size_t size = polygon.size();
     std::vector<Curve_data> parts =
-      has_arcs ? arcs_of(polygon, rule, corners, input_title(options), report)
+      has_arcs ? arcs_of(polygon, rule, corners, normals, input_title(options), report)
                : control_parts(polygon, rule, corners);
     if (interpolation)
       interpolate_parts(parts, rule, corners, *interpolation, input_title(options), report);

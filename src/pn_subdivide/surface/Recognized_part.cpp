@@ -156,6 +156,7 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
     part.set_back = fallback.wedges_set_back;
     part.high_faces = std::move(fallback.high_faces);
     part.corners = std::move(fallback.corners);
+    part.excess_of_volume = fallback.excess_of_volume;
   });
   for (const Vertex v : surface.vertices()) part.roundness.push_back(roundness[v]);
   fill(part, surface, segments, creases, normals);

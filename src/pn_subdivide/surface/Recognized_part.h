@@ -35,6 +35,7 @@ struct Recognized_part
   // what was set back so that nothing is worse than linear, and where that was in vain
   std::size_t given_up = 0, set_back = 0;
   std::vector<std::size_t> high_faces;
+  double excess_of_volume = 0; // as a part of it
   // of a file of all digits: a tolerance with which clearly more is recognized, and how many segments then; 0: there is none
   double other_tolerance = 0;
   std::size_t other_segments = 0;

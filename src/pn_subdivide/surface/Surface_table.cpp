@@ -269,6 +269,9 @@ void Surface_table::warn(const std::string& input, Report& report) const
                 " segments in the place of " + std::to_string(part_.surfaces.size()) +
                 ": its coordinates have all digits, as those of a file of fewer that has been "
                 "moved or scaled");
+  if (part_.excess_of_volume > 0.001)
+    report.warn(input + ": its volume changes by " + digits(100 * part_.excess_of_volume) +
+                " % more than with --linear");
   report.set_high_faces(part_.high_faces);
   if (part_.high_faces.empty()) return;
   constexpr std::size_t most = 10;

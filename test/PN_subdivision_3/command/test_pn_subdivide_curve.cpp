@@ -441,6 +441,21 @@ TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhatWasDone)
   EXPECT_EQ(said("--quiet"), "");
 }
 
+TEST_F(Pn_subdivide_curve, TheClosingLineSaysWhetherThereAreArcs)
+{
+  const auto said = [&](double width) {
+    const double step = std::acos(-1.) / 12;
+    std::string ellipse;
+    for (int i = 0; i < 24; ++i)
+      ellipse += std::to_string(width * std::cos(i * step)) + ' ' +
+                 std::to_string(std::sin(i * step)) + '\n';
+    const std::string input = folder.write("e.txt", ellipse), output = folder.file("c.txt");
+    return run("curve '" + input + "' '" + output + "' --closed --sharp arcs").err;
+  };
+  EXPECT_NE(said(1).find("round, normals of lines and arcs"), std::string::npos) << said(1);
+  EXPECT_NE(said(3).find("round, estimated normals"), std::string::npos) << said(3);
+}
+
 // --- limits ---
 
 TEST_F(Pn_subdivide_curve, LinearLimitsAsComputedByHand)

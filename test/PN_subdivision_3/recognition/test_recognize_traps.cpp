@@ -59,6 +59,16 @@ TEST(Recognize_traps, frustum_whose_corners_are_on_a_sphere)
   for (double top : {0.3, 0.6, 0.9}) expect_right(regular_prism(6, top));
 }
 
+// All 24 facets are on a sphere, the lowest of which turn by 60 degrees: they are too far from it in between.
+TEST(Recognize_traps, dome_of_six_sides)
+{
+  const Chain profile = Chain(1, 0).arc(0, 0, 90, {0, 1. / 3, 5. / 9, 7. / 9, 1});
+  const Recognition r = recognition_of(turned_part("dome of six sides", profile, 6, false));
+  for (const auto kind : {Recognized_kind::cylinder, Recognized_kind::cone, Recognized_kind::sphere,
+                          Recognized_kind::torus})
+    EXPECT_EQ(r.count(kind), 0u) << name_of(kind);
+}
+
 TEST(Recognize_traps, face_between_equal_fillets)
 {
   for (int facets : {3, 4})

@@ -32,7 +32,7 @@ struct Surface_fallback
   std::vector<std::size_t> high_faces; // positions in faces(mesh)
   std::vector<std::size_t>
     corners; // positions in vertices(mesh): sharp by themselves, apexes among them
-  double unknown_share_of_area = 0;
+  double excess_of_volume = 0; // as a part of it; none where anything is round or open
 };
 
 // Gives up surfaces (their kind becomes unknown, the numbers of the faces stay) and normals, where refinement by Loop's scheme
@@ -78,7 +78,7 @@ Surface_fallback never_worse_than_linear(const FaceGraph& mesh, FacePatchMap pat
     result.segments_given_up = guard.segments_given_up();
     result.wedges_set_back = guard.wedges_set_back();
     result.high_faces.assign(guard.high_faces().begin(), guard.high_faces().end());
-    result.unknown_share_of_area = guard.unknown_share_of_area();
+    result.excess_of_volume = guard.excess_of_volume();
     surfaces = std::move(kept);
   });
   return result;

@@ -16,6 +16,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -31,6 +32,7 @@ class Linear_guard
 {
 public:
   using Value = Refined_heights::Value;
+  static constexpr int most_refinements = 10;
 
   Linear_guard(const Level_connectivity& level, const Part& part,
                std::vector<Recognized_surface>& surfaces, const std::vector<std::size_t>& patches,
@@ -62,16 +64,17 @@ public:
   std::size_t segments_given_up() const { return given_up_; }
   std::size_t wedges_set_back() const { return set_back_; }
   const std::vector<Index>& high_faces() const { return high_; }
-  // of the whole
-  double unknown_share_of_area() const
+  // By which part of it the volume of something closed without rounds, which would gain what the linear scheme loses, changes
+  // beyond what it does with that.
+  double excess_of_volume() const
   {
-    double unknown = 0, all = 0;
-    for (Index f = 0; f < level_.number_of_faces(); ++f) {
-      const double area = norm(part_.area[part_.rank_of_face[f]]);
-      all += area;
-      if (!is_known(f)) unknown += area;
-    }
-    return all > 0 ? unknown / all : 0;
+    for (Index e = 0; e < level_.number_of_edges(); ++e)
+      if (level_.is_border_edge(e)) return 0;
+    for (Index f = 0; f < level_.number_of_faces(); ++f)
+      if (tags_->is_round(f)) return 0;
+    const double before = heights_.volume();
+    const double excess = std::abs(volume_ - before) - std::abs(linear_.volume - before);
+    return excess > 0 ? excess / std::abs(before) : 0;
   }
 
 private:
@@ -187,11 +190,15 @@ private:
     for (int k = 0; k < most; ++k) {
       set_values();
       const Face_changes changes = heights_.point_normal(creases_, values_);
+      volume_ = changes.volume;
       const std::vector<double> around = largest_around(linear_.height);
       high_.clear();
       for (Index f = 0; f < level_.number_of_faces(); ++f)
         if (is_worse(f, changes, around[f])) high_.push_back(f);
-      if (high_.empty() || k + 1 == most || !mend(k)) return;
+      const bool is_last = k + 1 == most || heights_.refinements() + 2 > most_refinements;
+      if (high_.empty() || is_last || !mend(k)) return;
+      if (has_other_tags_) linear_ = heights_.linear(is_crease_, is_corner_);
+      has_other_tags_ = false;
     }
   }
   // whether there has been anything to do about what is high
@@ -219,7 +226,7 @@ private:
     for (const Index f : high_)
       if (!is_known(f)) set_back(f);
     set_tags();
-    linear_ = heights_.linear(is_crease_, is_corner_);
+    has_other_tags_ = true;
     return true;
   }
   bool is_worse(Index f, const Face_changes& changes, double linear_around) const
@@ -253,7 +260,7 @@ private:
       Index h = first;
       do {
         if (is_crease_[Level_connectivity::edge(h)] && !is_corner_[v])
-          is_corner_[v] = has_changed = true;
+          is_corner_[v] = has_other_tags_ = has_changed = true;
         h = level_.next_around_target(h);
       } while (h != first);
     });
@@ -312,8 +319,9 @@ private:
   std::vector<Vec3> corner_normal_;
   Face_changes linear_;
   std::vector<Index> high_;
-  bool has_given_up_planes_ = false;
+  bool has_given_up_planes_ = false, has_other_tags_ = false; // than those of linear_
   std::size_t given_up_ = 0, set_back_ = 0;
+  double volume_ = 0;
 };
 
 } // namespace recognition

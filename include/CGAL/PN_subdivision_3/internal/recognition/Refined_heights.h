@@ -40,6 +40,7 @@ struct Face_changes
 {
   std::vector<double> height, deviation;
   std::vector<bool> is_folded;
+  double volume = 0; // of the whole, if it is closed
 };
 
 // A control mesh with its tags, and what a scheme makes of it.
@@ -68,7 +69,7 @@ public:
       [&](Index v) { return is_corner[v] ? infinite_sharpness : 0.; });
   }
 
-  Face_changes linear(const std::vector<bool>& is_crease, const std::vector<bool>& is_corner) const
+  Face_changes linear(const std::vector<bool>& is_crease, const std::vector<bool>& is_corner)
   {
     Creases<double> c = creases(is_crease, is_corner);
     std::vector<Coordinates<double, 3>> values = points_;
@@ -80,7 +81,7 @@ public:
   }
 
   // with the values of the slots
-  Face_changes point_normal(Creases<double> c, const std::vector<Value>& values) const
+  Face_changes point_normal(Creases<double> c, const std::vector<Value>& values)
   {
     return level_.uniform_degree() == 3
              ? changes(With_roundness<Loop_scheme, double>{{Loop_scheme()}}, std::move(c), values)
@@ -89,11 +90,14 @@ public:
   }
 
   const std::vector<Coordinates<double, 3>>& points() const { return points_; }
+  double volume() const { return volume_of(level_, points_); }
+  int refinements() const { return refinements_; } // so far
 
 private:
   template <class Scheme, class Values>
-  Face_changes changes(const Scheme& scheme, Creases<double>&& c, const Values& values) const
+  Face_changes changes(const Scheme& scheme, Creases<double>&& c, const Values& values)
   {
+    ++refinements_;
     using Average = Average_of_scheme<Scheme, double>;
     using Refiner = Level_refiner<Scheme, Average, Creases<double>>;
     Level_connectivity level = level_;
@@ -118,7 +122,8 @@ private:
   {
     Face_changes result{std::vector<double>(level_.number_of_faces(), 0),
                         std::vector<double>(level_.number_of_faces(), 0),
-                        std::vector<bool>(level_.number_of_faces(), false)};
+                        std::vector<bool>(level_.number_of_faces(), false),
+                        volume_of(level, points)};
     std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
     for (Index h = 0; h < level.number_of_halfedges(); ++h) {
       if (level.is_border(h)) continue;
@@ -139,6 +144,19 @@ private:
       if (is_turned_over(level, points, f, normal_of(origin[f])))
         result.is_folded[origin[f]] = true;
     return result;
+  }
+  static double volume_of(const Level_connectivity& level,
+                          const std::vector<Coordinates<double, 3>>& points)
+  {
+    double sixfold = 0;
+    for (Index f = 0; f < level.number_of_faces(); ++f) {
+      const Index first = level.halfedge_of_face(f);
+      const Vec3 p = as_vec3(points[level.target(first)]);
+      for (Index h = level.next(first); level.next(h) != first; h = level.next(h))
+        sixfold += dot(
+          p, cross(as_vec3(points[level.target(h)]), as_vec3(points[level.target(level.next(h))])));
+    }
+    return sixfold / 6;
   }
   const Vec3& normal_of(Index f) const { return part_.normal[part_.rank_of_face[f]]; }
   // infinite of slivers
@@ -169,6 +187,7 @@ private:
   const Part& part_;
   const Surface_tags* tags_ = nullptr;
   std::vector<Coordinates<double, 3>> points_;
+  int refinements_ = 0;
 };
 
 } // namespace recognition
