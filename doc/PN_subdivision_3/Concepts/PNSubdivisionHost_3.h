@@ -51,7 +51,7 @@ public:
   PNSubdivisionHost_3(const CGAL::PN_subdivision_3::Level_connectivity& level, unsigned round);
 
   /// \name Parents
-  /// Optional: which old element a new one comes from. Attributes and the visitors that are told of new elements need
+  /// Optional: which old element a new one comes from. Attributes and visitors that are called for new elements need
   /// them; the hosts of the package have them.
   /// @{
 

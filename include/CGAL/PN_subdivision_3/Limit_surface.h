@@ -60,7 +60,7 @@ Next to extraordinary vertices refinement goes on until the point lies in a regu
 parameters do not exist there. What is still not regular after the most rounds, and schemes that are no splines (Butterfly, Kobbelt), is evaluated by the
 `Face_patch` of the limits at the corners, with first derivatives.
 
-Cost and memory of an evaluation do not depend on the size of the mesh. `evaluate()` of many places does the rounds for all that lie in the same faces once.
+Cost and memory of an evaluation do not depend on the size of the mesh. `evaluate()` of many places does the rounds of each face only once.
 The mesh is read by the constructor, and is needed no longer. Calls from several threads are safe.
 
 All is computed in `double`, from coordinates of any number type, which are rounded.
@@ -94,7 +94,7 @@ public:
     double v;
   };
 
-  /// What `evaluate()` tells of a point of a limit surface.
+  /// What `evaluate()` returns for a point of a limit surface.
   struct Surface_point
   {
     /// the point.
@@ -163,7 +163,7 @@ public:
   Point_3 point(Face face, double u, double v) const { return evaluate(face, u, v).point; }
   /// the unit normal.
   Vector_3 normal(Face face, double u, double v) const { return evaluate(face, u, v).normal; }
-  /// all that is known of a point.
+  /// all data of a point.
   Surface_point evaluate(Face face, double u, double v) const
   {
     return evaluate(std::vector<Location>(1, Location{face, u, v})).front();
@@ -366,7 +366,7 @@ private:
     if (!is_inside)
       throw std::invalid_argument(
         "PN_subdivision_3: (" + std::to_string(u) + ", " + std::to_string(q.v) +
-        ") are no parameters of face number " + std::to_string(f) + ": take " +
+        ") are not parameters of face number " + std::to_string(f) + ": take " +
         (is_triangle ? std::string("u, v >= 0 with u + v <= 1")
          : n == 1
            ? std::string("u and v from 0 to 1")

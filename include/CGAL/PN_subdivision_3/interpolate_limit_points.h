@@ -80,9 +80,9 @@ most `max_steps` evaluations (D. G. Anderson, <em>Iterative procedures for nonli
 Smoother surfaces are those with a map and `Limit_interpolation::Normals::natural`.
 
 <b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays what it is: further calls that refine the
-result take it, too. `estimate_control_normals()` tells it.
+result take it, too. `estimate_control_normals()` returns it.
 
-<b>Creases</b> that are sharp for ever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
+<b>Creases</b> that are sharp forever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
 the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
 points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
 the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
@@ -92,7 +92,7 @@ each step reduces what is missing to a ten-thousandth.
 Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
 written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
 
-<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
+<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, except for maps of
 the user's whose `put()` throws also while old values are put back.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
@@ -106,7 +106,7 @@ the user's whose `put()` throws also while old values are put back.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map`, `parameters::control_normal_estimate()` if there is none, `vertex_roundness_map`, which is only read, `roundness` and
   `geom_traits` as in `subdivide()`;
-  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which what is sharp is so for ever, `border` and
+  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which sharpness is infinite, `border` and
   `crease_tangent_map`.
   How it proceeds is said by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
   `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
@@ -118,7 +118,7 @@ the user's whose `put()` throws also while old values are put back.
   an edge, a vertex or the border is sharp in mode `slide` or with natural normals, by a finite sharpness, or without what takes its normals and
   tangents (the message names it), or if `Limit_interpolation::Free::smooth`
   is asked for in mode `slide` or without a map of normals, or natural normals of a linear scheme or without a map; nothing has been written then
-<br><b>Cost:</b> linear in the size of the mesh but for the factor of a sparse matrix with one row a vertex; about
+<br><b>Cost:</b> linear in the size of the mesh except for the factor of a sparse matrix with one row per vertex; about
   2 kB a vertex of memory
 
 \sa `prescribe_limit_data()`, `interpolate_curve()`

@@ -41,7 +41,7 @@ struct Tessellation_result
   std::size_t worst_face = 0;
   /// where that is, about.
   std::array<double, 3> worst_place{};
-  /// whether `bound` is within what was asked for everywhere.
+  /// whether `bound` is within the tolerance everywhere.
   bool reached = true;
   /// the number of vertices of the result.
   std::size_t number_of_vertices = 0;
@@ -111,7 +111,7 @@ are flat enough, by the same estimate and by the distances of the vertices insid
 straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay undivided, and planes within curved
 rims have few triangles, which may be long.
 
-<b>Creases and borders</b> are those of `subdivide_to_limit()`: what is sharp has to be so for ever. A plane stays as
+<b>Creases and borders</b> are those of `subdivide_to_limit()`: sharpness must be infinite. A plane stays as
 coarse as the control mesh is, apart from faces with more than four corners, which are split once.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or `Parallel_if_available_tag`. The result is

@@ -438,7 +438,7 @@ Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Creases& creases,
 {
   constexpr std::size_t most_faces_measured = 1000000;
   Refined_surface refined(mesh, creases, scheme, threads);
-  unsigned first = 0; // limits are known only of edges that are smooth or sharp for ever
+  unsigned first = 0; // limits are known only of edges that are smooth or sharp forever
   for (const double s : creases.edges)
     if (!std::isinf(s)) first = (std::max)(first, static_cast<unsigned>(std::ceil(s)));
   double error = std::numeric_limits<double>::infinity(), factor = 0.25;
