@@ -73,7 +73,8 @@ with `NDEBUG`, each in a process of its own: {versions}, this package, and its c
 
 A program can live with the first three. CGAL and this package (its functions) read a `Surface_mesh` that
 `add_face()` has built, so both refuse what it refuses; an index beyond the vertices is an error of the program that
-builds the mesh, in every library that does not check it. The other libraries document preconditions, and most bold entries violate one; the table shows the consequences.
+builds the mesh, in every library that does not check it. The other libraries document preconditions, and most bold entries violate
+one; the table shows the consequences.
 
 {newline.join(lines)}
 

@@ -212,7 +212,10 @@ namespace CGAL {{
 \\cgalAutoToc
 
 A test suite is worth the errors it finds. `scripts/mutate.py` puts small defects into the headers, one at a time: a
-weight, a sign, a border rule, an index that is off by one, a check left out. At least one of the tests named for the change must fail that passes without it (`scripts/mutations.toml` lists changes and tests). A test that ends by a failed assertion, a signal or its limit of processor time has failed, too; a change that does not compile has no verdict. Verdicts, with the test that failed first, are in `scripts/mutation_results.tsv`; run the script again to get missing ones.
+weight, a sign, a border rule, an index that is off by one, a check left out. At least one of the tests named for the change must fail
+that passes without it (`scripts/mutations.toml` lists changes and tests). A test that ends by a failed assertion, a signal or its
+limit of processor time has failed, too; a change that does not compile has no verdict. Verdicts, with the test that failed first, are
+in `scripts/mutation_results.tsv`; run the script again to get missing ones.
 
 \\section PN_subdivision_3_mutations_numbers Numbers
 
