@@ -162,8 +162,8 @@ of higher order; these are then restored by the system above. That is repeated w
 closer: by a factor of a thousand a step where the surface is smooth against its edges, of 3 to 10 on coarse
 nets. Where a curvature but no point or no normal is prescribed, limit point and normal stay.
 Curvature can be prescribed where the scheme has it as a limit: at regular vertices, and at extraordinary ones with the
-tuned schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
-settled there (no other extraordinary vertex next to it, with the tuned schemes), and no two of these
+modified schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
+settled there (no other extraordinary vertex next to it, with the modified schemes), and no two of these
 vertices may have a vertex of their faces in common: subdivide the mesh first where that is not so.
 
 Computed in `double`, whatever the number type.
