@@ -391,7 +391,7 @@ void require_chord_bound(const Surface_options& options)
   if (!options.chord) throw Usage_error("--chord-bound needs --chord");
   if (bound == "proven" && options.auto_levels)
     throw Usage_error("--chord-bound proven and --levels auto exclude each other: distances of "
-                      "meshes that are refined alike are measured");
+                      "uniformly refined meshes are measured");
 }
 
 } // namespace
