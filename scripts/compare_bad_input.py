@@ -66,15 +66,15 @@ namespace CGAL {{
 with `NDEBUG`, each in a process of its own: {versions}, this package, and its command with an OFF file.
 
 - *right*: the result of the scheme, finite, with the right numbers of vertices and faces;
-- *accepts*: no oriented 2-manifold, but a complete and finite result by a rule of the library's own;
+- *accepts*: no oriented 2-manifold, but a complete and finite result by the library's own rule;
 - *refusal*: an exception, an error code or a null result before anything is refined, or the mesh cannot be made;
-- <b>garbage</b>: coordinates that are not finite, elements that are missing, or a mesh where there is none, without a word;
+- <b>garbage</b>: coordinates that are not finite, missing elements, or a mesh where there is none, without an error;
 - <b>crash</b>: ended by a signal; <b>hangs</b>: not done within 30 seconds of a processor.
 
-The first three are what a program can live with. CGAL and this package (its functions) read a `Surface_mesh` that
-`add_face()` has built, so what that refuses, both refuse; an index beyond the vertices is an error of the program that
-builds the mesh, for each library that takes it unchecked. Peers state their preconditions, and most of what is
-bold here violates one of them; the table says what then happens, not that it is forbidden.
+A program can live with the first three. CGAL and this package (its functions) read a `Surface_mesh` that
+`add_face()` has built, so both refuse what it refuses; an index beyond the vertices is an error of the program that
+builds the mesh, in every library that does not check it. The other libraries document preconditions, and most bold entries violate
+one; the table shows the consequences.
 
 {newline.join(lines)}
 

@@ -211,12 +211,11 @@ namespace CGAL {{
 
 \\cgalAutoToc
 
-A suite is worth what it finds. `scripts/mutate.py` puts small wrong changes into the headers, one at a time: a weight,
-a sign, a rule of a border, an index that is one off, a check that is left out. Of the tests that are named for the
-change (the file `scripts/mutations.toml` has both) one has to fail, which passes on headers as they are. A test that
-ends by a failed assertion, a signal or its limit of processor time has failed, too; a change that does not compile has
-no verdict. The verdicts, with the test that failed first, are in `scripts/mutation_results.tsv`; those that are not
-there yet are obtained by running the script again.
+A test suite is worth the errors it finds. `scripts/mutate.py` puts small defects into the headers, one at a time: a
+weight, a sign, a border rule, an index that is off by one, a check left out. At least one of the tests named for the change must fail
+that passes without it (`scripts/mutations.toml` lists changes and tests). A test that ends by a failed assertion, a signal or its
+limit of processor time has failed, too; a change that does not compile has no verdict. Verdicts, with the test that failed first, are
+in `scripts/mutation_results.tsv`; run the script again to get missing ones.
 
 \\section PN_subdivision_3_mutations_numbers Numbers
 

@@ -11,11 +11,10 @@
 
 /*!
 \file PN_subdivision_3.h
-Schemes and the functions that subdivide meshes and curves. Not included are the limit surface, interpolation and
-`Surface_refiner` (`PN_subdivision_limit_3.h`), limits and interpolation of curves (`curve_limit_points.h`, `interpolate_curve.h`),
-pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate_planes.h`), `smooth_control_normals.h`,
-`compare_with_linear.h`, `estimate_curvature.h`, schemes by name (`schemes/scheme_by_name.h`), what is for \cgal's subdivision methods
-(`PN_mask_3.h`, `Subdivision_method_3.h`), and what measures results (`reproduction.h`, `enclose.h`, the folder `analysis`).
+Schemes and the functions that subdivide meshes. Not included are curves (`PN_subdivision_curve.h`), the limit surface, interpolation and
+`Surface_refiner` (`PN_subdivision_limit_3.h`), pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate_planes.h`),
+`smooth_control_normals.h`, `compare_with_linear.h`, `estimate_curvature.h`, schemes by name (`schemes/scheme_by_name.h`), headers for \cgal's
+subdivision methods (`PN_mask_3.h`, `Subdivision_method_3.h`), and measurements (`reproduction.h`, `enclose.h`, the folder `analysis`).
 */
 
 #include <CGAL/PN_subdivision_3/detect_creases.h>
@@ -27,6 +26,5 @@ pieces (`refine_in_pieces.h`), recognition (`recognize_surfaces.h`, `triangulate
 #include <CGAL/PN_subdivision_3/subdivide.h>
 #include <CGAL/PN_subdivision_3/subdivision_methods_3.h>
 #include <CGAL/PN_subdivision_3/version.h>
-#include <CGAL/PN_subdivision_curve.h>
 
 #endif // CGAL_PN_SUBDIVISION_3_H

@@ -86,7 +86,7 @@ void add_surface_levels(CLI::App& command, Surface_options& options)
   command.add_option("--chord", options.chord,
                      "How far the limit surface may be from the triangles of the result, which are "
                      "large where it is flat: a length, or P% of the box's diagonal; with --levels "
-                     "auto all faces are refined alike");
+                     "auto all faces are refined equally");
   command.add_option(
     "--chord-bound", options.chord_bound,
     "How that is known: estimated (default) or proven, without creases and borders");
@@ -102,10 +102,10 @@ void add_report_options(CLI::App& command, Report_options& options)
   command.add_flag("--quiet", options.quiet,
                    "No progress and no closing line; warnings are still printed");
   command.add_flag("--strict", options.strict,
-                   "Any warning makes the exit code 4; OUTPUT is written all the same");
+                   "Any warning makes the exit code 4; OUTPUT is still written");
   command.add_option(
     "--report", options.file,
-    "Write what was read, done, mended, dropped and warned of into this JSON file");
+    "Write what was read, done, repaired, dropped and warned of into this JSON file");
 }
 
 void add_verify_options(CLI::App& command, Verify_options& options, const std::string& shapes)
@@ -189,7 +189,7 @@ void add_recognition_options(CLI::App& command, Crease_options& options)
 {
   command.add_option("--min-facets", options.min_facets,
                      "With --sharp surfaces: the least number of sides of prisms that are round "
-                     "although nothing else tells so; default 8");
+                     "even if nothing else indicates it; default 8");
   command.add_option("--surface-tolerance", options.surface_tolerance,
                      "With --sharp surfaces: how far vertices may be from their surface; default: "
                      "4 units of the file's rounding and 1e-7 of the box's diagonal");
@@ -198,7 +198,7 @@ void add_recognition_options(CLI::App& command, Crease_options& options)
                      "whose faces meet at an angle greater than this; default 30 degrees");
   command.add_option("--surface-labels", options.surface_labels,
                      "With --sharp surfaces: write the number of its surface for each control "
-                     "face into this file, one a line");
+                     "face into this file, one per line");
 }
 
 void add_planes(CLI::App& command, std::optional<std::string>& planes)
@@ -277,14 +277,15 @@ void add_surface_command(CLI::App& app, Surface_options& options)
   surface.add_option(
     "--normals", options.normals,
     "Control normals: auto (the file's if it has any that are not zero or those of the "
-    "faces or shading, else estimated), file, smooth (the file's, smoothed against the points), "
+    "faces or shading, else estimated), file, smooth (the file's, smoothed using the points), "
     "estimate or coherent, reciprocal, angle (estimated by the faces' angles), none, sphere:X,Y,Z "
     "or cylinder:X,Y,Z,DX,DY,DZ");
-  surface.add_option("--roundness", options.roundness,
-                     "How far points leave those of the linear scheme: auto (default; the file's "
-                     "property roundness beside its control normals, 1 with other given normals, "
-                     "else as estimate), file, estimate (read off the points), or a number for all "
-                     "vertices from 0 (linear points) to 1");
+  surface.add_option(
+    "--roundness", options.roundness,
+    "How far points leave those of the linear scheme: auto (default; the file's "
+    "property roundness besides its control normals, 1 with other given normals, "
+    "else as estimate), file, estimate (computed from the points), or a number for all "
+    "vertices from 0 (linear points) to 1");
   add_crease_options(surface, options.creases);
   add_recognition_options(surface, options.creases);
   add_planes(surface, options.planes);

@@ -8,8 +8,8 @@
 \cgalConcept
 
 A value at vertices or corners that `CGAL::PN_subdivision_3::subdivide()` refines by the linear rows of a scheme, see
-`CGAL::PN_subdivision_3::parameters::vertex_attribute()`. Numbers and arrays of them are, and points and vectors of \cgal. Other types
-specialize `CGAL::PN_subdivision_3::Attribute_traits`, or have what follows; values of corners are compared by `==`, too.
+`CGAL::PN_subdivision_3::parameters::vertex_attribute()`. Numbers, arrays of them, and points and vectors of \cgal are models. Other types
+specialize `CGAL::PN_subdivision_3::Attribute_traits`, or have the following; values of corners must also be comparable by `==`.
 
 Models are built-in numbers, number types of \cgal, `std::array` of them, `CGAL::Point_2`, `CGAL::Point_3`, `CGAL::Vector_2` and
 `CGAL::Vector_3`.
@@ -19,7 +19,7 @@ Models are built-in numbers, number types of \cgal, `std::array` of them, `CGAL:
 class PNSubdivisionAttribute
 {
 public:
-  /// what new elements have until they are computed.
+  /// the value of new elements until they are computed.
   PNSubdivisionAttribute();
 };
 

@@ -51,7 +51,7 @@ public:
   PNSubdivisionHost_3(const CGAL::PN_subdivision_3::Level_connectivity& level, unsigned round);
 
   /// \name Parents
-  /// Optional: which old element a new one comes from. Attributes and the visitors that are told of new elements need
+  /// Optional: which old element a new one comes from. Attributes and visitors that are called for new elements need
   /// them; the hosts of the package have them.
   /// @{
 
@@ -61,7 +61,7 @@ public:
   CGAL::PN_subdivision_3::Element_parent parent_of_edge(Index new_edge) const;
   /// the old element that a new face is a part of or comes from.
   CGAL::PN_subdivision_3::Element_parent parent_of_face(Index new_face) const;
-  /// optional: every edge is split in halves, and all else lies inside the old faces. `false` if it is not there.
+  /// optional: every edge is split in halves, and everything else lies inside the old faces. `false` if it is missing.
   static constexpr bool splits_edges = unspecified;
   /// @}
 
@@ -76,7 +76,7 @@ public:
   /// `child` has the functions that `CGAL::PN_subdivision_3::Level_connectivity` lists under
   /// Modification for elements: `set_target()`, `set_next()`, `set_face()`, `set_border()`,
   /// `set_halfedge_of_vertex()`, `set_isolated()` and `set_halfedge_of_face()`. It may be the
-  /// user's mesh; read from the old level only. The half-edges `2 * e` and `2 * e + 1` are opposite.
+  /// user's mesh: read only from the old level. The half-edges `2 * e` and `2 * e + 1` are opposite.
   ///
   /// `for_chunks(n, f)` calls `f(begin, end)` for pieces that cover [0, `n`), by several threads
   /// in the parallel case, each of which sets elements of its own. The function may be called again

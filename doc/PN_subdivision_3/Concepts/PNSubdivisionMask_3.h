@@ -24,7 +24,7 @@ host may also pass a class of its own with these two functions.
 - A vertex may occur several times in a row; its weights add up. A row with a single entry is a copy
   of that vertex, with its normal.
 - `vertex()` is called for border vertices and for vertices without edges too, `edge()` for border
-  edges too. A border vertex can be told by its half-edge, see `Level_connectivity`.
+  edges too. A border vertex is recognized by its half-edge, see `Level_connectivity`.
 - The functions are called by several threads at a time, in no particular order, and possibly more
   than once for a vertex; the row must be the same each time.
 - The weights are computed in `FT`, a field: make numbers of `int` only, `FT(3) / FT(8)`, so that

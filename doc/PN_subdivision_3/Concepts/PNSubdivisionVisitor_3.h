@@ -7,10 +7,10 @@
 \ingroup PkgPNSubdivision3Concepts
 \cgalConcept
 
-What `CGAL::PN_subdivision_3::subdivide()` and `CGAL::PN_subdivision_3::subdivide_to_limit()` tell of their rounds and
-of the elements of the refined mesh. A visitor needs one of these members; those that it has not, or inherits from
-`CGAL::PN_subdivision_3::Default_visitor`, are not called and cost nothing. A member of one of these names that cannot
-be called with these arguments is an error when the call is compiled, which shows what is expected.
+An object that `CGAL::PN_subdivision_3::subdivide()` and `CGAL::PN_subdivision_3::subdivide_to_limit()` call for each
+round and for the elements of the refined mesh. A visitor needs at least one of these members; missing ones, and those
+inherited from `CGAL::PN_subdivision_3::Default_visitor`, are not called and cost nothing. A member with one of these
+names that cannot be called with these arguments is a compile-time error, which shows what is expected.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::PN_subdivision_3::Default_visitor}
@@ -21,8 +21,8 @@ be called with these arguments is an error when the call is compiled, which show
 class PNSubdivisionVisitor_3
 {
 public:
-  /// is called after each round is computed, counted from 1, also of a mesh without faces. An exception of it cancels the
-  /// subdivision. It must not look at the mesh, which is being written, and with `Parallel_tag` it may be called from
+  /// is called after each round is computed, counted from 1, even for a mesh without faces. If it throws, the subdivision
+  /// is canceled. It must not look at the mesh, which is being written, and with `Parallel_tag` it may be called from
   /// another thread.
   void round_done(unsigned round, std::size_t number_of_faces);
 
@@ -37,7 +37,7 @@ public:
   /// `origin` is the control edge that the edge is a part of, or the control face that it lies in.
   void edge_created(boost::graph_traits<PolygonMesh>::edge_descriptor e,
                     const CGAL::PN_subdivision_3::Control_element& origin);
-  /// `parent` is the control face that the face lies in, or what else it comes from.
+  /// `parent` is the control face that the face lies in, or the element that it comes from.
   void face_created(boost::graph_traits<PolygonMesh>::face_descriptor f,
                     const CGAL::PN_subdivision_3::Control_element& parent);
 

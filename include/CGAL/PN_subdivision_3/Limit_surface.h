@@ -49,21 +49,21 @@ The limit surface of a control mesh as a surface with parameters: points, normal
   \f$ u=2i+1, v=1 \f$ the middle of the face.
 
 <b>How.</b> Where a face of a level and the faces around it are regular, and the scheme refines regular meshes to splines (Catmull-Clark and Loop, and
-their tuned forms), the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the bicubic B-splines or the quartic box splines \f$ a_j \f$; at borders and creases
+their modified forms), the limit of the linear scheme is \f$ \sum a_j(u,v)\,p_j \f$, with the bicubic B-splines or the quartic box splines \f$ a_j \f$; at borders and creases
 the rows beyond are extrapolated, which gives the rule of the border. Linear schemes are so evaluated exactly, with exact derivatives of
 second order. The point-normal average \f$ L_k(u,v) \f$ (`PN_average`) of these weights over the net of round \f$ k \f$ converges to the limit of a point-normal scheme: the
-functions \f$ a_j \f$ have the same second moments everywhere and no third ones, so that \f$ |L_{k+1}-L_k| \f$ falls by 1/16 a round; it is exact on spheres and cylinders. The
+functions \f$ a_j \f$ have the same second moments everywhere and no third ones, so that \f$ |L_{k+1}-L_k| \f$ decreases to 1/16 in each round; it is exact on spheres and cylinders. The
 face is refined, with the rings of faces around it that its rounds read and no others, until this difference, and the angle between the normals of both,
 are within the tolerances. Derivatives are those of \f$ L_k \f$, first ones with an error of the third order in the size of the face, second ones of second order.
 
-Next to extraordinary vertices refinement goes on until the point lies in a regular face. The vertices themselves are evaluated as by `limit_points()`, without derivatives, which in these
-parameters do not exist there. What is still not regular after the most rounds, and schemes that are no splines (Butterfly, Kobbelt), is evaluated by the
+Next to extraordinary vertices the face is refined until the point lies in a regular face. The vertices themselves are evaluated as by `limit_points()`, without derivatives, which in these
+parameters do not exist there. What is still not regular after the maximal number of rounds, and schemes that are not splines (Butterfly, Kobbelt), are evaluated by the
 `Face_patch` of the limits at the corners, with first derivatives.
 
-Cost and memory of an evaluation do not depend on the size of the mesh. `evaluate()` of many places does the rounds for all that lie in the same faces once.
-The mesh is read by the constructor, and is needed no longer. Calls from several threads are safe.
+Cost and memory of an evaluation do not depend on the size of the mesh. `evaluate()` of many places does the rounds of each face only once.
+The mesh is read by the constructor, and is not needed afterwards. Calls from several threads are safe.
 
-All is computed in `double`, from coordinates of any number type, which are rounded.
+Everything is computed in `double`, from rounded coordinates of any number type.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam GeomTraits a kernel, in which points are returned, by default that of the points of the mesh
@@ -83,7 +83,7 @@ public:
   /// a vector.
   using Vector_3 = typename GeomTraits::Vector_3;
 
-  /// A place on a limit surface: a face of the control mesh, and parameters in it see above.
+  /// A place on a limit surface: a face of the control mesh, and parameters in it, see above.
   struct Location
   {
     /// the face.
@@ -94,7 +94,7 @@ public:
     double v;
   };
 
-  /// What `evaluate()` tells of a point of a limit surface.
+  /// What `evaluate()` returns for a point of a limit surface.
   struct Surface_point
   {
     /// the point.
@@ -156,14 +156,14 @@ public:
   /// @}
 
   /// \name Evaluation
-  /// All throw `std::invalid_argument` if a face is none of the mesh, or if parameters are none of the face.
+  /// All throw `std::invalid_argument` if a face is not one of the mesh, or if parameters are outside the face.
   /// @{
 
   /// the point.
   Point_3 point(Face face, double u, double v) const { return evaluate(face, u, v).point; }
   /// the unit normal.
   Vector_3 normal(Face face, double u, double v) const { return evaluate(face, u, v).normal; }
-  /// all that is known of a point.
+  /// all data of a point.
   Surface_point evaluate(Face face, double u, double v) const
   {
     return evaluate(std::vector<Location>(1, Location{face, u, v})).front();
@@ -366,7 +366,7 @@ private:
     if (!is_inside)
       throw std::invalid_argument(
         "PN_subdivision_3: (" + std::to_string(u) + ", " + std::to_string(q.v) +
-        ") are no parameters of face number " + std::to_string(f) + ": take " +
+        ") are not parameters of face number " + std::to_string(f) + ": take " +
         (is_triangle ? std::string("u, v >= 0 with u + v <= 1")
          : n == 1
            ? std::string("u and v from 0 to 1")

@@ -82,15 +82,15 @@ using Query_traits = AABB_traits<Simple_cartesian<double>, Primitive>;
 /*!
 \ingroup PkgPNSubdivision3LimitSurface
 
-finds closest points and intersections with rays on a limit surface. An `AABB_tree` of flat triangles between limit points tells where to look; from
+finds closest points and intersections with rays on a limit surface. An `AABB_tree` of flat triangles between limit points finds candidates; from
 there Newton's method goes to the point on the surface itself, which is evaluated where the query needs it, see `Limit_surface`.
 
 How far the surface is from its triangles is estimated as in `tessellate()`. All triangles that may have the closest point, within twice this distance, are looked at. A ray
-that passes the surface closer than this without a crossing, or crosses it twice between, may be told wrong.
+that passes the surface closer than this without a crossing, or crosses it twice between, may be counted wrong.
 
 The squares of distances have to be in the range of `double`, here and in `AABB_tree`: coordinates up to 10<sup>150</sup>.
 
-`AABB_tree` is under the GPL: this header is \cgal's package `AABB_tree` in all that includes it, and no other header of the package includes it.
+`AABB_tree` is under the GPL: so is whatever includes this header; no other header of the package includes it.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam GeomTraits a kernel, as that of `Limit_surface`

@@ -46,8 +46,8 @@ A refined surface that follows its control points and control normals.
 
 `subdivide()` pays for connectivity in every call. A refiner pays once: it keeps the levels and the masks
 of a control mesh, a scheme and a number of rounds, and where control points or normals change it
-computes what they reach, and nothing else. This is what a modeling tool needs in which points are moved
-and normals turned. The result is that of `subdivide()`, bit for bit.
+recomputes only what they affect. This is what modeling tools
+need. The result is that of `subdivide()`, bit for bit.
 
 \code{.cpp}
 Surface_refiner refiner(mesh, CatmullClark_scheme(),
@@ -58,9 +58,9 @@ refiner.update();
 refiner.update_mesh(refined);
 \endcode
 
-Control vertices are named by their descriptors in the control mesh. The refiner keeps its `vertex_index_map`, but no
-reference to the mesh. Flat arrays, for what draws the surface, have the refined vertices as `vertices()` of the built
-mesh enumerates them.
+Control vertices are named by their descriptors in the control mesh. The refiner keeps its `vertex_index_map`,
+but no reference to the mesh. Flat arrays, for renderers, have the refined vertices in the order of `vertices()`
+of the built mesh.
 
 Without a `vertex_normal_map`, control normals are estimated from the points, and again with every
 `update()` after a point was set; a normal that is set stays as it is.
@@ -68,16 +68,16 @@ Without a `vertex_normal_map`, control normals are estimated from the points, an
 <b>Creases.</b> Sharp edges and vertices and `border` are those of `subdivide()`: points and normals move, the
 sharpness stays. The tangents of creases are made anew from the control points and normals. A control vertex between
 creases has a normal on each side, which are estimated, or given by a `vertex_normal_map` of half-edges, and then
-stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` computes all
-that lies on creases.
+stay; `normals()` holds their mean, as does the `vertex_normal_map` of `subdivide()`. Every `update()` recomputes
+all creases.
 
 <b>Attributes.</b> What else the control mesh carries is named as for `subdivide()` and does not depend on its points:
 it is refined once, by the constructor, and `build_mesh()` puts it.
 
 <b>Memory.</b> 12 bytes for each half-edge, 52 for each vertex and 4 for each face of every level but the last in
-`double`, besides the results (`points()` and `normals()`, 48 bytes a vertex, and refined attributes). The first
+`double`, besides the results (`points()` and `normals()`, 48 bytes per vertex, and refined attributes). The first
 `update()` that does not evaluate everything finds out which vertices each vertex reaches, and keeps it: 4 bytes for
-each entry of the rows, 6.3 a refined vertex with Catmull-Clark subdivision. `memory()` tells.
+each entry of the rows, 6.3 per refined vertex with Catmull-Clark subdivision. See `memory()`.
 
 <b>Exceptions.</b> If `update()` throws, `points()` and `normals()` may hold old values and new ones; the
 next call evaluates everything. All other members have the strong guarantee.
@@ -251,7 +251,7 @@ public:
 
   /*!
   makes a mesh of the refined surface.
-  \tparam PolygonMesh a model of `MutableFaceGraph`
+  \tparam RefinedMesh a model of `MutableFaceGraph`
   \param mesh an empty mesh
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and
     `vertex_normal_map`, which are written; the normal map may be of half-edges, and gets the normals of corners (after

@@ -30,7 +30,7 @@ namespace PN_subdivision_3 {
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-whether all edges of refined meshes that lie on control edges are parts of them. Schemes that split edges carry
+whether all edges of refined meshes that lie on control edges are parts of them. Schemes that split edges refine
 attributes of edges and seams of attributes of corners, the others (Doo-Sabin, \f$ \sqrt{3} \f$) refuse both.
 */
 template <class Scheme>
@@ -74,7 +74,7 @@ internal::Face_attribute<Map> face_attribute(Map map)
 }
 
 /// \ingroup PkgPNSubdivision3Attributes
-/// a map that gets where the refined faces come from. Keys are faces. Values are `Control_element`s, or integers: the
+/// a map that gets the parents of refined faces. Keys are faces. Values are `Control_element`s, or integers: the
 /// number of the control face in the order of `faces(mesh)`, which with Doo-Sabin subdivision is for a face that
 /// comes from an edge or a vertex the least one of the faces there.
 template <class Map>

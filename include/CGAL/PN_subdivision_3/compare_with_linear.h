@@ -178,7 +178,7 @@ Comparison_with_linear compare_levels(const Access& access, Level_with_points<FT
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-tells whether point-normal subdivision of a mesh is worse than linear subdivision: refines it by the scheme and by its
+checks whether point-normal subdivision of a mesh is worse than linear subdivision: refines it by the scheme and by its
 `linear()` twin, without touching it, and measures both results. What normals are made for, spheres and all that is
 round, becomes larger than the linear result, and closer to the control mesh in volume. Where they bend what is not
 round, parts swell or their surfaces fold: `Comparison_with_linear::is_swollen()`,

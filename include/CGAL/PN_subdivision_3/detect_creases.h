@@ -99,7 +99,7 @@ take as creases.
 
 An edge with two faces becomes `true` in the map if the angle between the area vectors of the faces
 is more than 0.1 degrees greater than the given one, so that rounding does not decide about edges at exactly this
-angle, which are none; all others, border edges among them, become `false`. In a map of numbers
+angle, which are not creases; all others, including border edges, become `false`. In a map of numbers
 they become infinitely sharp (of integers: the largest number) and 0. Edges of faces
 without area do not count as sharp. Choose the angle between that of the true edges of the shape and
 those of its approximation: the sides of a prism of n sides, which may stand for a cylinder, differ by

@@ -105,7 +105,7 @@ Enclosure::Mesh mesh_of_intervals(const PolygonMesh& mesh, Point_map points,
     corners.clear();
     for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(copy[v]);
     if (result.add_face(corners) == Mesh::null_face())
-      throw std::invalid_argument("PN_subdivision_3: the mesh is no 2-manifold with border");
+      throw std::invalid_argument("PN_subdivision_3: the mesh is not a 2-manifold with border");
   }
   return result;
 }

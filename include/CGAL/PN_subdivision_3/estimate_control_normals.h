@@ -57,7 +57,7 @@ vertex, the reciprocal normals \f$ r_j \f$ of its neighbors and S the smoothstep
 \f[ E(n) = \sum_j \left( \frac{(n + r_j) \cdot e_j}{|e_j|^2} \right)^2, \quad x = \frac{E(a)}{E(r) + E(a)}, \quad
 t = S \left( \frac{x - 0.2}{0.3} \right) \f]
 
-tells which of the two is on arcs with the neighbors: on spheres and cylinders E(r) = 0 and t = 1, where a plane joins
+says which of the two is on arcs with the neighbors: on spheres and cylinders E(r) = 0 and t = 1, where a plane joins
 a bend t = 0. Let c(n) be the smallest cosine of the angles between n and the cross products of neighboring edges,
 g(n) the largest \f$ |(n + n_j) \cdot e_j| / |e_j| \f$, and
 
@@ -99,7 +99,7 @@ left out.
 <b>Angle.</b> (Yang, <em>Point-Normal Subdivision Curves and Surfaces</em>, Section 6.) The unit vector of the sum of the normals of the faces, weighted by the angles of the
 faces at the vertex. The normal of a polygon that is not planar is that of its area vector; the angle
 at a corner is the angle between its two edges. Faces without area add nothing, nor do those that
-would have none but for the rounding of their coordinates.
+would have none if their coordinates were not rounded.
 
 A vertex without faces, or one at which the sum vanishes, gets the zero vector, "no control normal".
 

@@ -140,7 +140,7 @@ are tried), a quadric is fitted. Vertices whose normals form an angle of 90 degr
 of the vertex are left out.
 
 Without a vertex normal map the fit uses points only, and the vertex normals of its planes are those of
-`estimate_control_normals()`, but for 10<sup>-7</sup>. With one it is a Hermite fit, to points and normals, mostly of one ring.
+`estimate_control_normals()`, up to 10<sup>-7</sup>. With one it is a Hermite fit, to points and normals, mostly of one ring.
 It takes the normals for those of the surface. *Control normals of a point-normal surface are not the
 normals of the surface*, nor do they in general become so under refinement; its curvatures are those of
 its points, so leave out the map there.

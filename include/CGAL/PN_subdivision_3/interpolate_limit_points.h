@@ -70,8 +70,8 @@ it is zero, `slide` estimates a normal, and `strict` does as linear subdivision 
 <b>Only points.</b> With `Limit_interpolation::Normals::natural` the map of normals is written only: its normals become those that the surface has at the points
 along which it slides. The estimate of `estimate_control_normals()` comes first, then the normals at the points of the
 surface that slides along it, up to ten times, as long as the change falls by a fifth. Where no solve is needed the
-estimate is kept: spheres, and cylinders in grids. On borders the estimate stays. Tuned schemes know the curvature
-of the surface everywhere, and are the better choice. On uneven samples of smooth surfaces the errors are a tenth to a
+estimate is kept: spheres, and cylinders in grids. On borders the estimate stays. Modified schemes have
+curvature everywhere, and are the better choice. On uneven samples of smooth surfaces the errors are a tenth to a
 fiftieth of those of the estimate.
 
 <b>Without a map of normals</b> the control normals, and the roundness if it is not given, are those that further calls without
@@ -79,20 +79,20 @@ one estimate from the control points, and in either mode the limit point of each
 most `max_steps` evaluations (D. G. Anderson, <em>Iterative procedures for nonlinear integral equations</em>, 1965) finds the points.
 Smoother surfaces are those with a map and `Limit_interpolation::Normals::natural`.
 
-<b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays what it is: further calls that refine the
-result take it, too. `estimate_control_normals()` tells it.
+<b>Roundness.</b> It is 1 unless it is given or there is no map of normals, and stays as it is: pass it to the calls that
+refine the result. `estimate_control_normals()` returns it.
 
-<b>Creases</b> that are sharp for ever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
+<b>Creases</b> that are sharp forever are for `Limit_interpolation::Mode::strict` with given normals: the normals of
 the wedges and the tangents of the creases are made from the data once, as `subdivide()` makes them, so that the limit
 points stay linear in the control points; the limit points of corners are these themselves. Both have to reach
 the calls that refine the result: a point-normal scheme takes them in a `vertex_normal_map` of half-edges, where vertices
 have several wedges, and in a `crease_tangent_map`, which are written. The limits are evaluated, about ten times a step, and
-each step reduces what is missing to a ten-thousandth.
+each step reduces the error to a ten-thousandth.
 
 Everything is computed in `double`, whatever the number type of the mesh; what does not change is not
 written. Weights of PN averages that fade, and vanishing normals, are treated as in `PN_average`.
 
-<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
+<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, except for maps of
 the user's whose `put()` throws also while old values are put back.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or
@@ -106,20 +106,20 @@ the user's whose `put()` throws also while old values are put back.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map`, `parameters::control_normal_estimate()` if there is none, `vertex_roundness_map`, which is only read, `roundness` and
   `geom_traits` as in `subdivide()`;
-  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which what is sharp is so for ever, `border` and
+  `edge_is_constrained_map` and `vertex_is_constrained_map`, in which sharpness is infinite, `border` and
   `crease_tangent_map`.
-  How it proceeds is said by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
+  The method is set by `interpolation_mode`, `interpolation_normals`, `free_vertices`, `vertex_is_interpolated_map`,
   `tolerance`, `max_depth` and `max_steps` of `CGAL::PN_subdivision_3::parameters`
 
-\returns what was reached. A tolerance that cannot be met is no error: the best control net is the result,
-  and it is never further from the data than the data taken as control net.
+\returns what was reached. A tolerance that cannot be met is not an error: the best control net is the result,
+  and it is never farther from the data than the data used as control net.
 
 \throws std::invalid_argument as `subdivide()` does, if the tolerance is negative or not a number, if
   an edge, a vertex or the border is sharp in mode `slide` or with natural normals, by a finite sharpness, or without what takes its normals and
   tangents (the message names it), or if `Limit_interpolation::Free::smooth`
   is asked for in mode `slide` or without a map of normals, or natural normals of a linear scheme or without a map; nothing has been written then
-<br><b>Cost:</b> linear in the size of the mesh but for the factor of a sparse matrix with one row a vertex; about
-  2 kB a vertex of memory
+<br><b>Cost:</b> linear in the size of the mesh except for the factor of a sparse matrix with one row per vertex; about
+  2 kB of memory per vertex
 
 \sa `prescribe_limit_data()`, `interpolate_curve()`
 */

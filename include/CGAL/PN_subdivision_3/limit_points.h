@@ -198,25 +198,25 @@ at all faces that do not collapse, and curvatures are not computed.
 <b>Points.</b> The limit mask of the linear scheme is a left eigenvector of the matrix that maps the
 neighborhood of a vertex to that of the next round. Its point-normal average L over the neighborhood
 is exact on spheres and circular cylinders, for equal normals and for linear schemes, but not in
-general. So the neighborhood of the vertex is refined by itself, round by round, and L taken anew; the
-differences |L<sub>k+1</sub> - L<sub>k</sub>| fall by 1/16 a round at regular vertices, and are what the
-error is estimated from. The refinement ends where the tolerance is met.
+general. So only the neighborhood of the vertex is refined, round by round, and L is computed again; the
+differences |L<sub>k+1</sub> - L<sub>k</sub>| decrease to 1/16 in each round at regular vertices, and the
+error is estimated from them. The refinement ends when the tolerance is met.
 
 <b>Control normals.</b> Their limit is the normalized average of the limit mask. *It is not the normal of
 the surface*, and the angle between the two does not vanish under refinement.
 
 <b>Surface normals.</b> The left eigenvectors T of the subdominant eigenvalue &lambda; give the slope a of
 the surface over the plane perpendicular to the limit control normal N, by T u a = T w with the
-coordinates u of the neighbors in that plane and their point-normal heights w over it. The error falls as
-&lambda;<sup>2</sup> a round. They exist at interior vertices of valence 3 and more; on the borders of
+coordinates u of the neighbors in that plane and their point-normal heights w over it. Each round reduces
+the error by &lambda;<sup>2</sup>. They exist at interior vertices of valence 3 and more; on the borders of
 Catmull-Clark subdivision at valences 3 and 4, of Loop and &radic;3 subdivision at 3 to 6, of
-Butterfly subdivision at 3 and 4 and of Kobbelt's at 2 and 3; on those of other schemes where the eigenvectors
-of the border ring tell of a plane. They do not at other valences, where the surface is a cusp or folds along its
+Butterfly subdivision at 3 and 4 and of Kobbelt's at 2 and 3; on those of other schemes if the eigenvectors of the
+border ring determine a plane. They do not exist at other valences, where the surface is a cusp or folds along its
 border, nor where the neighborhood collapses to a line. There the control normal stands in.
 
 <b>Curvature.</b> It exists at regular interior vertices of Catmull-Clark and Loop subdivision and of their
-tuned forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
-estimated; at extraordinary vertices, where it falls as &lambda;<sup>2</sup> a round, eight rounds are done.
+modified forms, and at the extraordinary vertices of the latter, see `Limit_curvature`. Its error is not
+estimated; at extraordinary vertices, where a round reduces it by &lambda;<sup>2</sup>, eight rounds are done.
 
 <b>Creases.</b> Of what is sharp, by the maps of `subdivide()` or by `border`, corners are their own limits; on
 creases the limit mask is that of the curve, (1, 4, 1)/6, and `Crease_average` takes it, for the points, the tangents
@@ -247,14 +247,14 @@ are estimated, and refused.
 \param mesh an oriented 2-manifold with border
 \param scheme the scheme
 \param limits the map to write; it may be left out where `limit_point_map`, `limit_normal_map` or `limit_error_map` of
-  `CGAL::PN_subdivision_3::parameters` are given, which get what their names say
+  `CGAL::PN_subdivision_3::parameters` are given, which are then written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`,
   `vertex_normal_map` with the control normals (without it they are estimated), `edge_is_constrained_map`,
   `vertex_is_constrained_map` and `geom_traits`, as in `subdivide()`, all of whose other parameters but `visitor` and `attributes` count, too; the maps are read only.
-  What is computed, and how well, is said by `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`,
+  What is computed, and how accurately, is set by `tolerance`, `normal_tolerance`, `max_depth`, `points`, `surface_normals`,
   `curvatures` and `rounds_done`, all of `CGAL::PN_subdivision_3::parameters`
 
-\returns what was reached. A tolerance that cannot be met is no error.
+\returns what was reached. A tolerance that cannot be met is not an error.
 
 \throws std::invalid_argument as `subdivide()` does, if a tolerance is negative or not a number, if the scheme has
   no limit masks, if an interval number type is to contain an estimate, and if the sharpness of an edge or vertex is finite: the message names it, and how many rounds

@@ -48,8 +48,8 @@ struct Attributes;
 } // namespace internal
 
 /// \ingroup PkgPNSubdivision3Functions
-/// The named parameters of \cgal, and those that are this package's own. Each of these begins a pack, which others of them
-/// and those of \cgal continue; `join()` joins packs.
+/// The named parameters of \cgal, and those of this package. Each of the latter begins a pack, to which others of them and
+/// those of \cgal can be appended; `join()` joins packs.
 /// \code{.cpp}
 /// subdivide(mesh, scheme, parameters::roundness(0.5).border(Border::curve).number_of_iterations(3));
 /// \endcode
@@ -59,8 +59,8 @@ using namespace CGAL::parameters;
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the roundness of all control vertices: 1 is the point-normal scheme, 0 gives the points of the linear one, and what is
-between lies between, see `PN_average`.
+the roundness of all control vertices: 1 is the point-normal scheme, 0 gives the points of the linear one, with a
+continuous transition, see `PN_average`.
 \param x a number from 0 to 1
 */
 template <class FT>
@@ -71,10 +71,10 @@ auto roundness(const FT& x)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the roundness of each control vertex. A map that can be written gets that of the refined vertices, so that further calls go
-on from there.
+the roundness of each control vertex. A map that can be written gets that of the refined vertices, so that further calls continue
+from there.
 \param map a model of `ReadablePropertyMap` or `ReadWritePropertyMap` with the vertices of the mesh as keys and numbers from 0
-  to 1 as values; up to 1/2 beyond is taken, since masks with negative weights refine 0 and 1 to what is a little beyond
+  to 1 as values; values up to 1/2 beyond are accepted, since masks with negative weights refine 0 and 1 to values slightly beyond
 */
 template <class VertexRoundnessMap>
 auto vertex_roundness_map(const VertexRoundnessMap& map)
@@ -95,7 +95,7 @@ auto control_normal_estimate(const Estimate& estimate)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what becomes of the border of the surface, by default `Border::surface`. All else needs a scheme that can crease.
+how the border of the surface is treated, by default `Border::surface`. Anything else needs a scheme with rules for creases.
 \param rule a `Border`
 */
 template <class BorderRule>
@@ -110,7 +110,7 @@ a map of the tangents of creases. For both half-edges of a sharp edge, also for
 the one on the border, the map holds the unit tangent of the crease at the source of the half-edge, in
 the direction of the half-edge; elsewhere it holds zero.
 
-`subdivide()` reads what is not zero and makes the tangents that are missing from the points and the
+`subdivide()` reads the nonzero tangents and computes missing ones from the points and the
 given normals. Afterwards the map, if it can be written, holds the tangents of the refined creases. A
 call with k rounds is then the same, bit for bit, as k calls with one round if they are given the normals
 by half-edges, too.
@@ -181,7 +181,7 @@ auto max_depth(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what gets the limit points that `limit_points()` computes.
+a map that gets the limit points that `limit_points()` computes.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to points
 */
 template <class Map>
@@ -192,7 +192,7 @@ auto limit_point_map(const Map& map)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what gets the normals that `limit_points()` computes: `Limit_point::surface_normal`, which are the limits of the control normals
+a map that gets the normals that `limit_points()` computes: `Limit_point::surface_normal`, which are the limits of the control normals
 unless `surface_normals()` asks for others.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to vectors
 */
@@ -204,7 +204,7 @@ auto limit_normal_map(const Map& map)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what gets the estimated errors of the limit points that `limit_points()` computes.
+a map that gets the estimated errors of the limit points that `limit_points()` computes.
 \param map a model of `WritablePropertyMap` from vertices (of a dual scheme, faces) to `double`
 */
 template <class Map>
@@ -215,8 +215,8 @@ auto limit_error_map(const Map& map)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether the limit points of surfaces are asked for, which they are by default. If only their normals are, most of the time is
-spared: where there is a surface normal, `Limit_point::point` and `Limit_point::control_normal` may be the first averages of
+whether limit points of surfaces are computed, by default `true`. Without them, surface normals take much less
+time: where there is a surface normal, `Limit_point::point` and `Limit_point::control_normal` may be the first averages of
 the limit mask, `Limit_point::error` is infinite, and neither counts in the report; the normal is on the side of the faces
 of the control mesh. Functions that move a mesh then leave the points where they are.
 \param yes a `bool`
@@ -262,8 +262,8 @@ auto curvatures(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-how many rounds the call has done that made the mesh, by default 0: the borders of \f$ \sqrt{3} \f$ depend on
-whether that is even, and tuned schemes on whether it is before their first round; others do not.
+how many rounds the call that made the mesh has done, by default 0: the borders of \f$ \sqrt{3} \f$ depend on
+whether that is even, and modified schemes on whether it is before their first round; others do not.
 \param n an `unsigned`
 */
 template <class Number>
@@ -274,8 +274,8 @@ auto rounds_done(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether the vertices of `Surface_pieces` are put on the limit surface, as `subdivide_to_limit()` does it, by default not. Then
-`points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth` say what limits are to have, and how well.
+whether the vertices of `Surface_pieces` are moved to the limit surface, as by `subdivide_to_limit()`, by default not. Then
+`points`, `surface_normals`, `tolerance`, `normal_tolerance` and `max_depth` say what is computed, and how accurately.
 \param yes a `bool`; what limits need is compiled if the parameter is given
 */
 template <class Bool>
@@ -286,8 +286,8 @@ auto to_limit(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether the distance of the triangles of `tessellate()` from the surface is to be proved, by default not.
-\param yes a `bool`; what proofs need is compiled if the parameter is given
+whether the distance of the triangles of `tessellate()` from the surface is proved, by default not.
+\param yes a `bool`; code for proofs is compiled if the parameter is given
 */
 template <class Bool>
 auto proven_bound(const Bool& yes)
@@ -297,7 +297,7 @@ auto proven_bound(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what interpolation makes of a vertex, by default `Limit_interpolation::Mode::slide`.
+how vertices are interpolated, by default `Limit_interpolation::Mode::slide`.
 \param mode a `Limit_interpolation::Mode`
 */
 template <class Mode>
@@ -319,7 +319,7 @@ auto interpolation_normals(const Normals& normals)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-what vertices do that are not interpolated, by default `Limit_interpolation::Free::fixed`.
+what becomes of vertices that are not interpolated, by default `Limit_interpolation::Free::fixed`.
 \param free a `Limit_interpolation::Free`
 */
 template <class Free>
@@ -419,8 +419,8 @@ auto max_curvature_steps(const Number& n)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-whether `CatmullClark_subdivision()` and `Loop_subdivision()` have other eigenvalues at separated extraordinary vertices: the
-curvature is bounded there. By default they have not.
+whether `CatmullClark_subdivision()` and `Loop_subdivision()` are the modified schemes, with other eigenvalues at separated extraordinary vertices,
+where curvature is then bounded. By default they are not.
 \param yes a `bool`
 */
 template <class Bool>
@@ -443,8 +443,8 @@ auto curvature_transfer(const Bool& yes)
 
 /*!
 \ingroup PkgPNSubdivision3Functions
-the least number of facets a full turn for which `recognize_surfaces()` takes a prism for a round that nothing else about the
-part tells to be one, by default 8.
+the least number of facets a full turn for which `recognize_surfaces()` takes a prism for round if nothing else in the
+part indicates it, by default 8.
 \param n at least 3
 */
 template <class Number>
@@ -478,7 +478,7 @@ auto sharp_angle(const FT& degrees)
 
 /*!
 \ingroup PkgPNSubdivision3Attributes
-what is carried beside points and normals: any number of the results of `vertex_attribute()`, `corner_attribute()`,
+the attributes to be refined: any number of the results of `vertex_attribute()`, `corner_attribute()`,
 `edge_attribute()`, `face_attribute()`, `face_parents()`, `vertex_parents()` and `edge_parents()`.
 */
 template <class... Items>
@@ -501,7 +501,7 @@ inline auto attributes(const Attribute_table& table)
   return internal::with_parameter<internal::attributes_t>(std::cref(table));
 }
 /// \ingroup PkgPNSubdivision3Attributes
-/// a table of what is carried beside points and normals, which is read and changed.
+/// a table of attributes, which is read and changed.
 inline auto attributes(Attribute_table& table)
 {
   return internal::with_parameter<internal::attributes_t>(std::ref(table));

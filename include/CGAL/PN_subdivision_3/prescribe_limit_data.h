@@ -118,9 +118,9 @@ prescribe(const Access& access, const Level_connectivity& level, const Interpola
           [[maybe_unused]] const Curvatures& curvatures, const Interpolation_options& options)
 {
   if (const auto v = vertex_without_tangents(prescribed, data, source))
-    throw std::invalid_argument(
-      "PN_subdivision_3: a normal is prescribed at " + access.vertex_name(*v) +
-      ", where the scheme tells of no tangent plane: prescribe none there");
+    throw std::invalid_argument("PN_subdivision_3: a normal is prescribed at " +
+                                access.vertex_name(*v) +
+                                ", where the scheme has no tangent plane: prescribe none there");
   if constexpr (!std::is_same_v<Curvatures, Not_given>) {
     const auto forms = read_prescribed_forms(access, level, curvatures, data.exponent);
     const double size = box_size(data.points);
@@ -152,18 +152,18 @@ prescribed data; all others stay. Where conditions contradict each other, or are
 control points to move, the least-squares solution results, and the report says what is left: with all
 points and all normals prescribed, subdivide once before, and prescribe at the old vertices.
 
-Normals can be prescribed where the scheme tells of a tangent plane, see `limit_points()`: at interior
+Normals can be prescribed where the scheme has a tangent plane, see `limit_points()`: at interior
 vertices, and on the border at valence 3 (Catmull-Clark) or 3 to 6 (Loop). Two patches that prescribe the
 same points and normals along a common border meet with common tangent planes at its vertices.
 
 <b>Curvatures.</b> The quadratic form that the surface lacks at a vertex is added to the control points and
-the control normals of its 1-ring alike, which keeps the limit point and the tangent plane but for terms
+the control normals of its 1-ring together, which keeps the limit point and the tangent plane up to terms
 of higher order; these are then restored by the system above. That is repeated while the curvature comes
 closer: by a factor of a thousand a step where the surface is smooth against its edges, of 3 to 10 on coarse
 nets. Where a curvature but no point or no normal is prescribed, limit point and normal stay.
 Curvature can be prescribed where the scheme has it as a limit: at regular vertices, and at extraordinary ones with the
-tuned schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
-settled there (no other extraordinary vertex next to it, with the tuned schemes), and no two of these
+modified schemes. The faces about the vertex have to be those that the scheme makes, the rules of the scheme
+settled there (no other extraordinary vertex next to it, with the modified schemes), and no two of these
 vertices may have a vertex of their faces in common: subdivide the mesh first where that is not so.
 
 Computed in `double`, whatever the number type.
@@ -182,7 +182,7 @@ Computed in `double`, whatever the number type.
   their tolerances.
 
 \throws std::invalid_argument as `interpolate_limit_points()` does, and with the name of the vertex if what
-  is prescribed is not finite, a normal is prescribed where the scheme tells of no tangent plane, or a
+  is prescribed is not finite, a normal is prescribed where the scheme has no tangent plane, or a
   curvature where it cannot be, see above, or where control normals of the 1-ring are zero or more than 60
   degrees from their limit, or with a direction that is zero or that of the normal; the mesh has not been
   changed then

@@ -32,7 +32,7 @@ inline int checked_bits(int bits)
 /*!
 \ingroup PkgPNSubdivision3Kernels
 
-returns a vector of an exact kernel whose length is 1, exactly, and whose direction is that of `v` but for an angle of less than
+returns a vector of an exact kernel whose length is 1, exactly, and whose direction is that of `v` up to an angle of less than
 1.5 &middot; 2<sup>-bits</sup>. Its coordinates are fractions with a common denominator of at most 2 `bits` + 1 bits, whatever the
 length of the numbers of `v`.
 

@@ -42,12 +42,12 @@ namespace PN_subdivision_3 {
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-A refined surface that is made piece by piece, where it is too large to be held.
+A refined surface that is made piece by piece, because it is too large for memory.
 
 The pieces together are what `subdivide()` gives, bit for bit: the same points and normals under the same
-numbers, without gaps between the pieces; with options that let the compiler fuse products and sums, such as
-`-march=native`, last bits may differ. Each is made from the control mesh alone, so that several threads or
-machines can make different ones, without talking to each other.
+numbers, without gaps between the pieces; options that let the compiler fuse products and sums, such as
+`-march=native`, may change last bits. Each is made from the control mesh alone, so that several threads
+or machines can make different ones without communication.
 
 \code{.cpp}
 Surface_pieces pieces(mesh, CatmullClark_scheme(),
@@ -60,19 +60,19 @@ for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
 
 The control mesh is refined until there are at least 16 faces for each piece. These are divided, by planes,
 into pieces with about equally many corners. A piece is refined together with `Scheme::ghost_rings` rings of
-faces around it: as many as the scheme needs so that a round leaves as many right, and one more if there are
-creases. The last level's are cut off.
+faces around it: as many as the scheme needs to get as many right in the next level, and one more if there are creases.
+They are cut off in the last level.
 
 <b>Creases.</b> Sharp edges and vertices, `border`, `crease_tangent_map` and normals of half-edges are
 those of `subdivide()`. `Surface_piece::normals()` has the mean normal of the wedges of a vertex, as a vertex
-normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` tells that of each wedge.
+normal map has it after `subdivide()`, and `Surface_piece::corner_normal()` returns that of each wedge.
 
 <b>Limits.</b> With `parameters::to_limit(true)` the vertices are on the limit surface, with
 `parameters::surface_normals(true)` beside it they have its normals: those of `subdivide_to_limit()`, bit for bit. The
 `tolerance` is a part of the size of the refined surface: the first piece that is made goes over
-all pieces for it, without limits, which takes a small part of the time that these take. Several machines share that if
-each tells the others `box_of_piece()` of some, and gives `set_box()` what all of them are in. Pieces have seven rings or
-so of faces around them for it, in place of the ghost rings; the number of rounds is one at which what is sharp is so for ever.
+all pieces for it, without limits, which takes a small part of the time that these take. Several machines can share that
+work: each computes `box_of_piece()` of some pieces, and passes the union of all boxes to `set_box()`. Pieces then have about
+seven rings of faces around them instead of the ghost rings; after the rounds, sharpness must be infinite or used up.
 
 <b>Memory.</b> The level that is divided, about 190 bytes a face, as long as the object lives. A call of
 `piece()` needs 210 bytes for each quad of the piece in `double` (half as many for a triangle), 100 of which
@@ -96,7 +96,7 @@ template <class Scheme, class GeomTraits, class Concurrency_tag = Sequential_tag
 class Surface_pieces
 {
   static_assert(internal::Is_any<Scheme>::value || internal::Ghost_rings<Scheme>::value != 0,
-                "PN_subdivision_3: the scheme has no ghost_rings: it does not tell how many rings "
+                "PN_subdivision_3: the scheme has no ghost_rings: it does not say how many rings "
                 "of faces a piece needs around it");
 
   using FT = typename GeomTraits::FT;
@@ -361,7 +361,7 @@ private:
       ghost_rings_ = internal::ghost_rings(scheme);
       if (ghost_rings_ == 0)
         throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
-                                    " has no ghost_rings: it does not tell how many rings of "
+                                    " has no ghost_rings: it does not say how many rings of "
                                     "faces a piece needs around it");
       if (number_of_pieces_ == 0)
         throw std::invalid_argument("PN_subdivision_3: no pieces: ask for at least one");

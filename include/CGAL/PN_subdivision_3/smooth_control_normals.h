@@ -106,7 +106,7 @@ a share A of the area at each vertex, relative to the mean, and a strength &lamb
 is minimized, which takes one sparse linear solve. Its solution, made of unit length, is the result.
 
 <b>Strength.</b> On a smooth surface with exact normals the defects \f$ r = (n_i + n_j) \cdot e / |e| \f$ about a vertex are
-a cubic form of the edges over their lengths, but for terms of third order. Such a form is fitted to the edges of the faces of each vertex, and what it leaves
+a cubic form of the edges over their lengths, up to terms of third order. Such a form is fitted to the edges of the faces of each vertex, and what it leaves
 is noise; its mean square \f$ \sigma^2 \f$ comes from the median over the N vertices that have enough edges, as does that of r, \f$ \rho^2 \f$.
 Then, with \f$ \epsilon = \min(2/\sqrt N, 1/5) \f$ for what both may be off by chance,
 
@@ -122,7 +122,7 @@ zero ones. There is no arc between normals that are 90 degrees or more apart, so
 neighbors. What is not changed is not written. On creases every wedge has arcs
 and a normal of its own.
 
-<b>Strong guarantee.</b> If an exception leaves the function, the normals are as they were, but for maps of the user's
+<b>Strong guarantee.</b> If an exception leaves the function, the normals are as they were, except for maps of the user's
 whose `put()` throws also while old values are put back.
 
 Computed in `double`, whatever the number type. Not part of the header `CGAL/PN_subdivision_3.h`, since it needs
@@ -138,7 +138,7 @@ Computed in `double`, whatever the number type. Not part of the header `CGAL/PN_
 \param normals the control normals, of vertices or of the corners at the targets of half-edges as in `subdivide()`; zero ones stay
   zero
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` as in
-  `subdivide()`, and for normals of corners `edge_is_constrained_map`, which tells the creases
+  `subdivide()`, and for normals of corners `edge_is_constrained_map`, which gives the creases
 
 \returns what has been found and done
 \throws std::invalid_argument if the mesh is not an oriented 2-manifold with border, a point or a normal is not finite, or a

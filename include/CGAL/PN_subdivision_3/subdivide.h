@@ -60,12 +60,12 @@ their hosts); all property maps remain valid, and all other new elements have de
 stay removed, and new ones follow behind them. For a `Polyhedron_3` call `normalize_border()`
 afterwards if you need it.
 
-<b>Attributes.</b> What else the mesh carries is named in `attributes`: values of vertices and corners are averaged
-by the scheme's linear rows, in the same pass as the points, edges and faces pass theirs on. Where elements come from is
-told to the visitor or written into maps. Attributes change no bit of points and normals.
+<b>Attributes.</b> Other data of the mesh are named in `attributes`: values of vertices and corners are averaged
+by the scheme's linear rows, in the same pass as the points; edges and faces pass theirs on. Parents of elements are
+passed to the visitor or written into maps. Attributes change no bit of points and normals.
 
-<b>New vertices.</b> Maps of the user's have to take vertices that the mesh gets while it grows: an
-array of fixed size does not. New elements of a `Polyhedron_3` with `Polyhedron_items_with_id_3` have
+<b>New vertices.</b> Your maps must accept the new vertices of the mesh: an array
+of fixed size does not. New elements of a `Polyhedron_3` with `Polyhedron_items_with_id_3` have
 no ids yet, so that a map which goes through `vertex->id()` would be written out of its bounds: use
 dynamic property maps, and call `CGAL::set_halfedgeds_items_id()` afterwards. A mask of your own must
 not read properties of the mesh, which grows at the same time: let the scheme hold a copy of them.
@@ -142,7 +142,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamDefault{`Control_normal_estimate::coherent`}
   \cgalParamNEnd
   \cgalParamNBegin{border}
-    \cgalParamDescription{what becomes of the border}
+    \cgalParamDescription{how the border is treated}
     \cgalParamType{`Border`; `parameters::border()` makes the parameter}
     \cgalParamDefault{`Border::surface`}
   \cgalParamNEnd
@@ -154,7 +154,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamDefault{they are made from the points and the normals}
   \cgalParamNEnd
   \cgalParamNBegin{attributes}
-    \cgalParamDescription{what is carried besides}
+    \cgalParamDescription{the attributes to be refined}
     \cgalParamType{what `parameters::attributes()` is given: maps, or an `Attribute_table`, which is read and changed}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -185,8 +185,8 @@ back, and what such a map stores for vertices that exist no longer. An exception
     \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object that is told of the rounds and of where the elements of the refined mesh come
-                          from. A member that cannot be called with what it is to be given is refused when the
+    \cgalParamDescription{an object whose members are called for rounds and for the elements of the refined mesh, with their
+                          parents. A member that cannot be called with what it is to be given is refused when the
                           call is compiled. With `Parallel_tag` it may be called from another thread.}
     \cgalParamType{a copyable model of `PNSubdivisionVisitor_3`, or a `std::reference_wrapper` to one}
     \cgalParamDefault{no visitor}
@@ -206,7 +206,7 @@ back, and what such a map stores for vertices that exist no longer. An exception
 <br><b>Cost:</b> linear in the size of the output, in time and memory, while the degrees of the faces and the
 valences are bounded. Loop, Catmull-Clark and \f$ \sqrt{3} \f$ subdivision are linear whatever the
 valences. A vertex of valence m takes time m<sup>2</sup> with the other schemes, and a face of degree m
-with all that take polygons; `estimated_row_entries()` tells beforehand.
+with all that take polygons; `estimated_row_entries()` estimates it.
 */
 template <class Concurrency_tag = Sequential_tag, class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>

@@ -48,7 +48,7 @@ of the limit.
 not moved to their limits. With 0 rounds they stay as they are, and the visitor is not called. It may cancel the call by
 an exception of `round_done()`, also of the last round, after which limits are computed.
 
-<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, but for maps of
+<b>Strong guarantee.</b> If an exception leaves the function, the maps are as they were, except for maps of
 the user's whose `put()` throws also while old values are put back.
 
 \param mesh an oriented 2-manifold with border

@@ -41,7 +41,7 @@ struct Tessellation_result
   std::size_t worst_face = 0;
   /// where that is, about.
   std::array<double, 3> worst_place{};
-  /// whether `bound` is within what was asked for everywhere.
+  /// whether `bound` is within the tolerance everywhere.
   bool reached = true;
   /// the number of vertices of the result.
   std::size_t number_of_vertices = 0;
@@ -76,16 +76,16 @@ Attribute_table* attribute_table(const NamedParameters& np)
 /*!
 \ingroup PkgPNSubdivision3Limit
 
-approximates the limit surface of a mesh by triangles, to a tolerance: where the surface is flat they are large, where it
-is curved they are as small as it takes, and there are no cracks between them.
+approximates the limit surface of a mesh by triangles, to a tolerance: large ones where the surface is flat,
+small ones where it is curved, without cracks between them.
 
-The vertices of the result are limit points, as `limit_points()` has them, with normals of the surface. The mesh is
-refined round by round, but only the faces that are not flat enough, with the rings of faces around them that their
-rounds read, so that time and memory are those of the result. Each vertex gets its limit when it is new, once. An edge
-is split alike for the faces on both sides; where one of them is refined further, the other one's triangles have
-the vertices on it as corners.
+The vertices of the result are limit points, as from `limit_points()`, with normals of the surface. In each round only
+the faces that are not flat enough are refined, with the rings of faces around them that the scheme reads, so that
+time and memory are proportional to the result. Each vertex is moved to its limit once, when it is new. An edge is split
+in the same way for the faces on both sides; if one of them is refined further, the triangles of the other one
+include the vertices on the edge.
 
-<b>The error.</b> How far the surface is from the triangles of a face is estimated before they are refined, from the
+<b>The error.</b> The distance of the surface from the triangles of a face is estimated before they are refined, from the
 limit points \f$ p_i \f$ and surface normals \f$ n_i \f$ at its corners: the height of the surface over the middle of a
 chord is that of the point-normal average (`PN_average`) of its ends,
 \f[ s_{ij} = \frac14\,(\tau_j-\tau_i)\cdot(p_j-p_i), \qquad \tau_i=\frac{n_i+n}{1+n_i\cdot n}, \quad
@@ -93,25 +93,25 @@ n=\frac{n_i+n_j}{|n_i+n_j|}, \f]
 exact on spheres and cylinders and of fourth order elsewhere, and that of a surface of second order over a triangle is at
 most
 \f$ 4s_{12}s_{23}s_{31}/(\sum_{i<j} 2 s_is_j-\sum_i s_i^2) \f$ or the largest of the \f$ |s_{ij}| \f$. When a face is
-split, the new limit points tell how far they are from where they had been expected; half of this is added to the
+split, the distance of the new limit points from their expected places is measured; half of it is added to the
 estimate of its children. Without surface normals (at creases, corners, and where the ring has no tangent plane) 0.27 to 0.45 of
 the distance that was measured on the parent stands for the estimate, as the limits of the control normals have it between
 these; a fourth is what remains of it on smooth surfaces. On the control mesh itself a round is made of all faces, and the estimate is the measured distance.
-Edges on creases and borders have to be as close to their curve, which the turns of the points of the level along it
-tell. All is multiplied by 1.1, and by 1.25 at borders. It is an estimate, and not a proof.
+Edges on creases and borders must be as close to their curve, which is estimated from the turns of the points of the level
+along it. Everything is multiplied by 1.1, at borders by 1.25. It is an estimate, not a proof.
 
 <b>A proven bound.</b> With `parameters::proven_bound(true)` faces are split until a bound is within the tolerance: the limit is as near to
 that of the linear scheme as the enclosure of `Limit_surface` has it, after up to two more rounds on the face; that one lies in the hull of
 its Bezier points (next to an extraordinary vertex of control points, after up to 16 rounds); and the distances of these from the
 face's triangles and sides are known, whatever vertices neighbors put on the sides. This is for coordinates in `double`, and for what
-`Limit_surface::proven_bbox()` covers; it takes some milliseconds a face, and about twice as many triangles. Splits are not taken back.
+`Limit_surface::proven_bbox()` covers; it takes some milliseconds per face, and about twice as many triangles. Splits are not undone.
 
-<b>What is bent one way only.</b> Faces are split both ways. In the end, a face whose triangles with the vertices on its sides alone
+<b>Surfaces bent in one direction.</b> Faces are split in both directions. In the end, a face whose triangles with only the vertices on its sides
 are flat enough, by the same estimate and by the distances of the vertices inside, gets these triangles; and sides that are
 straight lose their vertices, if both faces agree. So rulings of cylinders and cones stay undivided, and planes within curved
 rims have few triangles, which may be long.
 
-<b>Creases and borders</b> are those of `subdivide_to_limit()`: what is sharp has to be so for ever. A plane stays as
+<b>Creases and borders</b> are those of `subdivide_to_limit()`: sharpness must be infinite. A plane stays as
 coarse as the control mesh is, apart from faces with more than four corners, which are split once.
 
 \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` (which needs TBB) or `Parallel_if_available_tag`. The result is

@@ -63,7 +63,7 @@ std::string Limit_summary::description(const Limit_choice& choice) const
     s += (s.empty() ? "" : "; ") + std::string(text);
     if (stand_ins > 0)
       s += ", control normals at " + std::to_string(stand_ins) +
-           (stand_ins == 1 ? " vertex" : " vertices") + " where the scheme tells of none";
+           (stand_ins == 1 ? " vertex" : " vertices") + " where the scheme has none";
   }
   return s;
 }

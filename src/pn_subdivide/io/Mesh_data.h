@@ -152,7 +152,7 @@ public:
   std::vector<Triple> normals, corner_normals;
   std::vector<Corner_normal> several_normals;     // in the order of the corners
   Normal_kind normal_kind = Normal_kind::control; // of these
-  // That of each point, beside its control normals; empty: 1 everywhere, or not known.
+  // That of each point, besides its control normals; empty: 1 everywhere, or not known.
   std::vector<double> roundness;
   // to be written beside these, if they are not themselves control normals
   std::vector<Triple> control_normals, corner_control_normals;

@@ -162,8 +162,7 @@ std::string Border_contacts::description(double distance_of_diagonal) const
   char percent[30];
   std::snprintf(percent, sizeof percent, "%.3g%%", 100 * distance_of_diagonal);
   add(equal, " on others: --merge-points joins them");
-  add(near,
-      std::string(" on others but for rounding: --merge-distance ") + percent + " joins them");
+  add(near, std::string(" on others up to rounding: --merge-distance ") + percent + " joins them");
   add(along, " along others with other ends (T-junctions), where the surface stays open");
   return text;
 }

@@ -89,7 +89,7 @@ void require_options_for_surfaces(const Surface_options& options)
 {
   if (!wants_surfaces(options.creases)) return;
   exclude(options.creases.sharpness.has_value(), "--sharpness",
-          "creases between surfaces are sharp for ever");
+          "creases between surfaces are sharp forever");
   exclude(options.interpolate.has_value(), "--interpolate",
           "surfaces with sharp edges cannot be made to pass through points");
 }

@@ -391,7 +391,7 @@ void require_chord_bound(const Surface_options& options)
   if (!options.chord) throw Usage_error("--chord-bound needs --chord");
   if (bound == "proven" && options.auto_levels)
     throw Usage_error("--chord-bound proven and --levels auto exclude each other: distances of "
-                      "meshes that are refined alike are measured");
+                      "uniformly refined meshes are measured");
 }
 
 } // namespace
@@ -438,7 +438,7 @@ Chord_rounds rounds_for_chord(const Mesh_data& mesh, const Creases& creases,
 {
   constexpr std::size_t most_faces_measured = 1000000;
   Refined_surface refined(mesh, creases, scheme, threads);
-  unsigned first = 0; // limits are known only of edges that are smooth or sharp for ever
+  unsigned first = 0; // limits are known only of edges that are smooth or sharp forever
   for (const double s : creases.edges)
     if (!std::isinf(s)) first = (std::max)(first, static_cast<unsigned>(std::ceil(s)));
   double error = std::numeric_limits<double>::infinity(), factor = 0.25;

@@ -435,7 +435,7 @@ void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
 {
   if (!rounds.attributes->corners.empty() && !options.texture_rule)
     report.remark(plan.input.title("standard input") +
-                  ": beside --chord texture coordinates are linear inside the control faces, as "
+                  ": with --chord texture coordinates are linear inside the control faces, as "
                   "--texture-rule all has them");
   const Tessellation result =
     tessellate_surface(surface, scheme, rounds.creases, chord, options.chord_bound == "proven",
@@ -523,7 +523,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   }
 }
 
-// Limits are those of what is smooth or sharp for ever.
+// Limits are those of what is smooth or sharp forever.
 void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned levels)
 {
   const Limit_choice& limit = plan.limit;
@@ -533,15 +533,15 @@ void require_limit_of_creases(const Creases& creases, const Plan& plan, unsigned
     if (!std::isinf(s)) sharpness = (std::max)(sharpness, s);
   if (sharpness <= (plan.is_adaptive ? 0 : levels)) return;
   if (plan.is_adaptive)
-    throw Usage_error("--chord: limits are known only of edges that are smooth or sharp for ever; "
+    throw Usage_error("--chord: limits are known only of edges that are smooth or sharp forever; "
                       "take --sharpness inf, or --levels auto");
   throw Usage_error(std::string(limit.points ? "--limit" : limit.normals_option) +
-                    ": limits are known only of edges that are smooth or sharp for ever; with this "
+                    ": limits are known only of edges that are smooth or sharp forever; with this "
                     "--sharpness take --levels " +
                     std::to_string(static_cast<unsigned long>(std::ceil(sharpness))) + " or more");
 }
 
-// Control points slide on smooth surfaces only, and limits are those of what is smooth or sharp for ever.
+// Control points slide on smooth surfaces only, and limits are those of what is smooth or sharp forever.
 void require_interpolation_of_creases(const Creases& creases, const Plan& plan)
 {
   if (!plan.interpolation) return;

@@ -115,7 +115,7 @@ void require_options_for_tessellation(const Surface_options& options, const Mesh
   refuse(options.limit.tolerance.has_value(), "--limit-tolerance",
          "its points are limits to 1/1024 of the chord's tolerance and better");
   refuse(options.curvature.has_value(), "--curvature",
-         "it is measured on meshes that are refined alike everywhere");
+         "it is measured on uniformly refined meshes");
 }
 
 Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,

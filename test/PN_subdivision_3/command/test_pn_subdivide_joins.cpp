@@ -151,7 +151,7 @@ TEST_F(Pn_subdivide_joins, StlWithinFourUnitsOfTheLastPlace)
       // as asked for
       const std::string apart = "--repair --merge-distance 0";
       EXPECT_GT(joined(input, apart).points.size(), vertices_of_box(3));
-      expect_part(surface(input, apart).err, "border edges lie on others but for");
+      expect_part(surface(input, apart).err, "border edges lie on others up to");
     }
 }
 
@@ -163,8 +163,7 @@ TEST_F(Pn_subdivide_joins, StlBeyondThatIsLeftOpenAndSaid)
   const std::string input = folder.write("a.stl", stl(box(2, {0, 0, 0}, 1, crack), false));
   const Outcome outcome = surface(input, "--quiet");
   EXPECT_EQ(joined(input).points.size(), vertices_of_box(2) + 3);
-  expect_part(outcome.err,
-              " border edges lie on others but for rounding: --merge-distance 0.0001%");
+  expect_part(outcome.err, " border edges lie on others up to rounding: --merge-distance 0.0001%");
   EXPECT_EQ(joined(input, "--merge-distance 1e-6").points.size(), vertices_of_box(2));
   EXPECT_EQ(joined(input, "--merge-distance 0.0001%").points.size(), vertices_of_box(2));
   EXPECT_EQ(surface(input, "--quiet --merge-distance 1e-6").err, "");

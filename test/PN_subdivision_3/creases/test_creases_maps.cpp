@@ -76,7 +76,7 @@ TYPED_TEST(Crease_maps_of, TheLargestIntegerIsSharpForEver)
   ASSERT_EQ(PN::detect_creases(by_numbers, 30, numbers), 12u);
   for (const Edge e : by_integers.edges()) EXPECT_EQ(integers[e], for_ever);
 
-  // rounds, and limits, which know what is sharp for ever only
+  // rounds, and limits, which know what is sharp forever only
   const auto scheme = PN::CatmullClark_scheme();
   const auto two = np::number_of_iterations(2);
   PN::subdivide(by_integers, scheme, two.edge_is_constrained_map(integers));

@@ -5,7 +5,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
-// Interpolation with creases that are sharp for ever: limits of the control net, as subdivide_to_limit() has them, are the
+// Interpolation with creases that are sharp forever: limits of the control net, as subdivide_to_limit() has them, are the
 // data. The limits are evaluated by another call, with the normals and tangents that were written.
 
 #include "Feature_matrix.h"

@@ -39,7 +39,7 @@ void reject(Mesh& mesh)
   // expected: the mesh is const
 
   PN::CatmullClark_subdivision(mesh, 3);
-  // expected: the last argument is no named parameter: for a number of rounds write
+  // expected: the last argument is not a named parameter: for a number of rounds write
 
   std::vector<Kernel::Point_3> points_of_soup;
   std::vector<std::vector<std::size_t>> polygons;
@@ -54,7 +54,7 @@ void reject(Mesh& mesh)
 
   PN::limit_points(mesh, PN::Loop_scheme(),
                    mesh.add_property_map<Edge, PN::Limit_point<Kernel>>("of edges").first);
-  // expected: the map of limit points is no property map of the mesh's vertices
+  // expected: the map of limit points is not a property map of the mesh's vertices
 
   PN::limit_points(mesh, PN::Loop_scheme(), params::geom_traits(Kernel()));
   // expected: limit_points() has nothing to write
@@ -70,11 +70,11 @@ void reject(Mesh& mesh)
 
   CGAL::Face_filtered_graph<Mesh> part(mesh);
   PN::CatmullClark_subdivision(part);
-  // expected: the mesh is no model of MutableFaceGraph
+  // expected: the mesh is not a model of MutableFaceGraph
 
   CGAL::Dual<Mesh> dual(mesh);
   PN::Loop_subdivision(dual);
-  // expected: the mesh is no model of MutableFaceGraph
+  // expected: the mesh is not a model of MutableFaceGraph
 
   auto creases = mesh.add_property_map<Edge, bool>("creases").first;
 
@@ -82,7 +82,7 @@ void reject(Mesh& mesh)
   // expected: edge_is_constrained_map or vertex_is_constrained_map is no
 
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::crease_tangent_map(creases));
-  // expected: crease_tangent_map is no property map of the mesh's half-edges
+  // expected: crease_tangent_map is not a property map of the mesh's half-edges
 
   auto tangents = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_3>("tangents").first;
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::crease_tangent_map(tangents));
@@ -102,7 +102,7 @@ void reject(Mesh& mesh)
   // expected: CatmullClark_scheme::Grid is a scheme of subdivide() only
 
   PN::detect_creases(mesh, 60, mesh.add_property_map<Vertex, bool>("no edges").first);
-  // expected: the map of creases is no property map of the mesh's edges
+  // expected: the map of creases is not a property map of the mesh's edges
 
   PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2.5));
   // expected: number_of_iterations is not an integer
@@ -119,14 +119,14 @@ void reject(Mesh& mesh)
 
   const auto function = [](Vertex) { return Kernel::Vector_3(0, 0, 1); };
   PN::CatmullClark_subdivision(mesh, params::vertex_normal_map(function));
-  // expected: the normal map is no property map of the mesh's vertices
+  // expected: the normal map is not a property map of the mesh's vertices
 
   auto normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("normals").first;
   PN::CatmullClark_subdivision(mesh, params::vertex_point_map(normals));
   // expected: the values of vertex_point_map are not Point_3
 
   PN::CatmullClark_subdivision(mesh, params::vertex_point_map(function));
-  // expected: vertex_point_map is no property map of the mesh's vertices
+  // expected: vertex_point_map is not a property map of the mesh's vertices
 
   auto points = mesh.add_property_map<Vertex, Float_kernel::Point_3>("points").first;
   PN::estimate_control_normals(mesh, points);
@@ -179,26 +179,26 @@ void reject(Mesh& mesh)
 
   PN::subdivide(mesh, PN::Loop_scheme(),
                 PN::parameters::attributes(PN::parameters::face_attribute(creases)));
-  // expected: the map of an attribute is no property map of the
+  // expected: the map of an attribute is not a property map of the
 
   const PN::Attribute_table table;
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(table));
   // expected: the table of attributes is const
 
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(creases));
-  // expected: the map of an attribute is no property map of the
+  // expected: the map of an attribute is not a property map of the
 
   PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
                          params::vertex_is_constrained_map(creases).number_of_iterations(0));
-  // expected: is no property map of the mesh's edges or vertices
+  // expected: is not a property map of the mesh's edges or vertices
 
   PN::Surface_refiner(mesh, PN::Loop_scheme(), PN::parameters::attributes(3));
-  // expected: the map of an attribute is no property map of the
+  // expected: the map of an attribute is not a property map of the
 
   PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
                          PN::parameters::attributes(PN::parameters::face_attribute(creases),
                                                     PN::parameters::face_attribute(creases)));
-  // expected: the map of an attribute is no property map of the
+  // expected: the map of an attribute is not a property map of the
 
   PN::Surface_refiner(mesh, PN::CatmullClark_scheme(),
                       PN::parameters::crease_tangent_map(tangents));

@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Simple_homogeneous.h>
 #include <CGAL/Surface_mesh.h>
@@ -96,11 +97,11 @@ void reject()
 {
   Mesh_of<int> integers;
   PN::CatmullClark_subdivision(integers);
-  // expected: the number type of the kernel is no field
+  // expected: the number type of the kernel is not a field
 
   Mesh_of<CGAL::Mpzf> ring;
   PN::Loop_subdivision(ring);
-  // expected: the number type of the kernel is no field
+  // expected: the number type of the kernel is not a field
 
   CGAL::Surface_mesh<CGAL::Simple_homogeneous<CGAL::Gmpz>::Point_3> homogeneous;
   PN::CatmullClark_subdivision(homogeneous);
@@ -123,15 +124,15 @@ void reject()
 
   CGAL::Surface_mesh<Own_point<1>> points;
   PN::CatmullClark_subdivision(points);
-  // expected: the points are of no CGAL kernel
+  // expected: the points do not belong to a CGAL kernel
 
   CGAL::Surface_mesh<Own_point<2>> more_points;
   PN::subdivide_to_limit(more_points, PN::Loop_scheme(), CGAL::parameters::number_of_iterations(0));
-  // expected: the points are of no CGAL kernel
+  // expected: the points do not belong to a CGAL kernel
 
   PN::subdivide_curve(std::vector<std::pair<Own_point<3>, Own_point<3>>>(), PN::B_spline_mask(3),
                       PN::Curve_end::closed);
-  // expected: the points are of no CGAL kernel
+  // expected: the points do not belong to a CGAL kernel
 
   Mesh_of<double> mesh;
   auto arrays =

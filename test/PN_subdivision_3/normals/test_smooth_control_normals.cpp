@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Author(s): PN_subdivision_3 developers
 
-// Given normals that are smoothed against the points: a minimum by a dense solve, noise that is known, the mean change of
+// Given normals that are smoothed using the points: a minimum by a dense solve, noise that is known, the mean change of
 // curvature of the refined surface, what must not change.
 
 #include "Sampled_surfaces.h"

@@ -14,6 +14,7 @@
 #include "reference/Curve.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_curve.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

@@ -16,6 +16,7 @@
 
 #include <CGAL/PN_subdivision_3/analysis/curve_analysis.h>
 #include <CGAL/PN_subdivision_3/reproduction.h>
+#include <CGAL/PN_subdivision_curve.h>
 
 namespace kernel_cases {
 

@@ -66,7 +66,7 @@ struct Ring_curvature
 
 /*!
 \ingroup PkgPNSubdivision3Curvature
-The second order data that is predicted for a PN scheme with tuned rules at an extraordinary vertex, see
+The second order data that is predicted for a PN scheme with modified rules at an extraordinary vertex, see
 `Extraordinary_vertex_zoom::limit()`. The sign of the mean curvature is that of `Ring_curvature`.
 */
 template <class FT>
@@ -248,7 +248,7 @@ public:
 
   It is meant for schemes whose eigenvalues besides 1 and the subdominant ones are less than the
   square of the latter; the curvature of others need not settle at extraordinary vertices. That the
-  rings tend to it is proved for the tuned schemes, see \ref PNSubdivision_proofs_curvature. The error falls
+  rings tend to it is proved for the modified schemes, see \ref PNSubdivision_proofs_curvature. The error falls
   from level to level as the square of the size of the net.
 
   Slope, derivative and curvatures are NaN if U is singular but for rounding, as where the 1-ring has

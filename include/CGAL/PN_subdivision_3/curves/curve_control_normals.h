@@ -127,7 +127,7 @@ auto spherical_control_normals(const Range& polygon, const Point& center,
   static_assert(Points::dimension == 3,
                 "PN_subdivision_3: spherical control normals are for curves in space");
   static_assert(std::is_same_v<Point, typename Points::Point>,
-                "PN_subdivision_3: the center is no point as those of the polygon are");
+                "PN_subdivision_3: the center is not of the point type of the polygon");
   if constexpr (internal::check_kernel<typename Points::Kernel>()) {
     using FT = typename Points::FT;
     const Coordinates<FT, 3> c = internal::coordinates_3<FT>(center);

@@ -36,7 +36,7 @@ struct Limit_point
   typename GeomTraits::Vector_3 surface_normal{0, 0, 0};
   /// an estimate of the error of `surface_normal`, in radians.
   double normal_error = 0;
-  /// whether the surface has a tangent plane that its ring matrix tells of.
+  /// whether the ring matrix determines a tangent plane of the surface.
   bool has_surface_normal = false;
   /// \name Curvature
   /// if it was asked for and `has_curvature`; signs are those of `Vertex_curvature`.

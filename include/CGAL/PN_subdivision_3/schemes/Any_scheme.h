@@ -27,7 +27,7 @@ A scheme that is chosen at run time: any model of `PNSubdivisionScheme_3` on a h
 all functions and classes that take a scheme, which give the same bits as with the scheme itself; so are its
 adaptors, `linear(any)` and `with_normal_scheme(any, other)`. What is compiled is compiled once for all schemes.
 
-A row of weights costs one virtual call more, which is not measurable beside the average.
+A row of weights costs one virtual call more, which is not measurable next to the average.
 
 \code{.cpp}
 std::vector<Any_scheme<>> schemes{Any_scheme<>(Loop_scheme()), Any_scheme<>(Butterfly_scheme())};

@@ -55,7 +55,7 @@ private:
 /*!
 \ingroup PkgPNSubdivision3Schemes
 Upsampling of polygons: `Bilinear_mask` on `PQQ_host`. The linear scheme leaves planar faces as they are, and bends
-others into bilinear patches; all that `Midpoint_scheme` says holds here, too. Accepts any polygons.
+others into bilinear patches; see `Midpoint_scheme` for the rest. Accepts any polygons.
 \cgalModels{PNSubdivisionScheme_3}
 */
 struct Bilinear_scheme

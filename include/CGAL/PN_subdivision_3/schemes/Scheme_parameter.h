@@ -53,7 +53,7 @@ private:
 };
 
 /// \ingroup PkgPNSubdivision3Schemes
-/// at which extraordinary vertices a tuned scheme has rules of its own.
+/// at which extraordinary vertices a modified scheme has rules of its own.
 enum class Tuned_valences {
   /// at all.
   all,

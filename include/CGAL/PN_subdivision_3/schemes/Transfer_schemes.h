@@ -44,7 +44,7 @@ the heights goes to the normals. Points stay. Nothing is done
 The transfer is computed in the number type if that rounds and has square roots (`long double`, `Gmpfr`, Boost's floats; `float` is
 widened to `double`), and otherwise in `double`: in exact types the points remain exact, and Q is rounded. With interval number types `std::invalid_argument` is thrown.
 The result is the same for any number of threads, and it does not depend on the place, orientation and
-unit of the mesh but for rounding. `linear()` has the weights and no transfer, and so has
+unit of the mesh up to rounding. `linear()` has the weights and no transfer, and so has
 `subdivision_matrix()`. Near creases all is as at borders, where nothing is transferred.
 `with_normal_scheme()` refuses it, since points and normals belong together.
 
@@ -91,8 +91,8 @@ public:
 
 /*!
 \ingroup PkgPNSubdivision3Schemes
-Loop subdivision with transfer of curvature, see `CatmullClark_scheme::Transfer`, which has all that is said
-here in common with it: `Tuned_Loop_mask` on `PTQ_host`, where the quadratic eigenvalues (that of
+Loop subdivision with transfer of curvature, see `CatmullClark_scheme::Transfer`, which describes what
+both have in common: `Tuned_Loop_mask` on `PTQ_host`, where the quadratic eigenvalues (that of
 frequency 0 besides 1, and of frequencies 2 and n-2) become &lambda;'<sup>2</sup>. At valence 3 there
 is one functional, at valence 4 there are two: of the three components of Q the least ones that they
 allow are taken, and directions of curvature are not preserved there.

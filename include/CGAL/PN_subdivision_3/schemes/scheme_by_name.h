@@ -94,7 +94,7 @@ const auto scheme = any_scheme<double>("kobbelt", {{"tension", 1. / 16}});
 
 \tparam FT the number type of the points
 \param name the name, as in the command `pn_subdivide`
-\param parameters the scheme's parameter by its `parameter_name()`, and `first-round` of a tuned scheme; what is
+\param parameters the scheme's parameter by its `parameter_name()`, and `first-round` of a modified scheme; what is
   not given has its default
 
 \throws std::invalid_argument if there is no such scheme, or it has no such parameter: the message lists those that

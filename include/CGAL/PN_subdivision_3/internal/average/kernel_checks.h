@@ -95,7 +95,7 @@ constexpr bool check_kernel()
 {
   constexpr Kernel_fault fault = fault_of_kernel<Kernel>();
   static_assert(fault != Kernel_fault::no_points,
-                "PN_subdivision_3: the points are of no CGAL kernel, and none is given: "
+                "PN_subdivision_3: the points do not belong to a CGAL kernel, and none is given: "
                 "take Point_3 of a kernel, or name one by the parameter geom_traits");
   static_assert(fault != Kernel_fault::homogeneous,
                 "PN_subdivision_3: the kernel is homogeneous, and its quotients would grow without "
@@ -105,9 +105,10 @@ constexpr bool check_kernel()
     "PN_subdivision_3: the number type of the kernel has no CGAL::Algebraic_structure_traits and "
     "CGAL::Real_embeddable_traits with To_double and To_interval: specialize them (Boost's floats: "
     "include CGAL/PN_subdivision_3/boost_multiprecision_floats.h)");
-  static_assert(fault != Kernel_fault::no_field,
-                "PN_subdivision_3: the number type of the kernel is no field, and all weights are "
-                "quotients: take double, or CGAL::Gmpq for exact numbers");
+  static_assert(
+    fault != Kernel_fault::no_field,
+    "PN_subdivision_3: the number type of the kernel is not a field, and all weights are "
+    "quotients: take double, or CGAL::Gmpq for exact numbers");
   static_assert(fault != Kernel_fault::interval_of_bool,
                 "PN_subdivision_3: comparisons of this interval type cannot be undecided: take "
                 "CGAL::Interval_nt or CGAL::Gmpfi");

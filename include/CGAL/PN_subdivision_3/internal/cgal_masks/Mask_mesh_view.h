@@ -214,7 +214,7 @@ void check_mask_input(const PolygonMesh& mesh, const PointNormalMap& point_norma
             "has no edge, which CGAL's hosts cannot treat; remove it");
     const auto point_normal = get(point_normals, v);
     require(has_finite_coordinates(point_normal.first),
-            "has a point with an infinite or NaN coordinate; mend or remove it");
+            "has a point with an infinite or NaN coordinate; correct or remove it");
     require(has_finite_coordinates(point_normal.second),
             "has a normal with an infinite or NaN coordinate; give a unit or a zero normal");
     ++index;

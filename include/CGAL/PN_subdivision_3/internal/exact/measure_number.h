@@ -127,7 +127,7 @@ Number measure_number(const FT& x)
   else {
     static_assert(
       is_fraction_v<FT>,
-      "PN_subdivision_3: the numbers of the shape are no exact ones, or cannot be converted "
+      "PN_subdivision_3: the numbers of the shape are not exact, or cannot be converted "
       "to those of the points: take doubles, fractions or the kernel of the points");
     std::ostringstream text;
     text << x;

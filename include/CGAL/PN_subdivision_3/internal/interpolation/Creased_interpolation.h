@@ -275,7 +275,7 @@ void require_creased_options(const Options& options, const std::string& what_is_
           "control points move along on surfaces without creases only");
 }
 
-// Reads a mesh, some of which is sharp for ever, interpolates, and writes the control points, the normals of the wedges
+// Reads a mesh, some of which is sharp forever, interpolates, and writes the control points, the normals of the wedges
 // and the tangents of the creases. is_interpolated(v) tells the vertices.
 template <class FT, class Access, class Scheme, class Mesh, class NamedParameters, class Options,
           class Is_interpolated>

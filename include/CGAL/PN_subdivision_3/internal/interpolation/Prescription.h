@@ -199,7 +199,7 @@ private:
   std::vector<double> scales_; // of the conditions
 };
 
-// the first vertex of a prescribed normal where the scheme tells of no tangent plane
+// the first vertex of a prescribed normal where the scheme has no tangent plane
 inline std::optional<Level_connectivity::Index>
 vertex_without_tangents(const std::vector<Prescribed_vertex>& prescribed,
                         const Interpolation_data<3>& data, Surface_limits& source)

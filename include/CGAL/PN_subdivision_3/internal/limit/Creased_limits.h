@@ -37,7 +37,7 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
-// The limits at all slots of a level with creases that are sharp for ever.
+// The limits at all slots of a level with creases that are sharp forever.
 //
 // Where there is no crease, they are those of the level cut open: what the ring of a vertex becomes depends on
 // the ring alone, and in it on slots. Vertices on creases are evaluated with their neighbors along the

@@ -60,7 +60,8 @@ void refuse_intervals()
     throw std::invalid_argument(
       "PN_subdivision_3: limits of point-normal schemes are estimated, so that intervals around "
       "them "
-      "need not contain them: take linear() of the scheme, or a number type that is no interval");
+      "need not contain them: take linear() of the scheme, or a number type that is not an "
+      "interval");
 }
 
 // what limits are to have, and how well; parameters.h says more

@@ -83,7 +83,7 @@ void require_sharp_for_ever(const Access& access, const Creases<FT>& creases, un
     if (s == infinite_sharpness || s <= rounds) return;
     std::ostringstream message;
     message << "PN_subdivision_3: the sharpness of " << name() << " is " << s
-            << ", and limits are known only of what is smooth or sharp for ever: ";
+            << ", and limits are known only of what is smooth or sharp forever: ";
     const double missing = std::ceil(s) - rounds;
     message << "subdivide by " << missing << (missing == 1 ? " more round" : " more rounds")
             << ", or make it infinite";

@@ -253,7 +253,7 @@ void require_proof_of_all(const Cells& cells)
   if (!has_proven_bound(cells.scheme()))
     throw std::invalid_argument("PN_subdivision_3: no distance is proven for " +
                                 name_in_message(cells.scheme()) +
-                                ", but for Catmull-Clark and Loop" + rest);
+                                ", except for Catmull-Clark and Loop" + rest);
   Index first = Level_connectivity::null;
   std::string why;
   for (Index f = 0; f < cells.control().level.number_of_faces(); ++f)

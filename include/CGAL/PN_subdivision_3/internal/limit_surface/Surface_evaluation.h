@@ -112,7 +112,7 @@ public:
       if (!has_proven_bound(cells_.scheme()))
         throw std::invalid_argument("PN_subdivision_3: no enclosure is proven for " +
                                     name_in_message(cells_.scheme()) +
-                                    ", but for Catmull-Clark and Loop: use bbox()");
+                                    ", except for Catmull-Clark and Loop: use bbox()");
       require_proof(cells_, face, degree);
     }
     Cell_enclosure<Cells> enclosure(cells_, degree, is_pn, is_proven, rounds, more_rounds);

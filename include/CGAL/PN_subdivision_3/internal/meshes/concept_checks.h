@@ -38,7 +38,7 @@ constexpr bool check_named_parameters()
 {
   static_assert(
     are_named_parameters_v<NamedParameters>,
-    "PN_subdivision_3: the last argument is no named parameter: for a number of rounds write "
+    "PN_subdivision_3: the last argument is not a named parameter: for a number of rounds write "
     "CGAL::parameters::number_of_iterations(3)");
   return are_named_parameters_v<NamedParameters>;
 }
@@ -77,7 +77,7 @@ constexpr bool check_mutable_mesh()
   static_assert(is_mutable, "PN_subdivision_3: the mesh is const, but it is to be refined");
   static_assert(
     is_mutable_face_graph,
-    "PN_subdivision_3: the mesh is no model of MutableFaceGraph: views and filtered "
+    "PN_subdivision_3: the mesh is not a model of MutableFaceGraph: views and filtered "
     "graphs cannot be refined, copy the mesh (CGAL::copy_face_graph()); a soup becomes a mesh by "
     "CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh()");
   return is_mutable && is_mutable_face_graph;
@@ -241,7 +241,7 @@ constexpr bool check_limit_map()
   if constexpr (!Is_property_map_of<Map, Key>::value) {
     static_assert(
       Is_property_map_of<Map, Key>::value,
-      "PN_subdivision_3: the map of limit points is no property map of the mesh's vertices "
+      "PN_subdivision_3: the map of limit points is not a property map of the mesh's vertices "
       "(of a dual scheme: of its faces)");
     return false;
   } else {
@@ -287,7 +287,7 @@ template <class Mesh, class... Items>
 struct Check_attributes<Mesh, Attributes<Items...>>
 {
   static constexpr bool value = (is_attribute_of_v<Mesh, Items> && ...);
-  static_assert(value, "PN_subdivision_3: the map of an attribute is no property map of the "
+  static_assert(value, "PN_subdivision_3: the map of an attribute is not a property map of the "
                        "mesh's vertices, half-edges, edges or faces, as its name says");
 };
 
@@ -345,7 +345,7 @@ constexpr bool check_detection_arguments()
     return false;
   else if constexpr (!Is_property_map_of<Map, Edge>::value) {
     static_assert(Is_property_map_of<Map, Edge>::value,
-                  "PN_subdivision_3: the map of creases is no property map of the mesh's edges");
+                  "PN_subdivision_3: the map of creases is not a property map of the mesh's edges");
     return false;
   } else {
     constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;

@@ -132,7 +132,7 @@ public:
 private:
   using Value = typename Old_values<Map, Element>::Value;
 
-  // what is sharp for ever keeps its value, and so does what is beyond the integers that `double` knows
+  // what is sharp forever keeps its value, and so does what is beyond the integers that `double` knows
   static Value value(double sharpness, const Value& old)
   {
     if (sharpness == infinite_sharpness) return old;

@@ -86,8 +86,8 @@ constexpr bool check_is_point_map()
   using Vertex = typename boost::graph_traits<std::remove_const_t<Mesh>>::vertex_descriptor;
   using Map = typename GetVertexPointMap<Mesh, NamedParameters>::type;
   constexpr bool is_map = Is_property_map_of<Map, Vertex>::value;
-  static_assert(is_map, "PN_subdivision_3: vertex_point_map is no property map of the mesh's "
-                        "vertices (a function object is none: see "
+  static_assert(is_map, "PN_subdivision_3: vertex_point_map is not a property map of the mesh's "
+                        "vertices (a function object is not one: see "
                         "boost::make_function_property_map())");
   if constexpr (is_map)
     return check_kernel<typename GetGeomTraits<std::remove_const_t<Mesh>, NamedParameters>::type>();
@@ -119,8 +119,8 @@ constexpr bool check_normal_map()
     return true;
   else if constexpr (!is_map) {
     static_assert(is_map,
-                  "PN_subdivision_3: the normal map is no property map of the mesh's vertices "
-                  "(a function object is none: see boost::make_function_property_map())");
+                  "PN_subdivision_3: the normal map is not a property map of the mesh's vertices "
+                  "(a function object is not one: see boost::make_function_property_map())");
     return false;
   } else {
     constexpr bool is_accessible = has_category_v<Map, Access_tag>;
@@ -192,7 +192,8 @@ constexpr bool check_roundness()
   else if constexpr (!Is_property_map_of<
                        Map, typename boost::graph_traits<Mesh>::vertex_descriptor>::value) {
     static_assert(
-      !has_map, "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
+      !has_map,
+      "PN_subdivision_3: vertex_roundness_map is not a property map of the mesh's vertices");
     return false;
   } else {
     constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
@@ -214,7 +215,7 @@ constexpr bool check_written_roundness()
                        Map, typename boost::graph_traits<Mesh>::vertex_descriptor>::value) {
     static_assert(
       !std::is_same_v<Map, Map>,
-      "PN_subdivision_3: vertex_roundness_map is no property map of the mesh's vertices");
+      "PN_subdivision_3: vertex_roundness_map is not a property map of the mesh's vertices");
     return false;
   } else {
     constexpr bool is_writable = has_category_v<Map, boost::writable_property_map_tag>;

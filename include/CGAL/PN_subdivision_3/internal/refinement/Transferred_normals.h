@@ -56,9 +56,9 @@ public:
   {
     if (separated.empty()) return;
     if constexpr (is_interval_v<FT>)
-      throw std::invalid_argument(
-        "PN_subdivision_3: the transfer of curvature is computed in double, and its results are no "
-        "intervals: take another scheme or number type");
+      throw std::invalid_argument("PN_subdivision_3: the transfer of curvature is computed in "
+                                  "double, and its results are not "
+                                  "intervals: take another scheme or number type");
     std::vector<std::size_t> begin{0};
     for (const Index v : separated) {
       append_ring(level, host, v);

@@ -249,7 +249,7 @@ private:
     if (table_ == nullptr) return result;
     if (!table_->edges.empty())
       throw std::invalid_argument("PN_subdivision_3: there is an attribute of edges, but the edges "
-                                  "of a tessellation are no parts of those of the control mesh");
+                                  "of a tessellation are not parts of those of the control mesh");
     for (const Attribute_array& array : table_->corners)
       if (array.rule != Corner_rule::all)
         throw std::invalid_argument("PN_subdivision_3: tessellations carry attributes of corners "
