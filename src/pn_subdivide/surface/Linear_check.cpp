@@ -101,7 +101,7 @@ std::string Linear_check::advice() const
     return turning_edges_text(comparison_.turning_edges, "control edge") +
            ": tag them (--sharp angle:40)" + (is_rounder ? ", or --roundness auto" : "");
   if (is_rounder || choices_.has_given_normals) return "Try --roundness auto --normals estimate";
-  return "Try --roundness 0.5";
+  return choices_.roundness ? "Try --linear" : "Try --roundness 0.5"; // one that is not above that
 }
 
 std::vector<std::string> Linear_check::lines() const

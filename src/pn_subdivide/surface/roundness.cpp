@@ -87,10 +87,12 @@ void suit_roundness(Mesh_data& mesh)
 
 std::string roundness_description(const std::vector<double>& roundness)
 {
-  if (roundness.empty() || is_constant(roundness)) return {};
+  if (roundness.empty()) return {};
+  const std::string of_all = std::to_string(roundness.size()) + " vertices";
+  if (is_constant(roundness))
+    return roundness.front() == 0 ? ", roundness 0 at all " + of_all : std::string();
   const auto zeros = std::count(roundness.begin(), roundness.end(), 0.);
-  return ", roundness 0 at " + std::to_string(zeros) + " of " + std::to_string(roundness.size()) +
-         " vertices";
+  return ", roundness 0 at " + std::to_string(zeros) + " of " + of_all;
 }
 
 } // namespace pn_subdivide

@@ -143,6 +143,41 @@ TYPED_TEST(PN_average_block, OneRoundnessOfAllIsAFractionOfTheWay)
   }
 }
 
+// A roundness of every value is summed as the points are, and that fraction of the way is gone.
+template <class Block, class FT>
+void expect_summed_roundness(FT epsilon)
+{
+  const auto equal = some_values<FT>(40, 0);
+  std::vector<typename Block::Value> old;
+  for (std::size_t v = 0; v < equal.size(); ++v)
+    old.push_back({equal[v].point, equal[v].normal, FT(7 * v % 41) / FT(40)});
+  for (std::size_t length = 2; length <= 20; ++length) {
+    const auto rows = some_rows<FT>(PN::internal::block_size_v<FT>, length, false, old.size());
+    const auto result = block_of_rows<Block>(rows, old);
+    for (std::size_t r = 0; r < result.size(); ++r) {
+      FT w(0);
+      PN::Coordinates<FT, 3> linear{};
+      for (const auto* e = rows.begin(r); e != rows.end(r); ++e) {
+        w += e->weight * old[e->vertex].roundness;
+        for (std::size_t k = 0; k < 3; ++k) linear[k] += e->weight * old[e->vertex].point[k];
+      }
+      const auto round = PN::PN_average<FT, 3>()(rows.begin(r), rows.end(r), equal.data());
+      ASSERT_NEAR(result[r].roundness, w, 16 * epsilon) << "row " << r << " of " << length;
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_NEAR(result[r].point[k], linear[k] + w * (round.point[k] - linear[k]), 64 * epsilon)
+          << "row " << r << " of " << length;
+    }
+  }
+}
+
+TYPED_TEST(PN_average_block, RoundnessOfEveryValueIsSummedAsThePointsAre)
+{
+  using Average = PN::PN_average<TypeParam, 3, PN::Point_normal_roundness<TypeParam, 3>>;
+  expect_summed_roundness<typename PN::internal::Block_of<Average>::type>(this->epsilon);
+  expect_summed_roundness<PN::internal::Staged_PN_average_block<Average, 3, Not_wide>>(
+    this->epsilon);
+}
+
 template <class Block, class FT>
 void compare_block_with_rows(const PN::internal::Stencil_block<FT>& rows,
                              const std::vector<PN::Point_normal<FT, 3>>& old, FT tolerance)

@@ -237,6 +237,8 @@ TEST_F(Pn_subdivide_check, ABeamSwells)
     expect_part(text, "check: SWOLLEN");
     expect_part(text, ". Try --roundness 0.5\n");
   }
+  expect_part(check(beam, "--levels 3 --normals angle --sharp none --roundness 0.5"),
+              "check: SWOLLEN. Try --linear\n");
   expect_part(check(beam, "--levels 3 --normals sphere:0,0,0 --sharp none"),
               "check: SWOLLEN. Try --roundness auto --normals estimate\n");
 }

@@ -212,6 +212,7 @@ TEST_F(Pn_subdivide_roundness, EstimateReadsItOffThePoints)
     const std::string part = "roundness 0 at " + std::to_string(zeros) + " of 26 vertices";
     EXPECT_TRUE(contains(err(input, ""), "estimated normals, " + part)) << err(input, "");
     EXPECT_TRUE(contains(err(input, "--normals sphere:0,0,0 --roundness estimate"), part));
+    EXPECT_TRUE(contains(err(input, "--roundness 0"), ", roundness 0 at all 26 vertices, "));
     for (const std::string options : {"--normals sphere:0,0,0", "--normals reciprocal",
                                       "--normals angle", "--roundness 0.5", "--roundness 1"}) {
       EXPECT_FALSE(contains(err(input, options), "roundness 0")) << options;

@@ -71,6 +71,11 @@ struct Avx2_lanes<double>
     const Packed p02 = two(at[0], at[2]), p13 = two(at[1], at[3]);
     return {_mm256_unpacklo_pd(p02, p13), _mm256_unpackhi_pd(p02, p13)};
   }
+  // the numbers at these places
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed numbers(const double* const (&at)[width])
+  {
+    return _mm256_set_pd(*at[3], *at[2], *at[1], *at[0]);
+  }
 
 private:
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed two(const void* a, const void* b)
@@ -111,6 +116,10 @@ struct Avx2_lanes<float>
   {
     const Packed p0145 = four(at[0], at[1], at[4], at[5]), p2367 = four(at[2], at[3], at[6], at[7]);
     return {_mm256_shuffle_ps(p0145, p2367, 0x88), _mm256_shuffle_ps(p0145, p2367, 0xdd)};
+  }
+  CGAL_PN_SUBDIVISION_3_AVX2_INLINE Packed numbers(const float* const (&at)[width])
+  {
+    return _mm256_set_ps(*at[7], *at[6], *at[5], *at[4], *at[3], *at[2], *at[1], *at[0]);
   }
 
 private:

@@ -9,6 +9,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_LANES_H
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_AVERAGE_LANES_H
 
+#include <cstring>
+
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
@@ -20,6 +22,7 @@ struct Lanes
 {
   static Lanes both(FT x) { return {x, x}; }
   static Lanes of(FT x, FT y) { return {x, y}; }
+  static Lanes at(const FT* x) { return {x[0], x[1]}; }
   FT operator[](int i) const { return i == 0 ? x0 : x1; }
   friend Lanes operator+(Lanes a, Lanes b) { return {a.x0 + b.x0, a.x1 + b.x1}; }
   friend Lanes operator-(Lanes a, Lanes b) { return {a.x0 - b.x0, a.x1 - b.x1}; }
@@ -47,6 +50,12 @@ struct Lanes<double>
 
   static Lanes both(double x) { return {Packed{x, x}}; }
   static Lanes of(double x, double y) { return {Packed{x, y}}; }
+  static Lanes at(const double* x) // need not be aligned as the registers are
+  {
+    Lanes a;
+    std::memcpy(&a.packed, x, sizeof a.packed);
+    return a;
+  }
   double operator[](int i) const { return packed[i]; }
   friend Lanes operator+(Lanes a, Lanes b) { return {a.packed + b.packed}; }
   friend Lanes operator-(Lanes a, Lanes b) { return {a.packed - b.packed}; }

@@ -87,28 +87,40 @@ struct Interleaved_point_normal
     }
     return v;
   }
+  Lanes<FT> pair(int c) const { return pairs[c]; }
 
   Lanes<FT> pairs[dimension];
 };
 
-// the same with a roundness
+// The same with a roundness. Pairs are read from numbers one after another: their alignment would make
+// an eighth number of the seven, and new memory is what a round waits for.
 template <class FT, int dimension>
-struct Interleaved_point_normal_roundness : Interleaved_point_normal<FT, dimension>
+struct Interleaved_point_normal_roundness
 {
-  using Base = Interleaved_point_normal<FT, dimension>;
   using Value = Point_normal_roundness<FT, dimension>;
 
   Interleaved_point_normal_roundness() = default;
   Interleaved_point_normal_roundness(const Value& v)
-    : Base(Point_normal<FT, dimension>(v))
-    , roundness(v.roundness)
-  {}
+    : roundness(v.roundness)
+  {
+    for (int c = 0; c < dimension; ++c) {
+      pairs[c][0] = v.point[c];
+      pairs[c][1] = v.normal[c];
+    }
+  }
   operator Value() const
   {
-    const Point_normal<FT, dimension> v = static_cast<const Base&>(*this);
-    return {v.point, v.normal, roundness};
+    Value v;
+    for (int c = 0; c < dimension; ++c) {
+      v.point[c] = pairs[c][0];
+      v.normal[c] = pairs[c][1];
+    }
+    v.roundness = roundness;
+    return v;
   }
+  Lanes<FT> pair(int c) const { return Lanes<FT>::at(pairs[c]); }
 
+  FT pairs[dimension][2];
   FT roundness;
 };
 
@@ -283,17 +295,20 @@ private:
 
   static Value sum(const Entry* e, std::size_t length, const Stored_value* old)
   {
-    Stored_value result;
+    Interleaved_point_normal<FT, dimension> result;
+    [[maybe_unused]] FT roundness(0);
     for (Lanes<FT>& pair : result.pairs) pair = Lanes<FT>::both(0);
-    if constexpr (has_roundness_v<Value>) result.roundness = FT(0);
     for (std::size_t j = 0; j < length; ++j) {
       const Lanes<FT> weight = Lanes<FT>::both(e[j].weight);
       for (int c = 0; c < dimension; ++c)
-        result.pairs[c] = result.pairs[c] + weight * old[e[j].vertex].pairs[c];
-      if constexpr (has_roundness_v<Value>)
-        result.roundness += e[j].weight * old[e[j].vertex].roundness;
+        result.pairs[c] = result.pairs[c] + weight * old[e[j].vertex].pair(c);
+      if constexpr (has_roundness_v<Value>) roundness += e[j].weight * old[e[j].vertex].roundness;
     }
-    return result;
+    const Point_normal<FT, dimension> v = result;
+    if constexpr (has_roundness_v<Value>)
+      return {v.point, v.normal, roundness};
+    else
+      return v;
   }
 
   // Two entries at a time; the order of the sums depends on nothing but the row.
@@ -316,7 +331,7 @@ private:
       Two numerator = Two::both(0), denominator = numerator; // else g++ 14 warns
       for (int c = 0; c < dimension; ++c) {
         // (p_j - q, n_j + n) of two entries
-        const Two a = v0.pairs[c] + offset[c], b = v1.pairs[c] + offset[c];
+        const Two a = v0.pair(c) + offset[c], b = v1.pair(c) + offset[c];
         const Two s = second_of(a, b);
         const Two numerator_c = s * first_of(a, b), denominator_c = s * normal[c];
         numerator = c == 0 ? numerator_c : numerator + numerator_c;

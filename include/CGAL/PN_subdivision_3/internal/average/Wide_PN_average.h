@@ -126,12 +126,7 @@ private:
     [[maybe_unused]] Packed roundness = Lanes::all(0);
     for (int c = 0; c < dimension; ++c) q[c] = n[c] = Lanes::all(0);
     for (std::size_t j = 0; j < length; ++j) {
-      gather(row, j, old, entries[j]);
-      if constexpr (has_roundness) {
-        Packed of_entry;
-        for (std::size_t i = 0; i < width; ++i) of_entry[i] = old[row[i][j].vertex].roundness;
-        roundness += entries[j].weight * of_entry;
-      }
+      gather(row, j, old, entries[j], roundness);
       for (int c = 0; c < dimension; ++c) {
         q[c] += entries[j].weight * entries[j].point[c];
         n[c] += entries[j].weight * entries[j].normal[c];
@@ -148,9 +143,11 @@ private:
     if constexpr (has_roundness) sums.roundness = roundness;
   }
 
+  // the roundness of the entries is added
   template <class Stored_value>
   CGAL_PN_SUBDIVISION_3_AVX2_INLINE void gather(const Entry* const (&row)[width], std::size_t j,
-                                                const Stored_value* old, Old& entry)
+                                                const Stored_value* old, Old& entry,
+                                                [[maybe_unused]] Packed& roundness)
   {
     const void* at[width];
     for (std::size_t i = 0; i < width; ++i) at[i] = row[i] + j;
@@ -162,6 +159,11 @@ private:
       const typename Lanes::Pairs pairs = Lanes::pairs(at);
       entry.point[c] = pairs.first;
       entry.normal[c] = pairs.second;
+    }
+    if constexpr (has_roundness) {
+      const FT* numbers[width];
+      for (std::size_t i = 0; i < width; ++i) numbers[i] = &v[i]->roundness;
+      roundness += entry.weight * Lanes::numbers(numbers);
     }
   }
 
