@@ -8,8 +8,9 @@
 # Author(s): PN_subdivision_3 developers
 """Checks that the package does not grow unnoticed: scripts/budgets.tsv has, for every folder, the most files and lines
 that it may have, and for the whole the most headers that only include another one, long headers that no wrong
-change in scripts/mutations.toml touches, and functions and classes of the manual's classified list, without named parameters and
-what is in sections of analysis and of concepts.
+change in scripts/mutations.toml touches, public headers behind each umbrella header (without those behind PN_subdivision_3.h for
+the other two), and functions and classes of the manual's classified list, without named parameters and what is in sections of
+analysis and of concepts.
 
     scripts/check_budgets.py              exit code 1 if something is larger
     scripts/check_budgets.py --totals     prints what there is
@@ -60,8 +61,30 @@ def public_names() -> int:
     return sum("::parameters::" not in name for name in names)
 
 
+def headers_behind(umbrella: str) -> set[Path]:
+    """The public headers that an umbrella header includes, by others or itself."""
+    reached: set[Path] = set()
+    waiting = [HEADERS / umbrella]
+    while waiting:
+        header = waiting.pop()
+        if header in reached or not header.is_file():
+            continue
+        reached.add(header)
+        names = re.findall(r"^ *# *include <CGAL/(PN_subdivision_[^>]+)>", header.read_text(), re.MULTILINE)
+        waiting += [HEADERS / name for name in names]
+    return {header for header in reached if "internal" not in header.parts}
+
+
+def umbrellas() -> dict[str, tuple[int, int]]:
+    of_meshes = headers_behind("PN_subdivision_3.h")
+    parts = {"PN_subdivision_3.h": of_meshes}
+    for name in ("PN_subdivision_limit_3.h", "PN_subdivision_curve.h"):
+        parts[name] = headers_behind(name) - of_meshes
+    return {f"(public headers behind {name})": (len(part), sum(map(lines_of, part))) for name, part in parts.items()}
+
+
 def counted() -> dict[str, tuple[int, int]]:
-    """Files and lines of each folder, and the two counts of the whole; these have no lines."""
+    """Files and lines of each folder and behind each umbrella header, and the counts of the whole, which have no lines."""
     headers = sorted(HEADERS.rglob("*.h"))
     sources = [path for path in COMMAND.rglob("*") if path.suffix in (".h", ".cpp")]
     counts: dict[str, tuple[int, int]] = {}
@@ -76,7 +99,7 @@ def counted() -> dict[str, tuple[int, int]]:
     counts[FORWARDING] = sum(map(only_forwards, headers)), 0
     counts[UNTOUCHED] = len(untouched), 0
     counts[PUBLIC] = public_names(), 0
-    return counts
+    return counts | umbrellas()
 
 
 def read_budgets() -> dict[str, tuple[int, int]]:
@@ -106,6 +129,7 @@ def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
     for title, beginning in (("headers", "include/"), ("command", "src/")):
         part = [count for folder, count in counts.items() if folder.startswith(beginning)]
         result.append(f"{title}: {sum(c[0] for c in part)} files, {sum(c[1] for c in part)} lines")
+    result += [f"{name.strip('()')}: {lines} lines" for name, (_, lines) in umbrellas().items()]
     return result + [f"{name.strip('()')}: {counts[name][0]}" for name in (FORWARDING, UNTOUCHED, PUBLIC)]
 
 
