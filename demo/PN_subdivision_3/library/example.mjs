@@ -14,6 +14,7 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { load } from "pn-subdivision";
 import { bufferGeometry, meshOf } from "pn-subdivision/three";
 
+globalThis.ProgressEvent ??= Event; // for three.js, which reads buffers as browsers do
 const [, , input, output] = process.argv;
 const bytes = await readFile(input);
 const model = await new GLTFLoader().parseAsync(Uint8Array.from(bytes).buffer, "");
