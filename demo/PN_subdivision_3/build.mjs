@@ -22,7 +22,7 @@ const url = options.includes("--url") ? new URL(options[options.indexOf("--url")
 const isSeparate = options.includes("--separate");
 const here = path.dirname(fileURLToPath(import.meta.url));
 
-/** The module's code, its binary compressed, and the worker as text. */
+/** The module's code, its binary compressed, and the address of the worker, which is in the page or a file beside it. */
 const modeler = {
   name: "modeler",
   setup({ onResolve, onLoad }) {
@@ -33,10 +33,14 @@ const modeler = {
       loader: "binary",
     }));
     onResolve({ filter: /^surface-worker-code$/ }, () => ({ path: "code", namespace: "worker" }));
-    onLoad({ filter: /.*/, namespace: "worker" }, async () => ({
-      contents: (await build({ ...common, entryPoints: [path.join(here, "page/surface_worker.ts")], format: "iife" })).outputFiles[0].text,
-      loader: "text",
-    }));
+    onLoad({ filter: /.*/, namespace: "worker" }, async () => {
+      const entryPoints = [path.join(here, "page/surface_worker.ts")];
+      const { text } = (await build({ ...common, entryPoints, format: "iife" })).outputFiles[0];
+      const address = isSeparate
+        ? JSON.stringify((await fileBeside(text, "js")).name)
+        : `URL.createObjectURL(new Blob([${JSON.stringify(text)}], { type: "text/javascript" }))`;
+      return { contents: `export default () => ${address};`, loader: "js" };
+    });
   },
 };
 
@@ -87,6 +91,7 @@ const tags = { style: await styleTag(style.outputFiles[0].text), script: await s
 const texts = await licences();
 const html = (await readFile(path.join(here, "page/index.html"), "utf8"))
   .replaceAll("'unsafe-inline'", () => (isSeparate ? "'self'" : "'unsafe-inline'"))
+  .replace("worker-src blob:", () => (isSeparate ? "worker-src 'self'" : "worker-src blob:"))
   .replace("<!-- style -->", () => tags.style)
   .replace("<!-- licences -->", () => texts)
   .replace("<!-- address -->", () => address)

@@ -24,8 +24,8 @@ declare module "modeler-wasm" {
   export default bytes;
 }
 declare module "surface-worker-code" {
-  const text: string;
-  export default text;
+  const address: () => string;
+  export default address;
 }
 declare module "*.ply" {
   const text: string;

@@ -8,7 +8,7 @@
 
 // The surfaces that the worker makes, as the page sees them.
 
-import workerText from "surface-worker-code";
+import workerAddress from "surface-worker-code";
 import type { Content, Shown } from "./surfaces";
 import type { Answer, DrawJob, Drawn, Edit, Make, ReadJob, ReadMesh, Request } from "./worker_messages";
 
@@ -87,7 +87,7 @@ export class RemoteSurfaces {
 
   private started(): Worker {
     if (this.worker) return this.worker;
-    const address = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
+    const address = workerAddress();
     const worker = new Worker(address);
     worker.onmessage = ({ data }: MessageEvent<Answer>) => this.take(data);
     worker.onerror = ({ message }) => this.fail(message || "the worker cannot be started");

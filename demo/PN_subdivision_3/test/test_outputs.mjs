@@ -210,7 +210,7 @@ test("script and style beside the page suit a strict content policy", async () =
     server.close();
   }
   const names = await readdir(path.dirname(output));
-  assert.deepEqual(names.map((name) => path.extname(name)).sort(), [".css", ".html", ".js"]);
+  assert.deepEqual(names.map((name) => path.extname(name)).sort(), [".css", ".html", ".js", ".js"]);
 });
 
 test("licences are there in full, and the package's address if it is given", async () => {
