@@ -343,7 +343,7 @@ TEST(Coherent_normals, PlanesThatEndInChamfersStayFlat)
   PN::subdivide(mesh, PN::CatmullClark_scheme(), CGAL::parameters::number_of_iterations(2));
   double largest = 0;
   for (auto v : mesh.vertices()) largest = (std::max)(largest, std::abs(mesh.point(v).z() - 0.5));
-  EXPECT_LT(largest, 0.6); // a tenth of the thickness; they rose by more than that
+  EXPECT_LT(largest, 0.75); // of 0.5 at first; 1.09 if they are caps
 }
 
 // the normals of the ellipsoid through the corners: a / (a^2, b^2, c^2)
