@@ -14,6 +14,8 @@
 #include "support/Exact_rational.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
+#include <CGAL/PN_subdivision_3/subdivide.h>
 
 #include <numeric>
 
@@ -90,8 +92,8 @@ Control_mesh bent_plane(int n)
   return mesh;
 }
 
-// a closed ring of `rows` strips around a rectangle with corners rounded by arcs of 90 degrees
-Control_mesh rounded_beam(double a, double b, double radius, int steps, int rows)
+// a rectangle with corners rounded by arcs of 90 degrees
+std::vector<Sample> rounded_rectangle(double a, double b, double radius, int steps)
 {
   std::vector<Sample> outline;
   for (int corner = 0; corner < 4; ++corner)
@@ -102,14 +104,46 @@ Control_mesh rounded_beam(double a, double b, double radius, int steps, int rows
       const Real y = corner < 2 ? b / 2 - radius : radius - b / 2;
       outline.push_back({Vector(x, y, 0) + radius * n, n});
     }
-  Control_mesh mesh{"rounded beam", {}, {}, {}};
-  const int n = int(outline.size());
-  for (int j = 0; j <= rows; ++j)
-    for (const Sample& s : outline) add(mesh, {s.point + Vector(0, 0, 0.4L * j), s.normal});
+  return outline;
+}
+
+// quads between outlines of n points each
+void add_strips(Control_mesh& mesh, int n, int rows)
+{
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < n; ++i)
       mesh.faces.push_back(
         {n * j + i, n * j + (i + 1) % n, n * (j + 1) + (i + 1) % n, n * (j + 1) + i});
+}
+
+// a closed ring of `rows` strips around a rounded rectangle
+Control_mesh rounded_beam(double a, double b, double radius, int steps, int rows)
+{
+  const std::vector<Sample> outline = rounded_rectangle(a, b, radius, steps);
+  Control_mesh mesh{"rounded beam", {}, {}, {}};
+  const int n = int(outline.size());
+  for (int j = 0; j <= rows; ++j)
+    for (const Sample& s : outline) add(mesh, {s.point + Vector(0, 0, 0.4L * j), s.normal});
+  add_strips(mesh, n, rows);
+  return mesh;
+}
+
+// a closed plate of thickness 1 with chamfers all around, its planes cut into triangles
+Control_mesh chamfered_plate(double side)
+{
+  constexpr double chamfer = 0.2;
+  Control_mesh mesh{"chamfered plate", {}, {}, {}};
+  for (const double z : {0., chamfer, 1 - chamfer, 1.}) {
+    const double inset = z == 0 || z == 1 ? chamfer : 0;
+    for (const Sample& s : rounded_rectangle(side - 2 * inset, side - 2 * inset, 0.5 - inset, 3))
+      add(mesh, {s.point + Vector(0, 0, z), s.normal});
+  }
+  const int n = int(mesh.points.size()) / 4;
+  add_strips(mesh, n, 3);
+  for (int i = 1; i + 1 < n; ++i) {
+    mesh.faces.push_back({0, i + 1, i});
+    mesh.faces.push_back({3 * n, 3 * n + i, 3 * n + i + 1});
+  }
   return mesh;
 }
 
@@ -154,6 +188,7 @@ std::vector<Control_mesh> any_shapes()
   for (double length : {1.3, 3., 50.})
     shapes.push_back(scaled(named_shapes::cube(), 1, 1.5, length));
   for (int n : {3, 4, 5, 8}) shapes.push_back(scaled(named_shapes::prism(n), 1, 1.1, 1.4));
+  for (double side : {2., 4., 20.}) shapes.push_back(chamfered_plate(side));
   return shapes;
 }
 
@@ -298,6 +333,17 @@ TEST(Coherent_normals, PlanesJoinBends)
     const double before = angles(mesh, estimated(mesh), inside).largest;
     EXPECT_LT(now, before / 3) << steps;
   }
+}
+
+// They look like caps of a large sphere: normals at opposite rims fit an arc, and no face turns far.
+TEST(Coherent_normals, PlanesThatEndInChamfersStayFlat)
+{
+  const Control_mesh control = chamfered_plate(20);
+  auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
+  PN::subdivide(mesh, PN::CatmullClark_scheme(), CGAL::parameters::number_of_iterations(2));
+  double largest = 0;
+  for (auto v : mesh.vertices()) largest = (std::max)(largest, std::abs(mesh.point(v).z() - 0.5));
+  EXPECT_LT(largest, 0.75); // of 0.5 at first; 1.09 if they are caps
 }
 
 // the normals of the ellipsoid through the corners: a / (a^2, b^2, c^2)

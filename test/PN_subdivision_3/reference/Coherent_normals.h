@@ -127,6 +127,18 @@ private:
     return least / most;
   }
 
+  // how far edges dip below the tangent plane, in lengths of the shortest edge
+  Real dip_in_shortest_edges(int v, const Point_3& n) const
+  {
+    Real least = HUGE_VALL, dip = 0;
+    for (int j : mesh_.ring(v)) {
+      const Point_3 e = at(j) - at(v);
+      if (e.norm() > 0) least = std::min(least, e.norm());
+      dip = std::max(dip, std::abs(n.dot(e)));
+    }
+    return dip / least;
+  }
+
   Real mismatch(int v, const Point_3& n) const
   {
     Real sum = 0;
@@ -157,7 +169,7 @@ private:
     }
     if (n.isZero()) return 0;
     const Real f = turn_share(v, n);
-    return f + (1 - f) * rho;
+    return (f + (1 - f) * rho) * (1 - window(dip_in_shortest_edges(v, n), 8, 16));
   }
 
   const Face_list& mesh_;

@@ -83,6 +83,7 @@ private:
   {
     Area_sum area_sum; // then of length 1 or zero; before, what an open sector got for a normal
     Curvature_mismatch mismatch;
+    Dips dips; // below the tangent plane of the normal above
     Kind kind = Kind::given;
     bool is_reciprocal = false; // not the area normal in its place
     bool has_normal = false;
@@ -157,6 +158,8 @@ private:
       const double inverse = 1 / dot<double, 3>(e, e);
       if (!std::isfinite(inverse) || !s.has_normal || !t.has_normal) return;
       const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
+      s.dips.add(of_s * of_s, inverse);
+      t.dips.add(of_t * of_t, inverse);
       add_mismatch(s, of_s + of_t, dot<double, 3>(s.area(), e) + of_t, inverse);
       add_mismatch(t, of_s + of_t, dot<double, 3>(t.area(), e) + of_s, inverse);
     });
@@ -177,6 +180,7 @@ private:
     const double t = e.mismatch.share_of_first(vanishing_tolerance<FT>());
     if (t >= 1 && e.weight >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
+      e.weight = sectors_.is_at_crease(s) ? 1 : e.dips.share();
       return;
     }
     const bool was_narrow = e.is_narrow;
@@ -184,7 +188,7 @@ private:
     const double share = t * either(e.weight, regular);
     if (share >= 1 && e.is_reciprocal) {
       set_normal(s, reciprocal_.exact_normal(sectors_.fan(s), e.normal));
-      e.weight = either(e.weight, regular);
+      e.weight = either(e.weight, regular) * e.dips.share();
     } else {
       const Vector n = mixed(share, e.normal, e.area());
       e.is_narrow = was_narrow && is_close(n, e.normal);
@@ -192,6 +196,7 @@ private:
       e.normal = n;
       set_normal(s, reciprocal_.converted(n));
       e.weight = roundness_of(e, regular);
+      if (e.weight > 0) e.weight *= dips(s).share();
     }
     if (sectors_.is_at_crease(s)) e.weight = 1;
   }
@@ -199,7 +204,21 @@ private:
   void estimate_open(Index s)
   {
     if (!sectors_.is_at_crease(s))
-      estimates_[s].weight = roundness_of(estimates_[s], regularity_of(s));
+      estimates_[s].weight =
+        roundness_of(estimates_[s], regularity_of(s)) * estimates_[s].dips.share();
+  }
+
+  // of a closed sector whose normal is no longer the reciprocal one
+  Dips dips(Index s) const
+  {
+    Dips result;
+    for_each_halfedge(level_, sectors_.fan(s), [&](Index h) {
+      const Vector e = edge(h);
+      const double dip = dot<double, 3>(estimates_[s].normal, e),
+                   inverse = 1 / dot<double, 3>(e, e);
+      if (std::isfinite(inverse)) result.add(dip * dip, inverse);
+    });
+    return result;
   }
 
   // of the fan at hand

@@ -111,6 +111,27 @@ inline double regularity(double distance_of_normals, double largest_arc_error, d
          smooth_window(evenness, 1. / 12, 1. / 6);
 }
 
+// A plane that ends in a short chamfer looks like the cap of a large sphere: its edges dip below the
+// tangent plane by many times the length of the shortest edge, and would bulge as much.
+struct Dips
+{
+  // by a squared dip, and 1/|e|^2
+  void add(double squared_dip, double inverse)
+  {
+    largest = (std::max)(largest, squared_dip);
+    of_shortest = (std::max)(of_shortest, inverse);
+  }
+
+  // what is left of the roundness
+  double share() const
+  {
+    const double squared_ratio = largest * of_shortest;
+    return squared_ratio > 64 ? 1 - smooth_window(std::sqrt(squared_ratio), 8, 16) : 1;
+  }
+
+  double largest = 0, of_shortest = 0;
+};
+
 // a or b
 inline double either(double a, double b)
 {
