@@ -1,10 +1,10 @@
 # Several test sources as one program: what they instantiate alike is compiled once, which takes less than half the time.
 option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, or a few" OFF)
 set(PN_TESTS_IN_A_SOURCE 7) # so that none takes more than a minute or two and 1.5 GB
-# with settings of their own, or with an operator new of their own
+# with settings or an operator new of their own, or with names that headers of others have, too
 set(pn_tests_apart
-    test_PN_mask_3_custom test_Subdivision_method_3_examples test_enclose test_failures test_kernels_exact test_kernels_floating
-    test_kernels_intervals test_modified_schemes_numbers test_strong_guarantee)
+    test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
+    test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_strong_guarantee)
 
 # Includes that depend on macros have to stay where they are; and a header of CGAL without include guard may be included once.
 function(pn_can_be_joined result source)
