@@ -4,7 +4,8 @@ set(PN_TESTS_IN_A_SOURCE 7) # so that none takes more than a minute or two and 1
 # with settings or an operator new of their own, or with names that headers of others have, too
 set(pn_tests_apart
     test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
-    test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_strong_guarantee)
+    test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_normal_guards
+    test_reciprocal_normals test_strong_guarantee)
 
 # Includes that depend on macros have to stay where they are; and a header of CGAL without include guard may be included once.
 function(pn_can_be_joined result source)
