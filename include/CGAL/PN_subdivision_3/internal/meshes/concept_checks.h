@@ -110,7 +110,7 @@ constexpr bool check_crease_tangents()
     return !is_given;
   else if constexpr (!Is_property_map_of<
                        Map, typename boost::graph_traits<Mesh>::halfedge_descriptor>::value) {
-    static_assert(!is_given, "PN_subdivision_3: crease_tangent_map is no property map "
+    static_assert(!is_given, "PN_subdivision_3: crease_tangent_map is not a property map "
                              "of the mesh's half-edges");
     return false;
   } else {

@@ -160,8 +160,8 @@ constexpr bool check_constraint_map()
     return true;
   else if constexpr (!Is_property_map_of<Map, Key>::value) {
     static_assert(Is_property_map_of<Map, Key>::value,
-                  "PN_subdivision_3: edge_is_constrained_map or vertex_is_constrained_map is no "
-                  "property map of the mesh's edges or vertices");
+                  "PN_subdivision_3: edge_is_constrained_map or vertex_is_constrained_map is "
+                  "not a property map of the mesh's edges or vertices");
     return false;
   } else {
     constexpr bool is_readable = has_category_v<Map, boost::readable_property_map_tag>;
