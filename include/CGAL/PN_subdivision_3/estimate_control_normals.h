@@ -68,7 +68,12 @@ g(n) the largest \f$ |(n + n_j) \cdot e_j| / |e_j| \f$, and
 with the length q of the shortest edge over that of the longest one,
 1 where the vertex turns no more than a regular pentagon and 0 where it turns as two planes at a right angle do; and 1
 where a coarse mesh is regular, as a cube is. The normal is the unit vector of s r + (1 - s) a with s = t (f(r) + (1 -
-f(r)) &rho;), the reciprocal one itself where s = 1. The roundness is w' = f(n) + (1 - f(n)) &rho;, but that a
+f(r)) &rho;), the reciprocal one itself where s = 1. The roundness is
+
+\f[ w' = \left( f(n) + (1 - f(n)) \rho \right) \left( 1 - S \left( \frac{d}{8} - 1 \right) \right), \quad
+d = \frac{\max_j |n \cdot e_j|}{\min_j |e_j|}, \f]
+
+since a plane that ends in a short chamfer looks like a cap of a large sphere. Moreover, a
 vertex without an arc to a neighbor that is not round is not round either:
 
 \f[ w = w' \min_j \left( 1 - (1 - w'_j) \, S \left( \frac{g_j - 0.3}{0.3} \right) \right), \quad g_j = \frac{|(n + n_j)

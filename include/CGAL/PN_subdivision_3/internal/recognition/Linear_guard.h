@@ -68,11 +68,10 @@ public:
   // beyond what it does with that.
   double excess_of_volume() const
   {
-    for (Index e = 0; e < level_.number_of_edges(); ++e)
-      if (level_.is_border_edge(e)) return 0;
+    const double before = heights_.volume();
+    if (before == 0) return 0;
     for (Index f = 0; f < level_.number_of_faces(); ++f)
       if (tags_->is_round(f)) return 0;
-    const double before = heights_.volume();
     const double excess = std::abs(volume_ - before) - std::abs(linear_.volume - before);
     return excess > 0 ? excess / std::abs(before) : 0;
   }

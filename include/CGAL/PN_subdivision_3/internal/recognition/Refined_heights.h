@@ -10,6 +10,7 @@
 
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/comparison/Level_shape.h>
 #include <CGAL/PN_subdivision_3/internal/comparison/refined_aside.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
@@ -40,7 +41,7 @@ struct Face_changes
 {
   std::vector<double> height, deviation;
   std::vector<bool> is_folded;
-  double volume = 0; // of the whole, if it is closed
+  double volume = 0; // of the whole; 0 if it is open
 };
 
 // A control mesh with its tags, and what a scheme makes of it.
@@ -148,15 +149,8 @@ private:
   static double volume_of(const Level_connectivity& level,
                           const std::vector<Coordinates<double, 3>>& points)
   {
-    double sixfold = 0;
-    for (Index f = 0; f < level.number_of_faces(); ++f) {
-      const Index first = level.halfedge_of_face(f);
-      const Vec3 p = as_vec3(points[level.target(first)]);
-      for (Index h = level.next(first); level.next(h) != first; h = level.next(h))
-        sixfold += dot(
-          p, cross(as_vec3(points[level.target(h)]), as_vec3(points[level.target(level.next(h))])));
-    }
-    return sixfold / 6;
+    constexpr double rounding = 0x1p-52; // of the points of a Part
+    return level.has_border() ? 0 : Level_shape(level, points, rounding).volume();
   }
   const Vec3& normal_of(Index f) const { return part_.normal[part_.rank_of_face[f]]; }
   // infinite of slivers
