@@ -8,8 +8,8 @@
 #ifndef CGAL_PN_SUBDIVISION_3_BENCHMARK_BY_METHOD_CIRCLE_AVERAGES_H
 #define CGAL_PN_SUBDIVISION_3_BENCHMARK_BY_METHOD_CIRCLE_AVERAGES_H
 
-#include "peers/by_method/Curves.h"
-#include "peers/by_method/Patches.h"
+#include "Curves.h"
+#include "Patches.h"
 
 #include <CGAL/subdivision_method_3.h>
 
