@@ -14,7 +14,7 @@
 # The unit tests of the headers are compiled by clang++ where it is found (build/units), all else by g++
 # (build/others), both without optimization.
 # --full: everything, optimized and by g++, beside the unit tests by clang++: every scheme with every number type,
-#   every header alone (build/release).
+#   every header alone, the benchmarks (build/release).
 # --strict: a test that is left out because something is missing is an error, but for that of the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,6 +33,9 @@ scripts/install_dependencies.sh --manual # which has tests, too
 for preset in "${presets[@]}"; do
   scripts/build.sh --preset "$preset"
 done
+if [[ ${presets[1]} == release ]]; then
+  scripts/build.sh pn_benchmarks
+fi
 
 failed=()
 for preset in "${presets[@]}"; do
