@@ -13,7 +13,7 @@
 #   scripts/check_portability.sh [c++20|clang|cgal6|aarch64|all]
 #   scripts/check_portability.sh cgal6 REGEX      only the sources whose paths match, as 'src/|examples/'
 #   scripts/check_portability.sh cgal6 --seconds N
-#                                               the tests last, and as many of them as N seconds allow; it says how many
+#                                               as many sources as N seconds allow, the tests last; it says how many not
 #
 # Debian packages: clang, g++-aarch64-linux-gnu, qemu-user (scripts/install_dependencies.sh does not install the
 # last two). The headers of CGAL 6 are fetched from Debian's mirror (scripts/fetch_cgal6_headers.sh), or CGAL6=FOLDER
@@ -100,14 +100,13 @@ everything_with_cgal6()
   cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${check[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
     "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1
   name_what_is_left_out "$build.txt" "$modeler.txt"
-  local never='/headers_alone/|/empty\.cpp' tests='^test/.*/test_[^/]*\.dir/'
+  local never='/headers_alone/|/empty\.cpp' tests='^test/.*/test_[^/]*\.dir/' demo='/src/pn_subdivide/|/bindings\.cpp'
   if [[ -z $seconds ]]; then
     check_sources "$build" "$never" || status=1
+    check_sources "$modeler" "$demo" || status=1
   else
-    check_sources "$build" "$never|$tests" || status=1
-  fi
-  check_sources "$modeler" '/src/pn_subdivide/|/bindings\.cpp' || status=1
-  if [[ -n $seconds ]]; then
+    check_while_time_lasts "$build" "$never|$tests" || status=1
+    check_while_time_lasts "$modeler" "$demo" || status=1
     chosen=$tests check_while_time_lasts "$build" "$never" || status=1
   fi
   return $status
