@@ -79,6 +79,18 @@ vertex without an arc to a neighbor that is not round is not round either:
 \f[ w = w' \min_j \left( 1 - (1 - w'_j) \, S \left( \frac{g_j - 0.3}{0.3} \right) \right), \quad g_j = \frac{|(n + n_j)
 \cdot e_j|}{|e_j|}. \f]
 
+Last, where a large plane ends in short bevels the point of an interior vertex must not be lifted off the plane. With the
+m edges of the vertex, the lengths s and l of the shortest and the longest one, and weights 3/8 of the neighbors and
+5/8 of the vertex, let \f$ q = \frac{3}{8m} \sum_j e_j \f$ be the way of the linear point, u the unit vector of
+\f$ \frac{5}{8} n + \frac{3}{8m} \sum_j n_j \f$, and
+
+\f[ h = n \cdot (q + H u), \quad H = \frac{3}{8m} \sum_j \frac{(n_j + u) \cdot (e_j - q)}{1 + n_j \cdot u} -
+\frac{5}{8} \, \frac{(n + u) \cdot q}{1 + n \cdot u} \f]
+
+the height of the new point over the tangent plane (negative cosines in the denominators count as 0). By o, what it lies above this plane
+and all neighbors, or below them all, the roundness is multiplied by \f$ 1 - S(2 o \, (l - 4s) / s^2 - 1) \f$ where l > 4s. On spheres and
+cylinders o = 0.
+
 At a border vertex r and n are the normal of the reciprocal estimate. Where one of r and a vanishes the other one
 is taken for both; where E(r) is no more than rounding t = 1. The roundness is 0 where the normal vanishes and 1 at
 vertices without edges. The other estimates find everything round, w = 1.

@@ -14,6 +14,7 @@
 #include "support/Exact_rational.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3/compare_with_linear.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
@@ -147,6 +148,43 @@ Control_mesh chamfered_plate(double side)
   return mesh;
 }
 
+// a closed plate of thickness 1: two rectangles that end in bevels of width 1, which fall by 1/3, and corners cut off
+Control_mesh beveled_plate(double a, double b)
+{
+  constexpr double drop = 1 / 3.;
+  Control_mesh mesh{"beveled plate", {}, {}, {}};
+  const double x[4] = {a, 0, 0, a}, y[4] = {b, b, 0, 0};
+  for (int corner = 0; corner < 4; ++corner) { // top and bottom, then the bevels counterclockwise
+    const double out_x = corner == 0 || corner == 3 ? 1 : -1, out_y = corner < 2 ? 1 : -1;
+    const bool x_first = corner % 2 == 0;
+    for (double z : {0., 1.}) mesh.points.push_back({x[corner], y[corner], z});
+    for (bool moves_x : {x_first, !x_first})
+      for (double z : {drop, 1 - drop})
+        mesh.points.push_back(
+          {x[corner] + (moves_x ? out_x : 0), y[corner] + (moves_x ? 0 : out_y), z});
+  }
+  mesh.faces = {{18, 12, 6, 0}, {1, 7, 13, 19}};
+  for (int k = 0; k < 24; k += 6) { // at a corner, and from there to the next one
+    const int next = (k + 6) % 24;
+    mesh.faces.push_back({k, k + 4, k + 2});
+    mesh.faces.push_back({k + 1, k + 3, k + 5});
+    mesh.faces.push_back({k + 2, k + 4, k + 5, k + 3});
+    mesh.faces.push_back({k + 4, next + 2, next + 3, k + 5});
+    mesh.faces.push_back({k, next, next + 2, k + 4});
+    mesh.faces.push_back({k + 1, k + 5, next + 3, next + 1});
+  }
+  return mesh;
+}
+
+// `n` rows around a cylinder of radius 1, with steps along its axis that are shorter than those around it by far
+Control_mesh short_rows(int n)
+{
+  std::mt19937 generator(3);
+  const Numbers turns = uneven(65, 0.8, generator);
+  return renamed(cylinder(turns, uneven(n, 0, generator), 0.002L * (n - 1), Cells::quads),
+                 "short rows");
+}
+
 std::vector<Control_mesh> exact_shapes()
 {
   std::vector<Control_mesh> shapes{on_unit_sphere(named_shapes::cube()), octahedron(),
@@ -189,6 +227,8 @@ std::vector<Control_mesh> any_shapes()
     shapes.push_back(scaled(named_shapes::cube(), 1, 1.5, length));
   for (int n : {3, 4, 5, 8}) shapes.push_back(scaled(named_shapes::prism(n), 1, 1.1, 1.4));
   for (double side : {2., 4., 20.}) shapes.push_back(chamfered_plate(side));
+  for (double side : {10., 15., 16., 17., 18., 19., 20., 70.})
+    shapes.push_back(beveled_plate(side, 1.4 * side));
   return shapes;
 }
 
@@ -346,6 +386,50 @@ TEST(Coherent_normals, PlanesThatEndInChamfersStayFlat)
   EXPECT_LT(largest, 0.75); // of 0.5 at first; 1.09 if they are caps
 }
 
+// New points slide along such planes, and the normals of the bevels would lift them: to 2.3 times the volume.
+TEST(Coherent_normals, ThinPlatesWithBevelsAreNotWorseThanLinear)
+{
+  for (double side : {16., 20., 40., 70., 300.}) {
+    const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(beveled_plate(side, 1.4 * side));
+    const auto result = PN::compare_with_linear(mesh, PN::CatmullClark_scheme(),
+                                                CGAL::parameters::number_of_iterations(2));
+    ASSERT_TRUE(result.is_closed);
+    EXPECT_FALSE(result.is_swollen())
+      << side << ": " << result.volume_ratio << ", linear " << result.linear_volume_ratio;
+  }
+}
+
+// Long edges dip far below the tangent planes there, and new points lie below these, but not below the neighbors.
+TEST(Coherent_normals, ShortRowsOfACylinderAreRound)
+{
+  Control_mesh rows = short_rows(6);
+  for (bool outward : {true, false}) {
+    for (double w : coherent(rows).roundness) EXPECT_EQ(w, 1) << outward;
+    for (reference::Face& f : rows.faces) std::reverse(f.begin(), f.end());
+  }
+}
+
+TEST(Coherent_normals, PartsHaveNoPartInOthers)
+{
+  const Control_mesh sphere = scattered(2, 0.3, 2, on_sphere), plate = beveled_plate(70, 90);
+  Control_mesh both = sphere;
+  const int n = int(sphere.points.size());
+  both.points.insert(both.points.end(), plate.points.begin(), plate.points.end());
+  for (reference::Face f : plate.faces) {
+    for (int& v : f) v += n;
+    both.faces.push_back(f);
+  }
+  const Result of_both = coherent(both), of_sphere = coherent(sphere), of_plate = coherent(plate);
+  EXPECT_EQ(of_plate.roundness[0], 0);
+  for (std::size_t v = 0; v < both.points.size(); ++v) {
+    const bool is_first = v < sphere.points.size();
+    const Result& one = is_first ? of_sphere : of_plate;
+    const std::size_t i = is_first ? v : v - sphere.points.size();
+    EXPECT_EQ(of_both.normals[v], one.normals[i]) << v;
+    EXPECT_EQ(of_both.roundness[v], one.roundness[i]) << v;
+  }
+}
+
 // the normals of the ellipsoid through the corners: a / (a^2, b^2, c^2)
 TEST(Coherent_normals, BoxesHaveAreaNormals)
 {
@@ -436,6 +520,29 @@ TEST(Coherent_normals, GivenNormalsAreRound)
       });
     EXPECT_EQ(normals, 40u);
     EXPECT_EQ(others, 40u);
+  });
+}
+
+// Who tags edges says what is smooth.
+TEST(Coherent_normals, PlatesAreRoundAtCreases)
+{
+  struct One_at_crease : PN::internal::Vertex_sectors
+  {
+    using Vertex_sectors::Vertex_sectors;
+    bool is_at_crease(unsigned s) const { return s == 0; }
+  };
+  const Control_mesh control = beveled_plate(70, 90);
+  const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
+  PN::internal::with_mesh_access(mesh, [&](const auto& access) {
+    const auto level = PN::internal::checked_level(access);
+    std::vector<double> roundness(control.points.size(), -1);
+    PN::internal::estimate_normals<double>(
+      level, Control_normal_estimate::coherent, One_at_crease(level),
+      [&](unsigned v) -> const Triple& { return control.points[v]; },
+      [](unsigned) -> const Triple* { return nullptr; }, [](unsigned, const Triple&) {},
+      [&](unsigned v, double w) { roundness[v] = w; });
+    EXPECT_EQ(roundness[0], 1);
+    EXPECT_EQ(roundness[1], 0);
   });
 }
 

@@ -14,6 +14,8 @@
 
 #include "Control_normals.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace reference {
@@ -46,7 +48,8 @@ public:
         const Real other = alone[std::size_t(j)];
         least = std::min(least, 1 - (1 - other) * window(arc_error(v, j, normals), 0.3L, 0.6L));
       }
-      roundness.push_back(alone[std::size_t(v)] * least);
+      const Real lifted = alone[std::size_t(v)] > 0 ? window(lift(v), 0.5L, 1) : 0;
+      roundness.push_back(alone[std::size_t(v)] * least * (1 - lifted));
     }
   }
 
@@ -137,6 +140,43 @@ private:
       dip = std::max(dip, std::abs(n.dot(e)));
     }
     return dip / least;
+  }
+
+  // How far the point-normal rule with the weights 5/8 of an interior vertex and 3/8 of its neighbors takes that
+  // above its tangent plane and all neighbors, or below; by the shortest edge s and the longest one l it is (l - 4s)/s^2
+  // of that.
+  Real lift(int v) const
+  {
+    if (mesh_.is_border(v)) return 0;
+    const Point_3& n = normals[std::size_t(v)];
+    std::vector<std::pair<Point_3, Point_3>> entries; // points beside that of v, and normals
+    Real s = HUGE_VALL, l = 0;
+    for (int j : mesh_.ring(v)) {
+      const Point_3 e = at(j) - at(v);
+      if (!(e.norm() > 0)) continue;
+      entries.emplace_back(e, normals[std::size_t(j)]);
+      s = std::min(s, e.norm());
+      l = std::max(l, e.norm());
+    }
+    if (!(l > 4 * s)) return 0;
+    std::vector<Real> heights{0};
+    std::vector<Real> weights(entries.size(), Real(3) / Real(8 * entries.size()));
+    for (const auto& [e, m] : entries) heights.push_back(n.dot(e));
+    entries.emplace_back(Point_3::Zero(), n);
+    weights.push_back(Real(5) / 8);
+    Point_3 q = Point_3::Zero(), sum = Point_3::Zero();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      q += weights[i] * entries[i].first;
+      sum += weights[i] * entries[i].second;
+    }
+    const Point_3 u = unit(sum);
+    Point_3 p = q;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const auto& [e, m] = entries[i];
+      p += weights[i] * (m + u).dot(e - q) / std::max(Real(1), (m + u).dot(u)) * u;
+    }
+    const auto range = std::minmax_element(heights.begin(), heights.end());
+    return std::max(n.dot(p) - *range.second, *range.first - n.dot(p)) * (l - 4 * s) / (s * s);
   }
 
   Real mismatch(int v, const Point_3& n) const

@@ -13,6 +13,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/average/vectors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Lift_above_neighbors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
 #include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
@@ -28,8 +29,8 @@ namespace internal {
 
 // Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
 // with the neighbors and the fan is not wide, the area normal where not; an open one that of
-// Normal_estimation. Round is what is not wide, or is regular, and not at a bend beside what is not
-// round.
+// Normal_estimation. Round is what is not wide, or is regular, not at a bend beside what is not
+// round, and not lifted off a plane.
 template <class FT, class Sectors, class Point_of>
 class Coherent_estimation
 {
@@ -66,8 +67,10 @@ public:
       are_round = are_round && e.weight == 1;
       if (e.kind != Kind::given) set_roundness(s, e.weight);
     }
-    if (are_round) return;
-    const std::vector<double> shares = shares_beside_neighbors();
+    if (are_round && !is_uneven_) return;
+    std::vector<double> shares(estimates_.size(), 1);
+    if (!are_round) compare_roundness(shares);
+    if (is_uneven_) compare_lifts(shares);
     for (Index s = 0; s < estimates_.size(); ++s)
       if (shares[s] < 1 && estimates_[s].kind != Kind::given)
         set_roundness(s, estimates_[s].weight * shares[s]);
@@ -152,17 +155,28 @@ private:
   // edges too short for squares are left out
   void compare_neighbors()
   {
+    double longest = 0, inverse_of_shortest = 0; // squared
     for_each_edge([&](Index i, Index j, Index h) {
       Estimate &s = estimates_[i], &t = estimates_[j];
       const Vector e = edge(h);
-      const double inverse = 1 / dot<double, 3>(e, e);
+      const double squared = dot<double, 3>(e, e), inverse = 1 / squared;
       if (!std::isfinite(inverse) || !s.has_normal || !t.has_normal) return;
+      longest = (std::max)(longest, squared);
+      inverse_of_shortest = (std::max)(inverse_of_shortest, inverse);
       const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
       s.dips.add(of_s * of_s, inverse);
       t.dips.add(of_t * of_t, inverse);
       add_mismatch(s, of_s + of_t, dot<double, 3>(s.area(), e) + of_t, inverse);
       add_mismatch(t, of_s + of_t, dot<double, 3>(t.area(), e) + of_s, inverse);
     });
+    longest_squared_ = longest;
+    is_uneven_ = may_lift(inverse_of_shortest);
+  }
+
+  bool may_lift(double inverse_of_shortest_squared) const
+  {
+    constexpr double least = Lift_above_neighbors::least_unevenness;
+    return longest_squared_ * inverse_of_shortest_squared > least * least;
   }
 
   static void add_mismatch(Estimate& e, double of_normal, double of_area, double inverse)
@@ -244,9 +258,8 @@ private:
     return n_length > vanishing_tolerance<FT>() ? quotient(n, n_length) : b;
   }
 
-  std::vector<double> shares_beside_neighbors() const
+  void compare_roundness(std::vector<double>& shares) const
   {
-    std::vector<double> shares(estimates_.size(), 1);
     const auto is_round = [](const Estimate& e) { return e.weight == 1; };
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
@@ -261,7 +274,27 @@ private:
     });
     for (Index s = 0; s < shares.size(); ++s)
       if (sectors_.is_at_crease(s)) shares[s] = 1;
-    return shares;
+  }
+
+  void compare_lifts(std::vector<double>& shares)
+  {
+    for (Index s = 0; s < shares.size(); ++s) {
+      const Estimate& e = estimates_[s];
+      if (e.kind == Kind::closed && e.weight * shares[s] > 0 && !sectors_.is_at_crease(s) &&
+          may_lift(e.dips.of_shortest))
+        shares[s] *= share_of_lift(s);
+    }
+  }
+
+  double share_of_lift(Index s)
+  {
+    lift_.clear();
+    for_each_halfedge(level_, sectors_.fan(s), [&](Index h) {
+      const Vector e = difference_(level_.source(h), level_.target(h));
+      if (std::isfinite(1 / dot<double, 3>(e, e)))
+        lift_.add(e, estimates_[sectors_.at_source(h)].normal);
+    });
+    return lift_.share(estimates_[s].normal);
   }
 
   const Level_connectivity& level_;
@@ -271,6 +304,9 @@ private:
   Reciprocal_estimation reciprocal_;
   std::vector<Estimate>& estimates_; // its own
   Inverted_fan<FT> inverted_;        // of the sector at hand
+  Lift_above_neighbors lift_;        // of the same
+  double longest_squared_ = 0;       // of all edges
+  bool is_uneven_ = false;           // some vertex may be lifted
 };
 
 } // namespace internal
