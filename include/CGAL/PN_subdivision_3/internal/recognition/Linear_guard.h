@@ -211,9 +211,12 @@ private:
       else if (surfaces_[patch_[f]].kind == Kind::plane &&
                surfaces_[patch_[f]].number_of_faces < 12)
         bent.push_back(patch_[f]);
-      if (k >= 2 && make_corners(f)) has_changed = true;
     }
-    if (!has_given_up_planes_ && give_up(bent)) return set_back_after_giving_up();
+    const bool gives_up = !has_given_up_planes_ && give_up(bent);
+    if (k >= 2 || (!has_changed && !gives_up))
+      for (const Index f : high_)
+        if (make_corners(f)) has_changed = true;
+    if (gives_up) return set_back_after_giving_up();
     if (!has_changed)
       for (const Index f : high_)
         if (tags_->is_round(f) && set_back(f, true)) has_changed = true;
@@ -299,10 +302,19 @@ private:
                                    Control_normal_estimate::coherent)();
     for (std::size_t i = 0; i < extra.size(); ++i)
       share_roundness(values_[extra[i]], values_[n + i]);
+    set_tangents();
     corner_normal_.assign(level_.number_of_halfedges(), Vec3());
     for_each_corner(level_, cut.connectivity(), [&](Index h, Index slot) {
       corner_normal_[h] = as_vec3(values_[slot].normal);
     });
+  }
+
+  // Who refines takes all normals for given, the estimated ones, too, and has other tangents than while these are estimated.
+  void set_tangents()
+  {
+    creases_ = heights_.creases(is_crease_, is_corner_);
+    Control_creases<double, Value>(level_, creases_, values_,
+                                   std::vector<bool>(values_.size(), true))();
   }
 
   const Level_connectivity& level_;
