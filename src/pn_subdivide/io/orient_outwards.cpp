@@ -8,6 +8,7 @@
 
 #include "io/orient_outwards.h"
 
+#include "io/Error.h"
 #include "io/corner_normals.h"
 #include "io/soup_check.h"
 
@@ -44,17 +45,21 @@ public:
       if (c.is_closed) measure(c);
   }
 
-  std::vector<const Component*> inside_out() const
+  // oriented the other way than orient_outwards() has it
+  std::vector<const Component*> to_be_turned() const
   {
     std::vector<const Component*> result;
-    for (const Component& c : components_) {
-      if (!bounds_volume(c)) continue;
-      const auto others =
-        std::count_if(components_.begin(), components_.end(), [&](const Component& other) {
-          return &other != &c && bounds_volume(other) && has_box_in(c, other) && lies_in(c, other);
-        });
-      if ((c.volume < 0) == (others % 2 == 0)) result.push_back(&c);
-    }
+    for (const Component& c : components_)
+      if (bounds_volume(c) && (c.volume < 0) != is_cavity(c)) result.push_back(&c);
+    return result;
+  }
+
+  Inside_out inside_out() const
+  {
+    Inside_out result;
+    for (const Component& c : components_)
+      if (bounds_volume(c) && c.volume < 0 && !is_cavity(c) && ++result.number == 1)
+        result.first_face = c.faces.front();
     return result;
   }
 
@@ -78,6 +83,15 @@ private:
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
       component_of(mesh_.face(f).front()).faces.push_back(f);
     for (const Border_edge& e : find_defects(mesh_).border) component_of(e[0]).is_closed = false;
+  }
+
+  bool is_cavity(const Component& c) const
+  {
+    const auto others =
+      std::count_if(components_.begin(), components_.end(), [&](const Component& other) {
+        return &other != &c && bounds_volume(other) && has_box_in(c, other) && lies_in(c, other);
+      });
+    return others % 2 != 0;
   }
 
   void measure(Component& c) const
@@ -192,7 +206,7 @@ private:
 std::size_t orient_outwards(Mesh_data& mesh, std::vector<bool>& is_turned)
 {
   const Components components(mesh);
-  const std::vector<const Component*> wrong = components.inside_out();
+  const std::vector<const Component*> wrong = components.to_be_turned();
   if (wrong.empty()) return 0;
   std::vector<bool> is_wrong(mesh.number_of_faces(), false);
   for (const Component* c : wrong)
@@ -210,6 +224,18 @@ std::size_t orient_outwards(Mesh_data& mesh, std::vector<bool>& is_turned)
   mesh.clear_faces();
   for (std::size_t f = 0; f < faces.number_of_faces(); ++f) mesh.add_face(faces.face(f));
   return wrong.size();
+}
+
+Inside_out find_inside_out(const Mesh_data& mesh)
+{
+  return Components(mesh).inside_out();
+}
+
+std::string Inside_out::description() const
+{
+  return plural(number, "body is", "bodies are") + " inside out (first: at face " +
+         std::to_string(first_face) + "); --repair turns " + (number == 1 ? "it" : "them") +
+         " right side out";
 }
 
 } // namespace pn_subdivide

@@ -11,6 +11,8 @@
 
 #include "io/Mesh_data.h"
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pn_subdivide {
@@ -20,6 +22,15 @@ namespace pn_subdivide {
 // bounds no volume stays as it is. Components that cross each other lie in none of each other. Returns the number of
 // components that were turned, and marks their faces, which begin with the same vertex as before.
 std::size_t orient_outwards(Mesh_data& mesh, std::vector<bool>& is_turned);
+
+struct Inside_out
+{
+  std::size_t number = 0, first_face = 0;
+  std::string description() const; // for a warning
+};
+
+// Those of them that are oriented inwards and are no cavities.
+Inside_out find_inside_out(const Mesh_data& mesh);
 
 } // namespace pn_subdivide
 

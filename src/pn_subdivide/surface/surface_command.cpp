@@ -13,6 +13,7 @@
 #include "io/formats.h"
 #include "io/mesh_io.h"
 #include "io/normals_of_file.h"
+#include "io/orient_outwards.h"
 #include "pieces/Ranks.h"
 #include "pieces/pieces_command.h"
 #include "surface/Linear_check.h"
@@ -610,6 +611,8 @@ std::optional<Recognized_part> recognized_part(Mesh_data& mesh, const Plan& plan
   if (plan.creases.source != Crease_plan::Source::surfaces) return std::nullopt;
   Recognized_part part = recognize_part(mesh, plan.creases.recognition);
   const std::string input = plan.input.title("standard input");
+  const Inside_out inside_out = find_inside_out(mesh);
+  if (inside_out.number > 0) report.warn(input + ": " + inside_out.description());
   add_segments(mesh, part, input, report);
   if (mesh.has_normals() && plan.normals.source == Normals_option::Source::automatic) {
     report.remark(input + ": the normals in the file give way to those of the recognized surfaces "

@@ -11,6 +11,7 @@
 #include "Command_test.h"
 
 #include "io/mesh_io.h"
+#include "io/orient_outwards.h"
 #include "io/soup_repair.h"
 
 #include <gtest/gtest.h>
@@ -142,6 +143,23 @@ TEST(Soup_repair_outwards, EveryNestingFromEveryOrientation)
   }
 }
 
+// Without a repair bodies are told of that are inside out, and no cavities, however these are oriented.
+TEST(Soup_repair_outwards, BodiesInsideOutAreFound)
+{
+  for (unsigned turned = 0; turned < 128; ++turned) {
+    const Bodies bodies = nested(turned);
+    std::size_t number = 0, first_face = 0, begin = 0;
+    for (std::size_t i = 0; i < bodies.end.size(); ++i) {
+      if (bodies.signs[i] > 0 && volume(bodies.mesh, begin, bodies.end[i]) < 0 && ++number == 1)
+        first_face = begin;
+      begin = bodies.end[i];
+    }
+    const Inside_out found = find_inside_out(bodies.mesh);
+    EXPECT_EQ(found.number, number) << turned;
+    EXPECT_EQ(found.first_face, first_face) << turned;
+  }
+}
+
 // Single faces that are turned are set right first, whichever way.
 TEST(Soup_repair_outwards, FromFacesWithoutOrder)
 {
@@ -235,6 +253,7 @@ TEST(Soup_repair_outwards, OpenAndFlatOnesStay)
           is_turned); // a side is missing
     b.add({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, 0, is_turned);
     EXPECT_FALSE(repair_soup(b.mesh).changed_anything());
+    EXPECT_EQ(find_inside_out(b.mesh).number, 0u);
   }
 }
 

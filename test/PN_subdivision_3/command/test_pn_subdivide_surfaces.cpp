@@ -61,6 +61,18 @@ struct Part
     for (const Triple& p : corners) face.push_back(vertex(p));
     faces.push_back(face);
   }
+  // with faces of its own
+  void add(const Part& other, const Triple& shift, bool is_turned)
+  {
+    const std::size_t first = points.size();
+    for (const Triple& p : other.points)
+      points.push_back({p[0] + shift[0], p[1] + shift[1], p[2] + shift[2]});
+    for (std::vector<std::size_t> face : other.faces) {
+      for (std::size_t& v : face) v += first;
+      if (is_turned) std::reverse(face.begin(), face.end());
+      faces.push_back(face);
+    }
+  }
   void triangulate()
   {
     std::vector<std::vector<std::size_t>> triangles;
@@ -331,6 +343,36 @@ TEST_F(Pn_subdivide_surfaces, AnStlIsRoundAgain)
   for (const auto& [s, vertices] : planes)
     for (const std::size_t v : vertices)
       EXPECT_NEAR(mesh.points[v][2], mesh.points[*vertices.begin()][2], 1e-6);
+}
+
+// Bodies that are inside out have the same surfaces, and are told of; cavities are not.
+TEST_F(Pn_subdivide_surfaces, BodiesInsideOutAreTold)
+{
+  for (const bool is_turned : {false, true}) {
+    Part part = shaft();
+    part.add(shaft(), {10, 0, 0}, is_turned);
+    Part block;
+    block.add(rounded_bar(), {0, 0, 0}, false);
+    for (Triple& p : block.points) p = {5 * p[0], 5 * p[1] + 20, 5 * p[2]};
+    part.add(block, {0, 0, 0}, false);
+    part.add(shaft(), {0, 20, 5}, true); // a cavity of the block
+    const std::size_t first_face = shaft().faces.size();
+    folder.write("bodies.ply", part.ply());
+    const auto outcome = surface("bodies.ply", "o.ply", "--sharp surfaces" + reported());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(contains(outcome.err, "1 body is inside out (first: at face " +
+                                      std::to_string(first_face) +
+                                      "); --repair turns it right side out"),
+              is_turned)
+      << outcome.err;
+    EXPECT_EQ(contains(outcome.err, "inside out"), is_turned) << outcome.err;
+    std::size_t cylinders = 0;
+    for (const Json& row : report()["surfaces"]) cylinders += row["kind"] == "cylinder";
+    EXPECT_EQ(cylinders, 3u * 2u + 4u);
+    const auto repaired = surface("bodies.ply", "o.ply", "--sharp surfaces --repair");
+    EXPECT_FALSE(contains(repaired.err, "inside out")) << repaired.err;
+    EXPECT_EQ(contains(repaired.err, "1 closed component turned right side out"), is_turned);
+  }
 }
 
 // A file of six digits that has been scaled has all digits.

@@ -58,6 +58,28 @@ TEST(Never_worse_than_linear, nothing_is_left_high)
   }
 }
 
+// What is estimated is refined as given later, with other tangents of creases: heights are those of that.
+TEST(Never_worse_than_linear, estimated_normals_count_as_given)
+{
+  for (const std::uint32_t seed : {1336u, 2404u, 18880u, 23960u}) {
+    const Part part = dented(seed);
+    const Refined_part refined(part);
+    EXPECT_EQ(refined.broken_promises().all(), 0u) << part.name;
+    EXPECT_TRUE(refined.fallback.high_faces.empty()) << part.name;
+  }
+}
+
+// All normals that could do harm are set back by then, and only corners help.
+TEST(Never_worse_than_linear, corners_where_nothing_else_is_left)
+{
+  for (const std::uint32_t seed : {1241u, 1852u, 5023u}) {
+    const Part part = dented(seed);
+    const Refined_part refined(part);
+    EXPECT_EQ(refined.broken_promises().all(), 0u) << part.name;
+    EXPECT_TRUE(refined.fallback.high_faces.empty()) << part.name;
+  }
+}
+
 // Of parts without rounds what is said of the volume is what is measured, of others nothing is said.
 TEST(Never_worse_than_linear, volumes)
 {

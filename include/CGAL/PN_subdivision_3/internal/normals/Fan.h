@@ -57,6 +57,19 @@ void for_each_halfedge(const Level_connectivity& level, const Fan& fan, const Fu
   if (!fan.closed) f(h);
 }
 
+// calls function(half-edge) for those of a face
+template <class Function>
+void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivity::Index f,
+                               const Function& function)
+{
+  const Level_connectivity::Index first = level.halfedge_of_face(f);
+  Level_connectivity::Index h = first;
+  do {
+    function(h);
+    h = level.next(h);
+  } while (h != first);
+}
+
 // The edges e of a fan inverted at its vertex, W = e/|e|^2, and the cross products of neighboring
 // ones: the corner normals, each of the length |sin| / (|e||e'|). In double. Edges of length zero are
 // left out. The fan is scaled by a power of two where squares would leave the range of double.

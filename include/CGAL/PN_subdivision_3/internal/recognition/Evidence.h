@@ -37,12 +37,12 @@ public:
     const Patches::Patch& patch = c_.patches[p];
     if ((s.kind == Kind::sphere || s.kind == Kind::torus) && patch.vertices.size() > 4)
       return false;
+    Vec3 n;
     for (const Index v : patch.vertices) {
       const Vec3& x = c_.point(v);
-      if (!(std::abs(s.distance(x)) <= t)) return false;
-      const Vec3 n = s.normal(x);
-      const bool is_apex = s.kind == Kind::cone && norm(x - s.apex()) <= 10 * t;
-      if (!is_apex && !(side * dot(n, patch.normal) >= cosine_)) return false;
+      if (!s.normal_within(t, x, n)) return false;
+      const bool is_along = side * dot(n, patch.normal) >= cosine_;
+      if (!is_along && !(s.kind == Kind::cone && norm(x - s.apex()) <= 10 * t)) return false;
     }
     return true;
   }
@@ -205,7 +205,7 @@ private:
     };
     if (s.kind == Kind::sphere)
       return is_bend_visible(r, sagitta(s.radius, r.widest_angle), r.vertices.size());
-    const double factor = s.kind == Kind::cone ? std::cos(s.angle) : 1;
+    const double factor = s.kind == Kind::cone ? s.cosine : 1;
     if (!is_bend_visible(r, factor * sagitta(r.greatest_rho, r.turn.widest),
                          r.turn.positions.size()))
       return false;
@@ -231,14 +231,10 @@ private:
   // a circle and a point are on a sphere anyway
   bool is_fan(const Region& r) const
   {
-    for (const Index v : c_.patches[r.patches[0]].vertices) {
-      bool is_hub = true;
-      for (const Index p : r.patches)
-        is_hub = is_hub && std::binary_search(c_.patches[p].vertices.begin(),
-                                              c_.patches[p].vertices.end(), v);
-      if (is_hub && are_others_in_a_plane(r, v)) return true;
-    }
-    return false;
+    const std::vector<Index>& first = c_.patches[r.patches[0]].vertices;
+    return std::any_of(first.begin(), first.end(), [&](Index v) {
+      return c_.have_vertex(r.patches, v) && are_others_in_a_plane(r, v);
+    });
   }
   bool are_others_in_a_plane(const Region& r, Index hub) const
   {

@@ -18,22 +18,12 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
-
-struct Surface_fallback
-{
-  std::size_t segments_given_up = 0, wedges_set_back = 0;
-  std::vector<std::size_t> high_faces; // positions in faces(mesh)
-  std::vector<std::size_t>
-    corners; // positions in vertices(mesh): sharp by themselves, apexes among them
-  double excess_of_volume = 0; // as a part of it; none where anything is round or open
-};
 
 // Gives up surfaces (their kind becomes unknown, the numbers of the faces stay) and normals, where refinement by Loop's scheme
 // or, unless all faces are triangles, that of Catmull and Clark is worse than its linear twin; the linear one is that with sharp
@@ -59,7 +49,7 @@ Surface_fallback never_worse_than_linear(const FaceGraph& mesh, FacePatchMap pat
     std::vector<Recognized_surface> kept = surfaces;
     recognition::Linear_guard guard(read.level, read.part, kept, patches,
                                     recognition::radians(options.sharp_angle));
-    guard();
+    result = guard();
     for (Index e = 0; e < read.level.number_of_edges(); ++e)
       put(edge_map, access.edge_at(e), bool(guard.creases()[e]));
     for (Index h = 0; h < read.level.number_of_halfedges(); ++h) {
@@ -73,12 +63,6 @@ Surface_fallback never_worse_than_linear(const FaceGraph& mesh, FacePatchMap pat
       for (Index v = 0; v < read.level.number_of_vertices(); ++v)
         put(roundness, access.vertex(v), roundness_as<Number>(guard.roundness(v)));
     }
-    for (Index v = 0; v < read.level.number_of_vertices(); ++v)
-      if (guard.corners()[v]) result.corners.push_back(v);
-    result.segments_given_up = guard.segments_given_up();
-    result.wedges_set_back = guard.wedges_set_back();
-    result.high_faces.assign(guard.high_faces().begin(), guard.high_faces().end());
-    result.excess_of_volume = guard.excess_of_volume();
     surfaces = std::move(kept);
   });
   return result;

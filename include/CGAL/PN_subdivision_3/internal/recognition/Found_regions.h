@@ -42,9 +42,7 @@ public:
 
   const std::vector<Region>& regions() const { return regions_; }
   bool has_region(Index p) const { return has_region_[p]; }
-  Grower& grower() { return grower_; }
   Evidence& evidence() { return evidence_; }
-  Measure_region& measure() { return measure_; }
 
   // in a sphere or torus that is beyond doubt
   bool is_settled(Index p) const { return is_settled_[p]; }
@@ -55,14 +53,12 @@ public:
     if (std::all_of(seeds.begin(), seeds.end(), [&](Index p) { return is_settled_[p]; }))
       return true;
     const auto& of_kind = known_[int(kind)];
-    for (const Index number : of_kind[seeds[0]]) {
-      bool has_all = true;
-      for (const Index p : seeds)
-        has_all =
-          has_all && std::find(of_kind[p].begin(), of_kind[p].end(), number) != of_kind[p].end();
-      if (has_all) return true;
-    }
-    return false;
+    const auto has_all = [&](Index number) {
+      return std::all_of(seeds.begin(), seeds.end(), [&](Index p) {
+        return std::find(of_kind[p].begin(), of_kind[p].end(), number) != of_kind[p].end();
+      });
+    };
+    return std::any_of(of_kind[seeds[0]].begin(), of_kind[seeds[0]].end(), has_all);
   }
 
   enum class Guess { exact, may_be_fitted };
@@ -97,10 +93,14 @@ private:
 
   double first_tolerance(const Seeds& seeds) const
   {
+    const double t = c_.tolerance();
+    return (std::max)(2 * t, (std::min)(50 * t, 0.02 * least_width(seeds)));
+  }
+  double least_width(const Seeds& seeds) const
+  {
     double width = c_.part.size;
     for (const Index p : seeds) width = (std::min)(width, c_.patches[p].width);
-    const double t = c_.tolerance();
-    return (std::max)(2 * t, (std::min)(50 * t, 0.02 * width));
+    return width;
   }
 
   bool are_on(const Shape& s, const Seeds& seeds, double t) const
@@ -129,9 +129,7 @@ private:
   bool fit_to(const Seeds& seeds, Shape& s) const
   {
     const std::vector<Vec3> points = c_.points_of(c_.vertices_of(seeds));
-    double width = c_.part.size;
-    for (const Index p : seeds) width = (std::min)(width, c_.patches[p].width);
-    if (!(Shape_fit::residual(s, points) < 0.3 * width)) return false;
+    if (!(Shape_fit::residual(s, points) < 0.3 * least_width(seeds))) return false;
     return Shape_fit(points, 12)(s, 100 * c_.tolerance());
   }
 

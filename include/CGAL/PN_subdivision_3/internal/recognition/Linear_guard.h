@@ -11,6 +11,7 @@
 #include <CGAL/PN_subdivision_3/Recognized_surface.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Control_creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Refined_heights.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Surface_tags.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
@@ -24,6 +25,17 @@
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// What has become of surfaces and their normals, beside creases and normals.
+struct Surface_fallback
+{
+  std::size_t segments_given_up = 0, wedges_set_back = 0;
+  std::vector<std::size_t> high_faces; // positions in faces(mesh)
+  std::vector<std::size_t>
+    corners; // positions in vertices(mesh): sharp by themselves, apexes among them
+  double excess_of_volume = 0; // as a part of it; none where anything is round or open
+};
+
 namespace recognition {
 
 // Sees to it that what has not been recognized is no worse than with the linear scheme: segments beside it that do harm are
@@ -45,7 +57,7 @@ public:
     , heights_(level, part)
   {}
 
-  void operator()()
+  Surface_fallback operator()()
   {
     set_tags();
     is_zero_.assign(level_.number_of_halfedges(), false);
@@ -54,16 +66,19 @@ public:
     else
       linear_ = heights_.linear(is_crease_, is_corner_);
     check_normals();
+    result_.high_faces.assign(high_.begin(), high_.end());
+    result_.excess_of_volume = excess_of_volume();
+    for (Index v = 0; v < is_corner_.size(); ++v)
+      if (is_corner_[v]) result_.corners.push_back(v);
+    return result_;
   }
 
   const std::vector<bool>& creases() const { return is_crease_; }
-  const std::vector<bool>& corners() const { return is_corner_; }
   // of half-edges
   const std::vector<Vec3>& normals() const { return corner_normal_; }
   double roundness(Index v) const { return values_[v].roundness; }
-  std::size_t segments_given_up() const { return given_up_; }
-  std::size_t wedges_set_back() const { return set_back_; }
-  const std::vector<Index>& high_faces() const { return high_; }
+
+private:
   // By which part of it the volume of something closed without rounds, which would gain what the linear scheme loses, changes
   // beyond what it does with that.
   double excess_of_volume() const
@@ -75,14 +90,11 @@ public:
     const double excess = std::abs(volume_ - before) - std::abs(linear_.volume - before);
     return excess > 0 ? excess / std::abs(before) : 0;
   }
-
-private:
   bool is_known(Index f) const { return surfaces_[patch_[f]].kind != Kind::unknown; }
   bool has_unknown() const
   {
-    for (Index f = 0; f < level_.number_of_faces(); ++f)
-      if (!is_known(f)) return true;
-    return false;
+    return std::any_of(patch_.begin(), patch_.end(),
+                       [&](std::size_t patch) { return surfaces_[patch].kind == Kind::unknown; });
   }
 
   void set_tags()
@@ -113,26 +125,20 @@ private:
     return result;
   }
 
-  template <class Function>
-  void for_each_corner_of(Index f, const Function& function) const
-  {
-    const Index first = level_.halfedge_of_face(f);
-    Index h = first;
-    do {
-      function(h);
-      h = level_.next(h);
-    } while (h != first);
-  }
   // corners of all faces at the vertices of a face
   template <class Function>
   void for_each_corner_around(Index f, const Function& function) const
   {
-    for_each_corner_of(f, [&](Index first) {
-      Index h = first;
-      do {
-        if (!level_.is_border(h)) function(h);
-        h = level_.next_around_target(h);
-      } while (h != first);
+    for_each_halfedge_around(f, [&](Index h) {
+      if (!level_.is_border(h)) function(h);
+    });
+  }
+  // to the vertices of a face
+  template <class Function>
+  void for_each_halfedge_around(Index f, const Function& function) const
+  {
+    for_each_halfedge_of_face(level_, f, [&](Index h) {
+      for_each_halfedge(level_, fan_of_vertex(level_, level_.target(h)), function);
     });
   }
 
@@ -176,7 +182,7 @@ private:
       Recognized_surface unknown;
       unknown.number_of_faces = surfaces_[s].number_of_faces;
       surfaces_[s] = unknown;
-      ++given_up_;
+      ++result_.segments_given_up;
       has_changed = true;
     }
     return has_changed;
@@ -211,9 +217,12 @@ private:
       else if (surfaces_[patch_[f]].kind == Kind::plane &&
                surfaces_[patch_[f]].number_of_faces < 12)
         bent.push_back(patch_[f]);
-      if (k >= 2 && make_corners(f)) has_changed = true;
     }
-    if (!has_given_up_planes_ && give_up(bent)) return set_back_after_giving_up();
+    const bool gives_up = !has_given_up_planes_ && give_up(bent);
+    if (k >= 2 || (!has_changed && !gives_up))
+      for (const Index f : high_)
+        if (make_corners(f)) has_changed = true;
+    if (gives_up) return set_back_after_giving_up();
     if (!has_changed)
       for (const Index f : high_)
         if (tags_->is_round(f) && set_back(f, true)) has_changed = true;
@@ -248,20 +257,16 @@ private:
     if (is_known(f) && !is_last_resort)
       for_each_corner_around(f, zero);
     else
-      for_each_corner_of(f, zero);
+      for_each_halfedge_of_face(level_, f, zero);
     return has_changed;
   }
   bool make_corners(Index f)
   {
     bool has_changed = false;
-    for_each_corner_of(f, [&](Index first) {
-      const Index v = level_.target(first);
-      Index h = first;
-      do {
-        if (is_crease_[Level_connectivity::edge(h)] && !is_corner_[v])
-          is_corner_[v] = has_other_tags_ = has_changed = true;
-        h = level_.next_around_target(h);
-      } while (h != first);
+    for_each_halfedge_around(f, [&](Index h) {
+      const Index v = level_.target(h);
+      if (is_crease_[Level_connectivity::edge(h)] && !is_corner_[v])
+        is_corner_[v] = has_other_tags_ = has_changed = true;
     });
     return has_changed;
   }
@@ -287,11 +292,11 @@ private:
       if (is_known(level_.face(h)) || dot(normal, normal) > 0) is_given[slot] = true;
       sum[slot] += normal;
     });
-    set_back_ = 0;
+    result_.wedges_set_back = 0;
     for (Index slot = 0; slot < values_.size(); ++slot) {
       if (is_zero[slot]) {
         is_given[slot] = true;
-        ++set_back_;
+        ++result_.wedges_set_back;
       } else if (is_given[slot])
         values_[slot].normal = as_array(unit(sum[slot]));
     }
@@ -299,10 +304,19 @@ private:
                                    Control_normal_estimate::coherent)();
     for (std::size_t i = 0; i < extra.size(); ++i)
       share_roundness(values_[extra[i]], values_[n + i]);
+    set_tangents();
     corner_normal_.assign(level_.number_of_halfedges(), Vec3());
     for_each_corner(level_, cut.connectivity(), [&](Index h, Index slot) {
       corner_normal_[h] = as_vec3(values_[slot].normal);
     });
+  }
+
+  // Who refines takes all normals for given, the estimated ones, too, and has other tangents than while these are estimated.
+  void set_tangents()
+  {
+    creases_ = heights_.creases(is_crease_, is_corner_);
+    Control_creases<double, Value>(level_, creases_, values_,
+                                   std::vector<bool>(values_.size(), true))();
   }
 
   const Level_connectivity& level_;
@@ -318,8 +332,8 @@ private:
   std::vector<Vec3> corner_normal_;
   Face_changes linear_;
   std::vector<Index> high_;
+  Surface_fallback result_;
   bool has_given_up_planes_ = false, has_other_tags_ = false; // than those of linear_
-  std::size_t given_up_ = 0, set_back_ = 0;
   double volume_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_PART_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
@@ -184,12 +185,8 @@ private:
     std::vector<Index> order(level.number_of_faces());
     for (Index f = 0; f < corners.size(); ++f) {
       order[f] = f;
-      const Index first = level.halfedge_of_face(f);
-      Index h = first;
-      do {
-        corners[f].push_back(rank_[level.target(h)]);
-        h = level.next(h);
-      } while (h != first);
+      for_each_halfedge_of_face(level, f,
+                                [&](Index h) { corners[f].push_back(rank_[level.target(h)]); });
       std::rotate(corners[f].begin(), std::min_element(corners[f].begin(), corners[f].end()),
                   corners[f].end());
     }

@@ -33,7 +33,6 @@ struct Turn
   double widest = 0, least = 0; // of the spans
   double start = 0, end = 0;
 
-  double facets_per_turn() const { return widest > 0 ? 2 * std::acos(-1.) / widest : 0; }
   // the first or last position: 0, 1; -1: neither
   int end_at(double angle) const
   {
@@ -137,10 +136,18 @@ struct Context
   const Patches& patches;
   double greatest_smooth_angle;
   unsigned min_facets;
+  mutable std::vector<bool> is_listed; // vertices, none but in vertices_of()
 
   double tolerance() const { return part.tolerance; }
   const Vec3& point(Index v) const { return part.points[v]; }
   Vec3 direction(const Joint& j) const { return part.points[j.w] - part.points[j.v]; }
+  // whether all of some patches have a vertex
+  bool have_vertex(const std::vector<Index>& some_patches, Index v) const
+  {
+    return std::all_of(some_patches.begin(), some_patches.end(), [&](Index p) {
+      return std::binary_search(patches[p].vertices.begin(), patches[p].vertices.end(), v);
+    });
+  }
   std::vector<Vec3> points_of(const std::vector<Index>& vertices) const
   {
     std::vector<Vec3> result;
@@ -152,9 +159,13 @@ struct Context
   {
     std::vector<Index> result;
     for (const Index p : some_patches)
-      result.insert(result.end(), patches[p].vertices.begin(), patches[p].vertices.end());
+      for (const Index v : patches[p].vertices)
+        if (!is_listed[v]) {
+          is_listed[v] = true;
+          result.push_back(v);
+        }
+    for (const Index v : result) is_listed[v] = false;
     std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 };
@@ -227,8 +238,7 @@ private:
         if (s.kind == Kind::torus)
           about_tube.emplace_back(s.meridian_angle(c_.point(v)), margin(s.tube));
         if (q.rho > 1e-3 * r.greatest_rho)
-          about_axis.emplace_back(std::atan2(dot(q.outward, across.v), dot(q.outward, across.u)),
-                                  margin(q.rho));
+          about_axis.emplace_back(across.angle(q.outward), margin(q.rho));
       }
       turn.add_facet(about_axis);
       if (s.kind == Kind::torus) meridian.add_facet(about_tube);
@@ -265,7 +275,7 @@ private:
         r.has_tangent_end = true;
         if (r.shape.kind == Kind::sphere) continue;
         const Vec3 e = r.shape.local(c_.point(j.v)).outward + r.shape.local(c_.point(j.w)).outward;
-        const int end = r.turn.end_at(std::atan2(dot(e, across.v), dot(e, across.u)));
+        const int end = r.turn.end_at(across.angle(e));
         if (end >= 0) r.tangent_ends[end] = true;
       }
   }

@@ -200,13 +200,11 @@ private:
         const Index k = owner_[j.other(p)];
         if (k == null || k == i || !is_sure_[k]) continue;
         const Region& s = regions_[k];
-        bool is_tangent = j.is_smooth;
-        for (const Index v : {j.v, j.w})
-          is_tangent =
-            is_tangent &&
-            r.side * s.side * dot(r.shape.normal(c_.point(v)), s.shape.normal(c_.point(v))) >
-              std::cos(radians(0.5));
-        if (is_tangent) return true;
+        const auto is_tangent_at = [&](Index v) {
+          const Vec3 n = r.shape.normal(c_.point(v)), m = s.shape.normal(c_.point(v));
+          return r.side * s.side * dot(n, m) > std::cos(radians(0.5));
+        };
+        if (j.is_smooth && is_tangent_at(j.v) && is_tangent_at(j.w)) return true;
       }
     return false;
   }

@@ -213,12 +213,8 @@ private:
   {
     if (component.size() >= c_.min_facets) return false;
     const std::vector<Index>& first = c_.patches[component[0]].vertices;
-    const bool have_apex = std::any_of(first.begin(), first.end(), [&](Index v) {
-      return std::all_of(component.begin(), component.end(), [&](Index p) {
-        const std::vector<Index>& own = c_.patches[p].vertices;
-        return std::binary_search(own.begin(), own.end(), v);
-      });
-    });
+    const bool have_apex = std::any_of(first.begin(), first.end(),
+                                       [&](Index v) { return c_.have_vertex(component, v); });
     return have_apex || std::all_of(component.begin(), component.end(),
                                     [&](Index p) { return neighbors_within(component, p) == 2; });
   }

@@ -44,8 +44,15 @@ struct Shape
 {
   Kind kind = Kind::unknown;
   Vec3 center, axis;
-  double radius = 0, tube = 0, angle = 0;
+  double radius = 0, tube = 0;
+  double angle = 0, cosine = 1, sine = 0; // of a cone, by set_angle()
 
+  void set_angle(double x)
+  {
+    angle = x;
+    cosine = std::cos(x);
+    sine = std::sin(x);
+  }
   bool has_axis() const { return kind != Kind::sphere && kind != Kind::unknown; }
   Cylindrical local(const Vec3& p) const { return cylindrical(p, center, axis); }
   Vec3 apex() const { return center - (radius / std::tan(angle)) * axis; }
@@ -54,20 +61,38 @@ struct Shape
   {
     if (kind == Kind::plane) return dot(p - center, axis);
     if (kind == Kind::sphere) return norm(p - center) - radius;
-    const Cylindrical q = local(p);
-    if (kind == Kind::cone) return (q.rho - radius) * std::cos(angle) - q.z * std::sin(angle);
-    return kind == Kind::torus ? std::hypot(q.rho - radius, q.z) - tube : q.rho - radius;
+    return distance(local(p));
   }
   // the gradient of the distance; zero where there is none
   Vec3 normal(const Vec3& p) const
   {
     if (kind == Kind::plane) return axis;
     if (kind == Kind::sphere) return unit(p - center);
-    const Cylindrical q = local(p);
+    return normal(local(p));
+  }
+  // what these are of points about the axis of a cylinder, cone or torus
+  double distance(const Cylindrical& q) const
+  {
+    if (kind == Kind::cone) return (q.rho - radius) * cosine - q.z * sine;
+    return kind == Kind::torus ? std::hypot(q.rho - radius, q.z) - tube : q.rho - radius;
+  }
+  Vec3 normal(const Cylindrical& q) const
+  {
     if (kind == Kind::cylinder) return q.outward;
     if (kind == Kind::torus) return unit((q.rho - radius) * q.outward + q.z * axis);
-    if (q.rho == 0) return {};
-    return std::cos(angle) * q.outward - std::sin(angle) * axis;
+    return q.rho == 0 ? Vec3() : cosine * q.outward - sine * axis;
+  }
+  // the normal of a point within a distance, which the others have not
+  bool normal_within(double t, const Vec3& p, Vec3& n) const
+  {
+    if (kind == Kind::plane || kind == Kind::sphere) {
+      n = normal(p);
+      return std::abs(distance(p)) <= t;
+    }
+    const Cylindrical q = local(p);
+    if (!(std::abs(distance(q)) <= t)) return false;
+    n = normal(q);
+    return true;
   }
   // of the torus, where the point is on the circle of the tube
   double meridian_angle(const Vec3& p) const
@@ -103,7 +128,7 @@ inline Shape as_shape(const Recognized_surface& surface, double scale, const Vec
   s.axis = as_vec3(surface.direction);
   s.radius = surface.kind == Kind::cone ? 0 : surface.radius / scale;
   s.tube = surface.tube_radius / scale;
-  s.angle = surface.half_angle;
+  s.set_angle(surface.half_angle);
   return s;
 }
 
@@ -200,11 +225,9 @@ private:
     }
     s.axis = unit(s.axis + x[2] * across.u + x[3] * across.v);
     if (s.kind == Kind::cone) {
-      s.angle += x[5];
-      if (s.angle < 0) {
-        s.angle = -s.angle;
-        s.axis = -s.axis;
-      }
+      const double angle = s.angle + x[5];
+      if (angle < 0) s.axis = -s.axis;
+      s.set_angle(std::abs(angle));
       if (!(s.angle < radians(89.9) && s.angle > 1e-6)) return false;
     }
     return s.radius > 0 && (s.kind != Kind::torus || s.tube > 0);
@@ -218,12 +241,11 @@ private:
     Least_squares::Row row{};
     row[4] = -1;
     if (s.kind == Kind::cone) {
-      const double c = std::cos(s.angle), sine = std::sin(s.angle);
-      along_rho = c;
-      along_z = -sine;
-      row[4] = -c;
-      row[5] = -f * sine - q.z * c;
-      f = f * c - q.z * sine;
+      along_rho = s.cosine;
+      along_z = -s.sine;
+      row[4] = -s.cosine;
+      row[5] = -f * s.sine - q.z * s.cosine;
+      f = f * s.cosine - q.z * s.sine;
     } else if (s.kind == Kind::torus) {
       const double d = std::hypot(f, q.z);
       if (d == 0) return;
@@ -247,10 +269,10 @@ private:
                        Least_squares& system)
   {
     const Vec3 q = p - s.apex();
-    const double tangent = std::tan(s.angle), sine = std::sin(s.angle), t = s.radius / tangent;
+    const double tangent = std::tan(s.angle), t = s.radius / tangent;
     system.add({-1, 0, t, 0}, -dot(q, across.u));
     system.add({0, -1, 0, t}, -dot(q, across.v));
-    system.add({0, 0, 0, 0, 1 / tangent, -s.radius / (sine * sine)}, -dot(q, s.axis));
+    system.add({0, 0, 0, 0, 1 / tangent, -s.radius / (s.sine * s.sine)}, -dot(q, s.axis));
   }
 
   const std::vector<Vec3>& points_;

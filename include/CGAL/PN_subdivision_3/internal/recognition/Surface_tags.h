@@ -9,6 +9,7 @@
 #define CGAL_PN_SUBDIVISION_3_INTERNAL_RECOGNITION_SURFACE_TAGS_H
 
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Part.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
@@ -56,7 +57,9 @@ public:
   bool is_corner(Index v) const
   {
     bool result = false;
-    if (!level_.is_isolated(v)) for_each_corner(v, [&](Index h) { result = result || is_apex(h); });
+    if (!level_.is_isolated(v))
+      for_each_halfedge(level_, fan_of_vertex(level_, v),
+                        [&](Index h) { result = result || (!level_.is_border(h) && is_apex(h)); });
     return result;
   }
 
@@ -72,17 +75,6 @@ public:
 
 private:
   const Vec3& point(Index v) const { return part_.points[part_.rank_of_vertex[v]]; }
-
-  template <class Function>
-  void for_each_corner(Index v, const Function& function) const
-  {
-    const Index first = level_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
-      if (!level_.is_border(h)) function(h);
-      h = level_.next_around_target(h);
-    } while (h != first);
-  }
 
   // slivers have that of the face that they join
   void set_face_normals()
@@ -112,18 +104,15 @@ private:
   {
     Vec3 result;
     double longest = -1;
-    const Index first = level_.halfedge_of_face(f);
-    Index h = first;
-    do {
+    for_each_halfedge_of_face(level_, f, [&](Index h) {
       const Index o = Level_connectivity::opposite(h);
       const double length = norm(point(level_.target(h)) - point(level_.target(o)));
-      if (!level_.is_border(o) && patch_[level_.face(o)] == patch_[f] && length > longest &&
-          dot(normal_[level_.face(o)], normal_[level_.face(o)]) > 0) {
-        longest = length;
-        result = normal_[level_.face(o)];
-      }
-      h = level_.next(h);
-    } while (h != first);
+      if (level_.is_border(o) || patch_[level_.face(o)] != patch_[f] || !(length > longest)) return;
+      const Vec3& n = normal_[level_.face(o)];
+      if (!(dot(n, n) > 0)) return;
+      longest = length;
+      result = n;
+    });
     return result;
   }
 
@@ -133,15 +122,12 @@ private:
     std::vector<double> sums(shapes_.size(), 0);
     for (Index f = 0; f < level_.number_of_faces(); ++f) {
       if (!is_known(f)) continue;
-      const Index first = level_.halfedge_of_face(f);
       Vec3 mean;
       double n = 0;
-      Index h = first;
-      do {
+      for_each_halfedge_of_face(level_, f, [&](Index h) {
         mean += point(level_.target(h));
         ++n;
-        h = level_.next(h);
-      } while (h != first);
+      });
       sums[patch_[f]] +=
         dot(part_.area[part_.rank_of_face[f]], shapes_[patch_[f]].normal((1 / n) * mean));
     }
@@ -152,7 +138,7 @@ private:
   {
     const Shape& s = shapes_[patch_[level_.face(h)]];
     return s.kind == Kind::cone &&
-           norm(point(level_.target(h)) - s.center) <= 10 * part_.tolerance / std::sin(s.angle);
+           norm(point(level_.target(h)) - s.center) <= 10 * part_.tolerance / s.sine;
   }
 
   Vec3 normal_of_surface(Index h) const

@@ -121,7 +121,7 @@ private:
       z = -z;
     }
     for (const Vec3& p : points_) rho += cylindrical(p, apex, s.axis).rho / double(points_.size());
-    s.angle = std::atan2(rho, z);
+    s.set_angle(std::atan2(rho, z));
     s.radius = rho;
     s.center = apex + z * s.axis;
     if (s.angle > radians(0.2) && s.angle < radians(89.7)) polish(s, seeds);

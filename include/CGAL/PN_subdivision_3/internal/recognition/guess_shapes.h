@@ -53,9 +53,9 @@ inline void guess_by_apexes(const Context& c, Found_regions& found)
     s.kind = Kind::cone;
     s.axis = covariance.least_direction();
     if (dot(mean, s.axis) < 0) s.axis = -s.axis;
-    s.angle = std::acos((std::min)(1., dot(mean, s.axis)));
+    s.set_angle(std::acos((std::min)(1., dot(mean, s.axis))));
     if (!(s.angle > radians(0.5) && s.angle < radians(89.5))) continue;
-    const double height = std::cos(s.angle) * length / n;
+    const double height = s.cosine * length / n;
     s.center = c.point(v) + height * s.axis;
     s.radius = height * std::tan(s.angle);
     found.try_whole(s, seeds);
@@ -65,15 +65,10 @@ inline void guess_by_apexes(const Context& c, Found_regions& found)
 // the vertex of a facet that is furthest from a line
 inline Index furthest_from_line(const Context& c, Index patch, const Vec3& p, const Vec3& direction)
 {
-  Index result = c.patches[patch].vertices[0];
-  double largest = -1;
-  for (const Index v : c.patches[patch].vertices) {
-    const double d = norm(cross(c.point(v) - p, direction));
-    if (!(d > largest)) continue;
-    largest = d;
-    result = v;
-  }
-  return result;
+  const auto distance = [&](Index v) { return norm(cross(c.point(v) - p, direction)); };
+  const std::vector<Index>& vertices = c.patches[patch].vertices;
+  return *std::max_element(vertices.begin(), vertices.end(),
+                           [&](Index v, Index w) { return distance(v) < distance(w); });
 }
 
 // Cylinders by rulings: two facets meet in one.
@@ -222,7 +217,7 @@ private:
     s.radius = low.rho + rho / 2;
     if (std::abs(rho) > 2e-3 * std::abs(z)) {
       s.kind = Kind::cone;
-      s.angle = std::atan2(std::abs(rho), std::abs(z));
+      s.set_angle(std::atan2(std::abs(rho), std::abs(z)));
       if ((rho < 0) != (z < 0)) s.axis = -axis;
       found_.try_shape(s, row, Found_regions::Guess::may_be_fitted);
     }

@@ -91,6 +91,8 @@ struct Cross_section
     u = unit(cross(axis, least));
     v = cross(axis, u);
   }
+  double angle(const Vec3& a) const { return std::atan2(dot(a, v), dot(a, u)); }
+
   Vec3 u, v;
 };
 
@@ -98,11 +100,11 @@ struct Cross_section
 class Covariance
 {
 public:
-  void add(const Vec3& d, double weight = 1)
+  void add(const Vec3& d)
   {
     const std::array<double, 3> a = as_array(d);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) m_[i][j] += weight * a[i] * a[j];
+      for (int j = 0; j < 3; ++j) m_[i][j] += a[i] * a[j];
   }
   // the eigenvector of the least eigenvalue, by Jacobi's rotations
   Vec3 least_direction() const

@@ -61,7 +61,8 @@ inline Segments recognize_part(const Part& part, unsigned min_facets)
 {
   const double greatest = (std::max)(radians(61), radians(360. / min_facets + 0.5));
   const Patches patches = Make_patches(part, greatest)();
-  const Context context{part, patches, greatest, min_facets};
+  const Context context{part, patches, greatest, min_facets,
+                        std::vector<bool>(part.points.size(), false)};
   Found_regions found(context);
   find_regions(context, found);
   std::vector<Region> regions = choose_regions(context, found);

@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Smooth_rows.h>
 #include <CGAL/PN_subdivision_3/internal/creases/make_creases.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_candidates.h>
 #include <CGAL/PN_subdivision_3/internal/pieces/Piece_extraction.h>
 
@@ -57,19 +58,6 @@ struct Adaptive_level
   std::vector<std::vector<double>>
     corners{}; // attributes of the corners of each face that is wanted
 };
-
-// calls f(half-edge) for those of a face
-template <class Function>
-void for_each_halfedge_of_face(const Level_connectivity& level, Level_connectivity::Index f,
-                               const Function& function)
-{
-  const Level_connectivity::Index first = level.halfedge_of_face(f);
-  Level_connectivity::Index h = first;
-  do {
-    function(h);
-    h = level.next(h);
-  } while (h != first);
-}
 
 // The slots of the corners of a level.
 template <class Level_creases>
