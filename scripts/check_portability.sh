@@ -25,7 +25,7 @@ what=${1:-all}
 chosen=${2:-}
 seconds=
 if [[ $chosen == --seconds ]]; then
-  chosen= seconds=$3
+  chosen='' seconds=$3
 fi
 folder=build/portability
 mkdir -p "$folder"
@@ -64,12 +64,12 @@ check_sources()
 # check_while_time_lasts BUILD REGEX: the same until the time is over; what is wrong in those that were checked counts
 check_while_time_lasts()
 {
-  local objects object left=0 status=0
+  local objects object left=0 status=0 rest=$((seconds > SECONDS ? seconds - SECONDS : 0))
   mapfile -t objects < <(sources "$1" "$2")
-  echo "== clang++: ${#objects[@]} sources of $1, as many as $((seconds - SECONDS)) seconds allow"
+  echo "== clang++: ${#objects[@]} sources of $1, as many as $rest seconds allow"
   [[ ${#objects[@]} -gt 0 ]] || return 0
-  if [[ $SECONDS -lt $seconds ]]; then
-    timeout --signal=INT $((seconds - SECONDS)) ninja -C "$1" -k 0 --quiet "${objects[@]}" | tee "$1.out" || status=$?
+  if [[ $rest -gt 0 ]]; then
+    timeout --signal=INT "$rest" ninja -C "$1" -k 0 --quiet "${objects[@]}" | tee "$1.out" || status=$?
     ! grep -q '^FAILED' "$1.out" || status=1
   fi
   for object in "${objects[@]}"; do [[ -e $1/$object ]] || left=$((left + 1)); done
@@ -91,11 +91,12 @@ name_what_is_left_out()
 # Command, examples, tests, benchmarks, fuzz targets and the page's module, as CMake compiles them where CGAL is 6.
 everything_with_cgal6()
 {
-  local build=$folder/everything modeler=$folder/modeler status=0
+  local build=$folder/everything modeler=$folder/modeler status=0 joined=ON
+  [[ -z $chosen ]] || joined=OFF # tests have their own names
   local check=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
                "-DCMAKE_CXX_COMPILER_LAUNCHER=$PWD/cmake/PN_check_only.sh"
                "-DCMAKE_CXX_LINK_EXECUTABLE=<CMAKE_COMMAND> -E touch <TARGET>") # tests wait for the command
-  cmake -S . -B "$build" "${check[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON -DPN_TEST_JOINED=ON \
+  cmake -S . -B "$build" "${check[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON "-DPN_TEST_JOINED=$joined" \
     -DPN_SUBDIVISION_3_FUZZ=ON -DPN_SUBDIVISION_3_INSTALL=OFF -DPN_SUBDIVISION_3_WITH_MPI=AUTO >"$build.txt" || return 1
   cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${check[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
     "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1

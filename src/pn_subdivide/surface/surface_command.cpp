@@ -233,6 +233,17 @@ bool takes_surface_normals(const Plan& plan, const std::optional<Recognized_part
   return part && (source == Source::automatic || source == Source::file);
 }
 
+// What was found to be no worse than the linear result was refined with the normals of the surfaces, and estimates.
+void forget_other_comparisons(std::optional<Recognized_part>& part, const Plan& plan,
+                              unsigned levels)
+{
+  if (!part || (plan.normals.source == Normals_option::Source::automatic &&
+                plan.roundness.source == Roundness_option::Source::automatic && levels > 0))
+    return;
+  part->excess_of_volume = 0;
+  part->high_faces.clear();
+}
+
 std::string set_surface_normals(Mesh_data& mesh, const Plan& plan, const Recognized_part& part,
                                 const Creases& creases, Report& report)
 {
@@ -748,6 +759,7 @@ void run_surface_command(const Surface_options& given_options)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
                                plan.output_normals, plan.limit, plan.texture_rule, report);
     else {
+      forget_other_comparisons(part, plan, options.levels);
       if (part) table.emplace(*part, mesh);
       process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
       if (table) report_surfaces(*table, rounds, chord, input, report);

@@ -628,6 +628,21 @@ TEST_F(Pn_subdivide_surfaces, TheLinearTwinHasTheTags)
   EXPECT_FALSE(Temporary_folder::content(folder.file("a.selection.txt")).empty());
 }
 
+// What the spoon gains is that of estimated normals.
+TEST_F(Pn_subdivide_surfaces, VolumesAreComparedForWhatIsWritten)
+{
+  folder.write("spoon.obj", Temporary_folder::content(PN_DATA_DIR "/spoon.obj"));
+  const auto warns = [&](const std::string& options) {
+    const Outcome outcome = surface("spoon.obj", "o.ply", "--sharp surfaces " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return contains(outcome.err, "its volume changes by");
+  };
+  EXPECT_TRUE(warns("--levels 1"));
+  for (const char* options : {"--levels 1 --linear", "--levels 1 --normals none",
+                              "--levels 1 --roundness 0", "--levels 0"})
+    EXPECT_FALSE(warns(options)) << options;
+}
+
 // --- as many rounds as it takes ---
 
 // Of all edges of faces that are no plane, from the cylinders of the shaft.

@@ -159,7 +159,6 @@ Whole collected(const Pieces& pieces, bool of_corners, const PN::Attribute_table
   return w;
 }
 
-// but for last bits
 void expect_same(const Whole& a, const Whole& b)
 {
   EXPECT_EQ(a.faces, b.faces);
