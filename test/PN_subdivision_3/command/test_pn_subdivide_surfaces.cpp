@@ -367,7 +367,8 @@ TEST_F(Pn_subdivide_surfaces, BodiesInsideOutAreTold)
       << outcome.err;
     EXPECT_EQ(contains(outcome.err, "inside out"), is_turned) << outcome.err;
     std::size_t cylinders = 0;
-    for (const Json& row : report()["surfaces"]) cylinders += row["kind"] == "cylinder";
+    const Json json = report();
+    for (const Json& row : json["surfaces"]) cylinders += row["kind"] == "cylinder";
     EXPECT_EQ(cylinders, 3u * 2u + 4u);
     const auto repaired = surface("bodies.ply", "o.ply", "--sharp surfaces --repair");
     EXPECT_FALSE(contains(repaired.err, "inside out")) << repaired.err;
