@@ -6,6 +6,8 @@ set(pn_tests_apart
     test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
     test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_normal_guards
     test_reciprocal_normals test_strong_guarantee)
+# several sources of one test, with names that are not the same in all of them
+set(pn_sources_apart test_limit_surface test_tessellate)
 
 # Includes that depend on macros have to stay where they are; and a header of CGAL without include guard may be included once.
 function(pn_can_be_joined result source)

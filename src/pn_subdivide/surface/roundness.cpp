@@ -92,7 +92,10 @@ std::string roundness_description(const std::vector<double>& roundness)
   if (is_constant(roundness))
     return roundness.front() == 0 ? ", roundness 0 at all " + of_all : std::string();
   const auto zeros = std::count(roundness.begin(), roundness.end(), 0.);
-  return ", roundness 0 at " + std::to_string(zeros) + " of " + of_all;
+  if (zeros > 0) return ", roundness 0 at " + std::to_string(zeros) + " of " + of_all;
+  const auto below_1 =
+    roundness.size() - std::size_t(std::count(roundness.begin(), roundness.end(), 1.));
+  return ", roundness below 1 at " + std::to_string(below_1) + " of " + of_all;
 }
 
 } // namespace pn_subdivide

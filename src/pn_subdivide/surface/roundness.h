@@ -44,7 +44,8 @@ void set_roundness(Mesh_data& mesh, const Roundness_option& option, std::vector<
 // Drops what is not to be written: 1 everywhere, or beside normals that are no control normals.
 void suit_roundness(Mesh_data& mesh);
 
-// Where it varies ", roundness 0 at 130 of 160 vertices", where it is 0 "at all 160", for the closing line.
+// Where it varies ", roundness 0 at 130 of 160 vertices" (or "below 1 at 130" if it is 0 at none), where it is 0 "at all
+// 160", for the closing line.
 std::string roundness_description(const std::vector<double>& roundness);
 
 } // namespace pn_subdivide

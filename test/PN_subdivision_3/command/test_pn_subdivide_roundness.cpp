@@ -175,6 +175,9 @@ TEST_F(Pn_subdivide_roundness, AutoTakesThatOfTheFileBesideControlNormals)
             written("ridge.ply", "b.ply", "--levels 2"));
   EXPECT_TRUE(
     contains(err("round.ply", ""), "normals of the file, roundness 0 at 2 of 6 vertices"));
+  folder.write("rounder.ply", ply({1, 0.5, 1, 1, 0.25, 1}, true));
+  EXPECT_TRUE(
+    contains(err("rounder.ply", ""), "normals of the file, roundness below 1 at 2 of 6 vertices"));
   // it is none of the attributes
   EXPECT_EQ(read_mesh(folder.file("a.ply")).attributes.of_vertices.size(), 1u);
   for (const std::string options : {"--linear", "--normals none", "--normals estimate"})

@@ -22,7 +22,7 @@ namespace {
 
 using namespace interpolation_cases;
 
-const PN::CatmullClark_scheme scheme;
+const PN::CatmullClark_scheme catmull_clark;
 
 TEST(Interpolation_input, SharpEdgesAreRefusedByName)
 {
@@ -32,7 +32,7 @@ TEST(Interpolation_input, SharpEdgesAreRefusedByName)
   sharp[Surface_mesh::Edge_index(3)] = true;
   try {
     PN::interpolate_limit_points(
-      mesh, scheme,
+      mesh, catmull_clark,
       CGAL::parameters::vertex_normal_map(normal_map(mesh)).edge_is_constrained_map(sharp));
     ADD_FAILURE() << "a sharp edge is taken for a smooth one";
   } catch (const std::invalid_argument& e) {
@@ -67,7 +67,7 @@ TEST(Interpolation_input, AFailureLeavesTheMeshAsItWas)
   Surface_mesh mesh = to_surface_mesh(data);
   int writes = 5;
   EXPECT_THROW(PN::interpolate_limit_points(
-                 mesh, scheme,
+                 mesh, catmull_clark,
                  PN::parameters::join(
                    strict().pack(), CGAL::parameters::vertex_point_map(Failing_map{&mesh, &writes})
                                       .vertex_normal_map(normal_map(mesh)))),
@@ -87,23 +87,23 @@ TEST(Interpolation_input, AFailureLeavesNormalsAsTheyWere)
     PN::parameters::interpolation_normals(PN::Limit_interpolation::Normals::natural);
   int writes = 5;
   EXPECT_THROW(PN::interpolate_limit_points(
-                 mesh, scheme,
+                 mesh, catmull_clark,
                  natural.vertex_point_map(Failing_map{&mesh, &writes}).vertex_normal_map(normals)),
                std::runtime_error);
   for (auto v : mesh.vertices()) EXPECT_EQ(normals[v], given);
   EXPECT_EQ(control_net(mesh, data).points, data.points);
 
-  EXPECT_THROW(PN::interpolate_limit_points(mesh, scheme, natural), std::invalid_argument);
-  EXPECT_THROW(
-    PN::interpolate_limit_points(mesh, PN::linear(scheme), natural.vertex_normal_map(normals)),
-    std::invalid_argument);
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, catmull_clark, natural), std::invalid_argument);
+  EXPECT_THROW(PN::interpolate_limit_points(mesh, PN::linear(catmull_clark),
+                                            natural.vertex_normal_map(normals)),
+               std::invalid_argument);
 }
 
 // in double, whatever the mesh and its number type
 template <class Mesh, class K>
 void expect_same_net(const Control_mesh& data)
 {
-  Interpolated expected = interpolated(data, scheme, strict());
+  Interpolated expected = interpolated(data, catmull_clark, strict());
   Surface_mesh mesh = to_surface_mesh(data);
   const auto normals = normal_map(mesh);
   Mesh other;
@@ -117,7 +117,7 @@ void expect_same_net(const Control_mesh& data)
     map[w] = typename K::Vector_3(n.x(), n.y(), n.z());
   }
   const Report report = PN::interpolate_limit_points(
-    other, scheme,
+    other, catmull_clark,
     PN::parameters::join(strict().pack(),
                          CGAL::parameters::vertex_normal_map(boost::make_assoc_property_map(map))));
   EXPECT_EQ(report.steps, expected.report.steps);

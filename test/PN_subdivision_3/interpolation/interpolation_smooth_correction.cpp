@@ -27,7 +27,7 @@ namespace {
 namespace in = CGAL::PN_subdivision_3::internal;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Correction = in::Smooth_correction;
-using Index = Correction::Index;
+using Number = Correction::Index;
 using Conditions = std::vector<Correction::Condition>;
 
 // a vertex of valence n, number 0, and two rings of n vertices about it
@@ -52,13 +52,13 @@ Conditions conditions_on(std::size_t n)
   Conditions conditions;
   for (int k = 0; k < 3; ++k) {
     Correction::Condition mean;
-    mean.emplace_back(Index(0), 0.5 * Correction::Vector::Unit(k));
-    for (Index i = 1; i <= n; ++i)
+    mean.emplace_back(Number(0), 0.5 * Correction::Vector::Unit(k));
+    for (Number i = 1; i <= n; ++i)
       mean.emplace_back(i, 0.5 / double(n) * Correction::Vector::Unit(k));
     conditions.push_back(mean);
   }
-  conditions.push_back({{Index(1), {0.3, 0.2, 0.9}}, {Index(2), {-0.3, 0.1, -0.9}}});
-  conditions.push_back({{Index(n), {0.1, 1, 0.2}}, {Index(n + 1), {0, 0.2, 0.1}}});
+  conditions.push_back({{Number(1), {0.3, 0.2, 0.9}}, {Number(2), {-0.3, 0.1, -0.9}}});
+  conditions.push_back({{Number(n), {0.1, 1, 0.2}}, {Number(n + 1), {0, 0.2, 0.1}}});
   return conditions;
 }
 
@@ -99,12 +99,12 @@ TEST(Smooth_correction, IsTheSmoothestChange)
     CGAL::PN_subdivision_3::Level_connectivity level;
     in::with_mesh_access(mesh, [&](const auto& access) { level = in::checked_level(access); });
     const Conditions conditions = conditions_on(n);
-    Correction correction(level, {0, 1, 2, Index(n)}, 4); // all vertices
+    Correction correction(level, {0, 1, 2, Number(n)}, 4); // all vertices
     ASSERT_TRUE(correction.set_conditions(conditions));
     in::Vectors<3> points(level.number_of_vertices(), Correction::Vector::Zero());
     ASSERT_TRUE(correction.add_to(points, values));
     const Eigen::VectorXd expected = expected_change(mesh, conditions, values);
-    for (Index v = 0; v < points.size(); ++v)
+    for (std::size_t v = 0; v < points.size(); ++v)
       EXPECT_LT((points[v] - expected.segment<3>(3 * Eigen::Index(v))).norm(),
                 1e-9 * expected.norm());
   }

@@ -26,7 +26,7 @@ using test_meshes::Cells;
 const PN::CatmullClark_scheme::Tuned quad_scheme;
 const PN::Loop_scheme::Tuned triangle_scheme;
 
-Control_mesh graph()
+Control_mesh graph_of_waves()
 {
   return sampled_surfaces::patch(8, 8, 0, Cells::quads, 1, sampled_surfaces::on_waves);
 }
@@ -75,7 +75,7 @@ TEST(Interpolation, StrictLimitsAreThePointsOnAll)
       EXPECT_LE(double((limit_cases::to_vector(all.at[v].point) - point_of(data, v)).norm()), 1e-11)
         << data.name << ", vertex " << v;
   };
-  for (const Control_mesh& data : {ellipsoid_quads(4), torus(8), graph(), noise}) {
+  for (const Control_mesh& data : {ellipsoid_quads(4), torus(8), graph_of_waves(), noise}) {
     expect_met(data, quad_scheme);
     expect_met(data, later);
   }
@@ -179,7 +179,7 @@ TEST(Interpolation, SlideIsCloserThanLinearInterpolation)
   expect_gains(ellipsoid_quads(8), quad_scheme, to_ellipsoid, 12, 3, 5);
   expect_gains(ellipsoid_triangles(2), triangle_scheme, to_ellipsoid, 20, 6, 5);
   expect_gains(torus(16), quad_scheme, to_torus, 15, 12);
-  expect_gains(graph(), quad_scheme, to_waves, 12, 0);
+  expect_gains(graph_of_waves(), quad_scheme, to_waves, 12, 0);
 }
 
 // Orders of convergence: the error falls by 2^4 where the edges are halved.
@@ -236,7 +236,7 @@ TEST(Interpolation, NaturalNormalsAreThoseOfTheSurface)
 
 TEST(Interpolation, NaturalNormalsStayOnBorders)
 {
-  const Control_mesh data = graph();
+  const Control_mesh data = graph_of_waves();
   Surface_mesh mesh = to_surface_mesh(data), estimate = mesh;
   Further_interpolation_runs<PN::CatmullClark_scheme::Tuned>::natural_normals(mesh, quad_scheme);
   PN::estimate_control_normals(estimate, normal_map(estimate));
@@ -289,7 +289,7 @@ TEST(Interpolation, NaturalNormalsOfSpheresAreTheEstimate)
 
 TEST(Interpolation, MovesWithTheData)
 {
-  const Control_mesh data = graph();
+  const Control_mesh data = graph_of_waves();
   const Interpolated before = interpolated(data, quad_scheme);
   for (const Real scale : {1e-3L, 1e4L}) {
     Control_mesh other = data;
