@@ -138,13 +138,13 @@ TEST(Interpolation_at_any_scale, NaturalNormals)
 
 TEST(Interpolation_at_any_scale, OfPolygons)
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Polygon = std::vector<std::pair<Kernel::Point_2, Kernel::Vector_2>>;
+  using Plane_kernel = CGAL::Simple_cartesian<double>;
+  using Polygon = std::vector<std::pair<Plane_kernel::Point_2, Plane_kernel::Vector_2>>;
   const auto polygon = [](int e) {
     Polygon result;
     for (int i = 0; i < 7; ++i)
-      result.emplace_back(Kernel::Point_2(std::ldexp(3 * std::cos(0.8 * i), e),
-                                          std::ldexp(std::sin(0.8 * i) + 0.25 * (i % 2), e)),
+      result.emplace_back(Plane_kernel::Point_2(std::ldexp(3 * std::cos(0.8 * i), e),
+                                                std::ldexp(std::sin(0.8 * i) + 0.25 * (i % 2), e)),
                           CGAL::NULL_VECTOR);
     return result;
   };
