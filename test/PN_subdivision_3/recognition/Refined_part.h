@@ -127,17 +127,19 @@ private:
   std::vector<Face_change> changes(const Scheme& scheme, double& volume_after) const
   {
     namespace PN = CGAL::PN_subdivision_3;
-    Mesh mesh = mesh_;
-    const auto origin = mesh.property_map<Mesh::Face_index, int>("f:origin").first;
+    Mesh mesh = mesh_; // which has all these maps: CGAL 5 and 6 find them in different ways
+    const auto origin = mesh.add_property_map<Mesh::Face_index, int>("f:origin").first;
     PN::subdivide(
       mesh, scheme,
       PN::parameters::attributes(PN::parameters::face_attribute(origin))
         .number_of_iterations(2)
-        .edge_is_constrained_map(mesh.property_map<Mesh::Edge_index, bool>("e:crease").first)
-        .vertex_is_constrained_map(mesh.property_map<Mesh::Vertex_index, bool>("v:corner").first)
-        .vertex_roundness_map(mesh.property_map<Mesh::Vertex_index, double>("v:roundness").first)
+        .edge_is_constrained_map(mesh.add_property_map<Mesh::Edge_index, bool>("e:crease").first)
+        .vertex_is_constrained_map(
+          mesh.add_property_map<Mesh::Vertex_index, bool>("v:corner").first)
+        .vertex_roundness_map(
+          mesh.add_property_map<Mesh::Vertex_index, double>("v:roundness").first)
         .vertex_normal_map(
-          mesh.property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal").first));
+          mesh.add_property_map<Mesh::Halfedge_index, Kernel::Vector_3>("h:normal").first));
     volume_after = volume_of(mesh);
     return measured(mesh, origin);
   }
