@@ -1,5 +1,5 @@
 # Several test sources as one program: what they instantiate alike is compiled once, which takes less than half the time.
-option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, or a few" OFF)
+option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, or a few (CMake 3.18 or newer)" OFF)
 set(PN_TESTS_IN_A_SOURCE 7) # so that none takes more than a minute or two and 1.5 GB
 # with settings or an operator new of their own, or with names that headers of others have, too
 set(pn_tests_apart

@@ -13,7 +13,8 @@
 #   scripts/check_portability.sh [c++20|clang|cgal6|aarch64|all]
 #   scripts/check_portability.sh cgal6 REGEX      only the sources whose paths match, as 'src/|examples/'
 #   scripts/check_portability.sh cgal6 --seconds N
-#                                               as many sources as N seconds allow, the tests last; it says how many not
+#                                               as many sources as N seconds allow, the tests last; it says how many
+#                                               have never been checked in build/portability
 #
 # Debian packages: clang, g++-aarch64-linux-gnu, qemu-user (scripts/install_dependencies.sh does not install the
 # last two). The headers of CGAL 6 are fetched from Debian's mirror (scripts/fetch_cgal6_headers.sh), or CGAL6=FOLDER
@@ -73,7 +74,7 @@ check_while_time_lasts()
     ! grep -q '^FAILED' "$1.out" || status=1
   fi
   for object in "${objects[@]}"; do [[ -e $1/$object ]] || left=$((left + 1)); done
-  echo "-- $left of ${#objects[@]} sources not checked"
+  echo "-- $left of ${#objects[@]} sources never checked"
   [[ $status -eq 0 || $status -eq 124 ]]
 }
 
