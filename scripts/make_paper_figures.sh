@@ -134,7 +134,7 @@ figure_5() {
 figure_6() {
   local mesh=data/meshes/bezier_6.ply m k
   for m in 0 1 2 3; do
-    surface $mesh "control_$m.ply" --scheme catmull-clark --levels "$m"
+    surface $mesh "control_$m.ply" --scheme catmull-clark --levels "$m" --output-normals control
     surface "$work/control_$m.ply" "PN_$m.ply" --scheme catmull-clark --levels 2
     for k in $(seq 0 $((3 - m))); do
       surface "$work/control_$m.ply" "linear_${m}_$k.ply" --scheme catmull-clark --linear \
