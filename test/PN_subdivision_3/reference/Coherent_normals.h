@@ -46,10 +46,14 @@ public:
       Real least = 1;
       for (int j : mesh.ring(v)) {
         const Real other = alone[std::size_t(j)];
-        least = std::min(least, 1 - (1 - other) * window(arc_error(v, j, normals), 0.3L, 0.6L));
+        least = std::min(least, 1 - (1 - other) * window(error_beside(v, j), 0.3L, 0.6L));
       }
       const Real lifted = alone[std::size_t(v)] > 0 ? window(lift(v), 0.5L, 1) : 0;
-      roundness.push_back(alone[std::size_t(v)] * least * (1 - lifted));
+      Real spread = 0;
+      for (const Face& f : mesh.faces())
+        if (std::find(f.begin(), f.end(), v) != f.end()) spread = std::max(spread, spread_over(f));
+      roundness.push_back(alone[std::size_t(v)] * least * (1 - lifted) *
+                          (1 - window(spread, 0.2L, 0.4L)));
     }
   }
 
@@ -116,6 +120,54 @@ private:
   {
     const Point_3 e = at(j) - at(v);
     return std::abs((n[std::size_t(v)] + n[std::size_t(j)]).dot(e)) / e.norm();
+  }
+
+  // from 0 where the longest edge is 6 times the shortest one to 1 where it is 7 times that
+  static Real uneven(Real longest, Real shortest)
+  {
+    return longest > 6 * shortest ? std::min(Real(1), longest / shortest - 6) : 0;
+  }
+
+  // of the arc from v to j relative to the edge; to the shortest one of j where these are uneven
+  Real error_beside(int v, int j) const
+  {
+    const Point_3 e = at(j) - at(v);
+    if (!(e.norm() > 0)) return 1;
+    Real s = HUGE_VALL, l = 0;
+    for (int k : mesh_.ring(j)) {
+      const Real length = (at(k) - at(j)).norm();
+      if (length > 0) s = std::min(s, length);
+      l = std::max(l, length);
+    }
+    const Real u = uneven(l, s);
+    return arc_error(v, j, normals) * (1 - u + u * e.norm() / s);
+  }
+
+  // How much the heights of arcs from the corners of a face over their mean differ from their own mean, on average, in
+  // widths of the face.
+  Real spread_over(const Face& f) const
+  {
+    const Real m = Real(f.size());
+    Point_3 q = Point_3::Zero(), sum = Point_3::Zero();
+    Real s = HUGE_VALL, l = 0, mean = 0, spread = 0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const Real length = (at(f[i]) - at(f[i == 0 ? f.size() - 1 : i - 1])).norm();
+      s = std::min(s, length);
+      l = std::max(l, length);
+      q += at(f[i]) / m;
+      sum += normals[std::size_t(f[i])];
+      if (normals[std::size_t(f[i])].isZero()) return 0;
+    }
+    if (!(l > 6 * s) || sum.isZero()) return 0;
+    const Point_3 n = unit(sum);
+    std::vector<Real> heights;
+    for (int v : f) {
+      const Point_3& n_v = normals[std::size_t(v)];
+      heights.push_back((n_v + n).dot(at(v) - q) / std::max(Real(1), (n_v + n).dot(n)));
+      mean += heights.back() / m;
+    }
+    for (Real h : heights) spread += std::abs(h - mean) / m;
+    return uneven(l, s) * spread / std::max(s, l / 1024);
   }
 
   // the length of the shortest edge over that of the longest

@@ -15,6 +15,7 @@
 #include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Lift_above_neighbors.h>
 #include <CGAL/PN_subdivision_3/internal/normals/Normal_estimation.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Spread_of_arcs.h>
 #include <CGAL/PN_subdivision_3/internal/normals/area_normals.h>
 #include <CGAL/PN_subdivision_3/internal/normals/roundness.h>
 
@@ -30,7 +31,7 @@ namespace internal {
 // Estimates normals and roundness of sectors. A closed fan has the reciprocal normal where that agrees
 // with the neighbors and the fan is not wide, the area normal where not; an open one that of
 // Normal_estimation. Round is what is not wide, or is regular, not at a bend beside what is not
-// round, and not lifted off a plane.
+// round, not lifted off a plane, and not over faces whose arcs miss each other.
 template <class FT, class Sectors, class Point_of>
 class Coherent_estimation
 {
@@ -70,7 +71,10 @@ public:
     if (are_round && !is_uneven_) return;
     std::vector<double> shares(estimates_.size(), 1);
     if (!are_round) compare_roundness(shares);
-    if (is_uneven_) compare_lifts(shares);
+    if (is_uneven_) {
+      compare_lifts(shares);
+      compare_arcs_of_faces(shares);
+    }
     for (Index s = 0; s < estimates_.size(); ++s)
       if (shares[s] < 1 && estimates_[s].kind != Kind::given)
         set_roundness(s, estimates_[s].weight * shares[s]);
@@ -160,9 +164,9 @@ private:
       Estimate &s = estimates_[i], &t = estimates_[j];
       const Vector e = edge(h);
       const double squared = dot<double, 3>(e, e), inverse = 1 / squared;
+      inverse_of_shortest = (std::max)(inverse_of_shortest, inverse);
       if (!std::isfinite(inverse) || !s.has_normal || !t.has_normal) return;
       longest = (std::max)(longest, squared);
-      inverse_of_shortest = (std::max)(inverse_of_shortest, inverse);
       const auto of_s = dot<double, 3>(s.normal, e), of_t = dot<double, 3>(t.normal, e);
       s.dips.add(of_s * of_s, inverse);
       t.dips.add(of_t * of_t, inverse);
@@ -260,20 +264,42 @@ private:
 
   void compare_roundness(std::vector<double>& shares) const
   {
+    const std::vector<double> uneven = shares_of_uneven();
     const auto is_round = [](const Estimate& e) { return e.weight == 1; };
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
       if (is_round(s) && is_round(t)) return;
       const Vector e = edge(h);
       const double e_length = quick_length(e);
-      if (!(e_length > 0)) return;
-      const double error =
-        std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e)) / e_length;
-      shares[i] = (std::min)(shares[i], roundness_beside(t.weight, error));
-      shares[j] = (std::min)(shares[j], roundness_beside(s.weight, error));
+      const double miss = std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e));
+      const auto beside = [&](Index k) {
+        const double error = e_length > 0 ? miss * inverse_width(k, uneven[k], e_length) : 1;
+        return roundness_beside(estimates_[k].weight, error);
+      };
+      shares[i] = (std::min)(shares[i], beside(j));
+      shares[j] = (std::min)(shares[j], beside(i));
     });
     for (Index s = 0; s < shares.size(); ++s)
       if (sectors_.is_at_crease(s)) shares[s] = 1;
+  }
+
+  // what an arc to a sector may miss that by: one that is not round would bend its shortest edge
+  double inverse_width(Index s, double uneven, double length) const
+  {
+    return (1 - uneven) / length + uneven * std::sqrt(estimates_[s].dips.of_shortest);
+  }
+
+  std::vector<double> shares_of_uneven() const
+  {
+    std::vector<double> result(estimates_.size(), 0);
+    if (!is_uneven_) return result;
+    for_each_edge([&](Index i, Index j, Index h) { // first the squared lengths of the longest edges
+      const Vector e = edge(h);
+      for (Index s : {i, j}) result[s] = (std::max)(result[s], dot<double, 3>(e, e));
+    });
+    for (Index s = 0; s < result.size(); ++s)
+      result[s] = share_of_uneven(result[s], 1 / estimates_[s].dips.of_shortest);
+    return result;
   }
 
   void compare_lifts(std::vector<double>& shares)
@@ -284,6 +310,39 @@ private:
           may_lift(e.dips.of_shortest))
         shares[s] *= share_of_lift(s);
     }
+  }
+
+  void compare_arcs_of_faces(std::vector<double>& shares)
+  {
+    std::vector<double> of_faces(shares.size(), 1);
+    for (Index f = 0; f < level_.number_of_faces(); ++f) {
+      arcs_.clear();
+      bool are_linear = true;
+      for_each_corner(f, [&](Index h) {
+        const Index s = sectors_.at_target(h);
+        are_linear = are_linear && !(estimates_[s].weight * shares[s] > 0);
+        arcs_.add(edge(h), estimates_[s].normal);
+      });
+      const double share = are_linear ? 1 : arcs_.share();
+      if (share < 1)
+        for_each_corner(f, [&](Index h) {
+          double& of_corner = of_faces[sectors_.at_target(h)];
+          of_corner = (std::min)(of_corner, share);
+        });
+    }
+    for (Index s = 0; s < shares.size(); ++s)
+      if (!sectors_.is_at_crease(s)) shares[s] *= of_faces[s];
+  }
+
+  template <class Function>
+  void for_each_corner(Index f, const Function& function) const
+  {
+    const Index first = level_.halfedge_of_face(f);
+    Index h = first;
+    do {
+      function(h);
+      h = level_.next(h);
+    } while (h != first);
   }
 
   double share_of_lift(Index s)
@@ -305,6 +364,7 @@ private:
   std::vector<Estimate>& estimates_; // its own
   Inverted_fan<FT> inverted_;        // of the sector at hand
   Lift_above_neighbors lift_;        // of the same
+  Spread_of_arcs arcs_;              // of the face at hand
   double longest_squared_ = 0;       // of all edges
   bool is_uneven_ = false;           // some vertex may be lifted
 };

@@ -85,14 +85,6 @@ private:
     return (std::max)(height - highest, lowest - height);
   }
 
-  // over q, along n, by the arc to the point p with the normal m; it is bounded where m turns by more than 90 degrees
-  static double arc_height(const Vector& m, const Vector& p, const Vector& q, const Vector& n)
-  {
-    const auto d = difference<double, 3>(p, q);
-    const double numerator = dot<double, 3>(m, d) + dot<double, 3>(n, d);
-    return numerator / (1 + (std::max)(0., dot<double, 3>(m, n)));
-  }
-
   std::vector<Neighbor> neighbors_;
 };
 

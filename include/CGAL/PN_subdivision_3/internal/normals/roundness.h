@@ -132,10 +132,25 @@ struct Dips
   double largest = 0, of_shortest = 0;
 };
 
+// over q, along n, by the arc to the point p with the normal m; it is bounded where m turns by more than 90 degrees
+inline double arc_height(const Coordinates<double, 3>& m, const Coordinates<double, 3>& p,
+                         const Coordinates<double, 3>& q, const Coordinates<double, 3>& n)
+{
+  const auto d = difference<double, 3>(p, q);
+  const double numerator = dot<double, 3>(m, d) + dot<double, 3>(n, d);
+  return numerator / (1 + (std::max)(0., dot<double, 3>(m, n)));
+}
+
 // a or b
 inline double either(double a, double b)
 {
   return 1 - (1 - a) * (1 - b);
+}
+
+// 0 where the longest edge is at most 6 times the shortest one, from 7 times on 1; both are squared
+inline double share_of_uneven(double longest, double shortest)
+{
+  return longest > 36 * shortest ? (std::min)(std::sqrt(longest / shortest) - 6, 1.) : 0;
 }
 
 // what is left of the roundness of a vertex beside another one, by the error of the arc between them
