@@ -76,10 +76,13 @@ d = \frac{\max_j |n \cdot e_j|}{\min_j |e_j|}, \f]
 since a plane that ends in a short chamfer looks like a cap of a large sphere. Moreover, a
 vertex without an arc to a neighbor that is not round is not round either:
 
-\f[ w = w' \min_j \left( 1 - (1 - w'_j) \, S \left( \frac{g_j - 0.3}{0.3} \right) \right), \quad g_j = \frac{|(n + n_j)
-\cdot e_j|}{|e_j|}. \f]
+\f[ w = w' \min_j \left( 1 - (1 - w'_j) \, S \left( \frac{g_j - 0.3}{0.3} \right) \right), \quad g_j = |(n + n_j)
+\cdot e_j| \left( \frac{1 - u_j}{|e_j|} + \frac{u_j}{s_j} \right) \f]
 
-Last, where a large plane ends in short bevels the point of an interior vertex must not be lifted off the plane. With the
+with \f$ s_j \f$ and \f$ l_j \f$, the lengths of the shortest and the longest edge of the neighbor, and \f$ u_j = \min(1,
+\max(0, l_j / s_j - 6)) \f$; where two points coincide \f$ g_j = 1 \f$.
+
+Next, where a large plane ends in short bevels the point of an interior vertex must not be lifted off the plane. With the
 m edges of the vertex, the lengths s and l of the shortest and the longest one, and weights 3/8 of the neighbors and
 5/8 of the vertex, let \f$ q = \frac{3}{8m} \sum_j e_j \f$ be the way of the linear point, u the unit vector of
 \f$ \frac{5}{8} n + \frac{3}{8m} \sum_j n_j \f$, and
@@ -90,6 +93,16 @@ m edges of the vertex, the lengths s and l of the shortest and the longest one, 
 the height of the new point over the tangent plane (negative cosines in the denominators count as 0). By o, what it lies above this plane
 and all neighbors, or below them all, the roundness is multiplied by \f$ 1 - S(2 o \, (l - 4s) / s^2 - 1) \f$ where l > 4s. On spheres and
 cylinders o = 0.
+
+Last, new points are not to fold long and narrow faces. Over the mean q of the m corners of a face, with the unit vector u of
+\f$ \sum_i n_i \f$, the lengths s (taken as at least l/1024) and l of its shortest and its longest edge,
+
+\f[ h_i = \frac{(n_i + u) \cdot (p_i - q)}{1 + \max(0, n_i \cdot u)}, \quad x = \frac{\min(1, \max(0, l / s - 6))}{m s}
+\sum_i |h_i - \bar h| \f]
+
+tells how far the arcs from the corners miss each other there: not at all on spheres and cylinders. The roundness of the
+corners is multiplied by \f$ 1 - S(5 x - 1) \f$, with the largest x of the faces of a vertex. Faces with a corner without
+a normal are left out.
 
 At a border vertex r and n are the normal of the reciprocal estimate. Where one of r and a vanishes the other one
 is taken for both; where E(r) is no more than rounding t = 1. The roundness is 0 where the normal vanishes and 1 at
