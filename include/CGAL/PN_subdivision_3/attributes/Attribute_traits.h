@@ -284,7 +284,7 @@ struct Attribute_array
   /// the numbers, those of an element next to each other.
   std::vector<double> values;
   /// of values of corners only.
-  Corner_rule rule = Corner_rule::smooth;
+  Corner_rule rule = Corner_rule::corners_plus1;
 };
 
 /*!
