@@ -13,7 +13,8 @@
                                  into MathML, which browsers show without a script and a network
 
 Formulas need the program blahtexml (a Debian package of 0.2 MB); without it they stay with MathJax,
-which browsers load from the network. `finish` fails if a reference or a formula cannot be resolved.
+which browsers load from the network. `finish` fails if a reference or a formula cannot be resolved, an entry
+does not name its header, or a page has the folder of the build.
 """
 
 import argparse
@@ -197,6 +198,23 @@ def unlisted(pages: dict[Path, str]) -> list[str]:
             for name in sorted(names - listed)]
 
 
+def without_header(pages: dict[Path, str]) -> list[str]:
+    """Functions and types whose entry does not name the header to include."""
+    wrong = []
+    for path, text in pages.items():
+        if path.name.startswith("group__"):
+            for entry in text.split('<h2 class="memtitle">')[1:]:
+                title = re.sub(r"<[^>]*>|&[^;]*;", "", entry.split("</h2>")[0]).strip()
+                if "#include" not in entry:
+                    wrong.append(f"{path.name}: {title} does not name its header")
+    return wrong
+
+
+def paths_of_build(pages: dict[Path, str]) -> list[str]:
+    return [f"{path.name} has the folder of the build or of the sources" for path, text in pages.items()
+            if str(DOC.parent.parent) in text or str(path.parent) in text]
+
+
 def without_concept_headers(pages: dict[Path, str]) -> None:
     """A concept has no header to include; Doxygen names the file of its documentation, in whose build it may be."""
     for path, text in pages.items():
@@ -207,7 +225,8 @@ def finish(folder: Path) -> list[str]:
     before = {path: path.read_text() for path in sorted(folder.glob("*.html"))}
     pages = dict(before)
     without_concept_headers(pages)
-    wrong = unlisted(pages) + number_citations(pages) + number_figures(pages) + write_formulas(pages)
+    wrong = unlisted(pages) + without_header(pages) + paths_of_build(pages)
+    wrong += number_citations(pages) + number_figures(pages) + write_formulas(pages)
     for path, text in pages.items():
         if text != before[path]:
             path.write_text(text)

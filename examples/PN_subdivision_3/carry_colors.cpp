@@ -63,7 +63,7 @@ int main(int argc, char** argv)
     mesh, PN::CatmullClark_scheme(),
     PN::parameters::attributes(PN::parameters::vertex_attribute(colors),
                                PN::parameters::vertex_attribute(heights),
-                               PN::parameters::corner_attribute(uv, PN::Corner_rule::linear))
+                               PN::parameters::corner_attribute(uv, PN::Corner_rule::all))
       .number_of_iterations(2));
 
   // averages of heights are heights again

@@ -51,7 +51,8 @@ internal::Vertex_attribute<Map> vertex_attribute(Map map)
 /// a map whose values at corners are refined: that of a half-edge belongs to its face, at its target; border
 /// half-edges are neither read nor written. Keys are half-edges, values can be compared by `==`.
 template <class Map>
-internal::Corner_attribute<Map> corner_attribute(Map map, Corner_rule rule = Corner_rule::smooth)
+internal::Corner_attribute<Map> corner_attribute(Map map,
+                                                 Corner_rule rule = Corner_rule::corners_plus1)
 {
   return {map, rule};
 }

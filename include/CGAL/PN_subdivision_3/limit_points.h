@@ -111,7 +111,11 @@ Limit_report limits_of_call(const PolygonMesh& mesh, const Scheme& scheme, Limit
       return limits_of_call<Concurrency_tag>(mesh, s, limits, others);
     });
   else if constexpr (!Is_any<Scheme>::value) {
-    if constexpr (Scheme::Host::keeps_vertices)
+    if constexpr (Has_grid_rows<
+                    Scheme>::value) { // nothing below, of which compilers would say more
+      check_no_grid_rows<Scheme>();
+      return {};
+    } else if constexpr (Scheme::Host::keeps_vertices)
       return vertex_limit_points<Concurrency_tag>(mesh, scheme, limits, np);
     else
       return face_limit_points<Concurrency_tag>(mesh, scheme, limits, np);

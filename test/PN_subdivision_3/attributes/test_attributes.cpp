@@ -372,7 +372,7 @@ TYPED_TEST(Chart_attributes, AreLinearInsideFacesIfAskedFor)
   put_uv(c, mesh, uv);
   PN::subdivide(
     mesh, PN::linear(TypeParam()),
-    PN::parameters::attributes(PN::parameters::corner_attribute(uv, PN::Corner_rule::linear),
+    PN::parameters::attributes(PN::parameters::corner_attribute(uv, PN::Corner_rule::all),
                                PN::parameters::face_parents(parent))
       .number_of_iterations(2));
   // the areas of the parts are the area of the face
@@ -593,10 +593,10 @@ TEST(Attributes, AreRefusedByNameAndLeaveTheMesh)
   EXPECT_NE(doo_sabin(test_options::attributes(PN::parameters::corner_attribute(uv)))
               .find("seam at the edge of half-edge"),
             std::string::npos);
-  EXPECT_NE(doo_sabin(test_options::attributes(
-                        PN::parameters::corner_attribute(uv, PN::Corner_rule::linear)))
-              .find("scheme keeps no edges"),
-            std::string::npos);
+  EXPECT_NE(
+    doo_sabin(test_options::attributes(PN::parameters::corner_attribute(uv, PN::Corner_rule::all)))
+      .find("scheme keeps no edges"),
+    std::string::npos);
   EXPECT_NE(doo_sabin(test_options::attributes(PN::parameters::edge_attribute(mark)))
               .find("scheme keeps no edges"),
             std::string::npos);

@@ -21,6 +21,7 @@
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace PN = CGAL::PN_subdivision_3;
@@ -94,7 +95,7 @@ void reject(Mesh& mesh)
   PN::subdivide(mesh, PN::Any_scheme<float>(PN::Loop_scheme()));
   // expected: the points have another number type than the Any_scheme
 
-  PN::Any_scheme<>(PN::linear(PN::Loop_scheme()));
+  static_cast<void>(PN::Any_scheme<>(PN::linear(PN::Loop_scheme())));
   // expected: make an Any_scheme of the scheme that is adapted, and adapt it
 
   PN::limit_points(mesh, PN::CatmullClark_scheme::Grid(),
@@ -187,6 +188,31 @@ void reject(Mesh& mesh)
 
   PN::subdivide(mesh, PN::Loop_scheme(), PN::parameters::attributes(creases));
   // expected: the map of an attribute is not a property map of the
+
+  auto names = mesh.add_property_map<Vertex, std::string>("names").first;
+  PN::subdivide(mesh, PN::Loop_scheme(),
+                PN::parameters::attributes(PN::parameters::vertex_attribute(names)));
+  // expected: have no sum a + b, no product a * 0.5 or no default constructor
+
+  struct Only_sums
+  {
+    Only_sums operator+(const Only_sums&) const { return *this; }
+  };
+  auto sums = mesh.add_property_map<Mesh::Halfedge_index, Only_sums>("sums").first;
+  PN::Surface_refiner(mesh, PN::Loop_scheme(),
+                      PN::parameters::attributes(PN::parameters::corner_attribute(sums)));
+  // expected: see PNSubdivisionAttribute, or specialize Attribute_traits
+
+  struct Not_compared
+  {
+    Not_compared operator+(const Not_compared&) const { return *this; }
+    Not_compared operator*(double) const { return *this; }
+  };
+  auto not_compared = mesh.add_property_map<Mesh::Halfedge_index, Not_compared>("compared").first;
+  PN::subdivide_to_limit(
+    mesh, PN::Loop_scheme(),
+    PN::parameters::attributes(PN::parameters::corner_attribute(not_compared)));
+  // expected: the values of an attribute of corners cannot be compared by ==
 
   PN::subdivide_to_limit(mesh, PN::Loop_scheme(),
                          params::vertex_is_constrained_map(creases).number_of_iterations(0));

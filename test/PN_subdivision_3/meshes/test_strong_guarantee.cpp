@@ -351,7 +351,7 @@ long fail_with_attributes()
       const auto np = params::number_of_iterations(2).vertex_normal_map(n);
       const auto attributes = test_options::attributes(
         PN::parameters::vertex_attribute(t), PN::parameters::corner_attribute(u),
-        PN::parameters::corner_attribute(v, PN::Corner_rule::linear),
+        PN::parameters::corner_attribute(v, PN::Corner_rule::all),
         PN::parameters::face_attribute(id), PN::parameters::edge_attribute(mark));
       const Allocation_limit limit(k);
       PN::subdivide(mesh, PN::CatmullClark_scheme(),

@@ -195,7 +195,7 @@ TEST(Own_parameters, AttributesInAChainAreTheUsers)
   Mesh mesh = bowl();
   const std::size_t n = mesh.number_of_vertices();
   PN::Attribute_table table;
-  table.vertices = {{1, std::vector<double>(n, 7), PN::Corner_rule::smooth}};
+  table.vertices = {{1, std::vector<double>(n, 7), PN::Corner_rule::corners_plus1}};
   const auto weight = mesh.add_property_map<Mesh::Vertex_index, double>("w", 3).first;
   PN::subdivide(mesh, scheme, of_call::roundness(.5).attributes(table).number_of_iterations(1));
   ASSERT_GT(mesh.number_of_vertices(), n);

@@ -54,7 +54,7 @@ struct Carrying
   {
     return test_options::attributes(
       PN::parameters::vertex_attribute(of_vertices),
-      PN::parameters::corner_attribute(of_corners, PN::Corner_rule::linear),
+      PN::parameters::corner_attribute(of_corners, PN::Corner_rule::all),
       PN::parameters::edge_attribute(of_edges), PN::parameters::face_attribute(of_faces));
   }
   std::vector<Number> carried() const

@@ -204,7 +204,7 @@ private:
       return uneven(2 * mesh.target(h).idx() + i % 2) + (is_first ? 5 : 0);
     };
     if (has(Attribute_kind::charts))
-      for (const PN::Corner_rule rule : {PN::Corner_rule::smooth, PN::Corner_rule::linear}) {
+      for (const PN::Corner_rule rule : {PN::Corner_rule::corners_plus1, PN::Corner_rule::all}) {
         table.corners.push_back(array(2, mesh.number_of_halfedges(), in_charts));
         table.corners.back().rule = rule;
       }

@@ -365,7 +365,8 @@ TEST(Tessellate, AttributesOfVerticesAreTheirLinearLimits)
   Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube()));
   for (const double scale : {1., 1e9, 1e-9}) {
     PN::Attribute_table table;
-    table.vertices = {{2, {}, PN::Corner_rule::smooth}, {2, {}, PN::Corner_rule::smooth}};
+    table.vertices = {{2, {}, PN::Corner_rule::corners_plus1},
+                      {2, {}, PN::Corner_rule::corners_plus1}};
     const auto value = [&](auto v) { return scale * double((7 * std::size_t(v)) % 5); };
     for (auto v : control.vertices()) {
       table.vertices[0].values.insert(table.vertices[0].values.end(), {value(v), 3 * scale});
@@ -405,7 +406,7 @@ void expect_parameters(Cells cells)
     for (auto e : control.edges()) sharp[e] = is_creased && std::size_t(e) % 4 == 0;
     PN::Attribute_table table;
     table.has_face_parents = true;
-    table.vertices = {{1, {}, PN::Corner_rule::smooth}};
+    table.vertices = {{1, {}, PN::Corner_rule::corners_plus1}};
     for (auto v : control.vertices())
       table.vertices[0].values.push_back(control.point(v).x() + 10 * control.point(v).y());
     table.corners = {{1, {}, PN::Corner_rule::all}, {2, {}, PN::Corner_rule::all}};
@@ -476,13 +477,13 @@ TEST(Tessellate, RefusedAttributesStayAsTheyAre)
     EXPECT_EQ(table.edges.size(), sizes[2]);
   };
   PN::Attribute_table table;
-  table.vertices = {{1, std::vector<double>(7, 0), PN::Corner_rule::smooth}};
+  table.vertices = {{1, std::vector<double>(7, 0), PN::Corner_rule::corners_plus1}};
   expect(table, "of vertices has 7 values");
   table.vertices.clear();
-  table.corners = {{1, std::vector<double>(24, 0), PN::Corner_rule::smooth}};
+  table.corners = {{1, std::vector<double>(24, 0), PN::Corner_rule::corners_plus1}};
   expect(table, "Corner_rule::all");
   table.corners.clear();
-  table.edges = {{1, std::vector<double>(12, 0), PN::Corner_rule::smooth}};
+  table.edges = {{1, std::vector<double>(12, 0), PN::Corner_rule::corners_plus1}};
   expect(table, "edges");
 }
 

@@ -28,12 +28,25 @@ namespace PN_subdivision_3 {
 
 namespace internal {
 
+// the base of traits that compute in the values themselves, by + and a product
+struct Arithmetic_of_values
+{};
+
 template <class T, class FT, class = void>
 struct Has_product : std::false_type
 {};
 template <class T, class FT>
 struct Has_product<T, FT,
                    std::void_t<decltype(T(std::declval<const T&>() * std::declval<const FT&>()))>>
+  : std::true_type
+{};
+
+template <class T, class = void>
+struct Has_product_with_weight_first : std::false_type
+{};
+template <class T>
+struct Has_product_with_weight_first<
+  T, std::void_t<decltype(T(std::declval<const double&>() * std::declval<const T&>()))>>
   : std::true_type
 {};
 
@@ -145,7 +158,7 @@ Known are
 </ul>
 */
 template <class T, class FT, class = void>
-struct Attribute_traits
+struct Attribute_traits : private internal::Arithmetic_of_values
 {
   /// the type in which values are summed.
   using Sum = T;
@@ -271,7 +284,7 @@ struct Attribute_array
   /// the numbers, those of an element next to each other.
   std::vector<double> values;
   /// of values of corners only.
-  Corner_rule rule = Corner_rule::smooth;
+  Corner_rule rule = Corner_rule::corners_plus1;
 };
 
 /*!

@@ -35,11 +35,7 @@ enum class Corner_rule {
   /// all values at seams and borders, which are straight then.
   boundaries,
   /// all values: linearly inside every face.
-  all,
-  /// the same as `corners_plus1`.
-  smooth = corners_plus1,
-  /// the same as `all`.
-  linear = all
+  all
 };
 
 } // namespace PN_subdivision_3

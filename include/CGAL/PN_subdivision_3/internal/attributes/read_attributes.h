@@ -35,6 +35,57 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+template <class T, class = void>
+struct Has_sum : std::false_type
+{};
+template <class T>
+struct Has_sum<T, std::void_t<decltype(T(std::declval<const T&>() + std::declval<const T&>()))>>
+  : std::true_type
+{};
+template <class T, class = void>
+struct Has_equality : std::false_type
+{};
+template <class T>
+struct Has_equality<
+  T, std::void_t<decltype(bool(std::declval<const T&>() == std::declval<const T&>()))>>
+  : std::true_type
+{};
+
+// whether averages of values of an attribute can be computed in FT
+template <class T, class FT>
+constexpr bool has_averages()
+{
+  using Traits = Attribute_traits<T, FT>;
+  using Sum = typename Traits::Sum;
+  if constexpr (Traits::has_components)
+    return true;
+  else if constexpr (std::is_base_of_v<Arithmetic_of_values, Traits>)
+    return Has_sum<T>::value && (Has_product<T, FT>::value || Has_product<T, double>::value ||
+                                 Has_product_with_weight_first<T>::value);
+  else
+    return Has_sum<Sum>::value;
+}
+
+// the values of an attribute that has rows
+template <class Map, class Keys, class FT>
+constexpr bool check_attribute_values()
+{
+  using T = std::decay_t<typename boost::property_traits<Map>::value_type>;
+  constexpr bool can_be_averaged = std::is_default_constructible_v<T> && has_averages<T, FT>();
+  static_assert(
+    can_be_averaged,
+    "PN_subdivision_3: the values of an attribute of vertices or corners have no sum a + "
+    "b, no product a * 0.5 or no default constructor: see PNSubdivisionAttribute, or "
+    "specialize Attribute_traits");
+  if constexpr (can_be_averaged && std::is_same_v<Keys, Corner_keys>) {
+    constexpr bool can_be_compared = Has_equality<typename Attribute_traits<T, FT>::Sum>::value;
+    static_assert(can_be_compared, "PN_subdivision_3: the values of an attribute of corners cannot "
+                                   "be compared by ==, which finds its seams");
+    return can_be_compared;
+  } else
+    return can_be_averaged;
+}
+
 // What attributes() takes. Each adds itself to what a call carries.
 
 template <class Map>
@@ -50,9 +101,11 @@ struct Vertex_attribute
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Row_map<Access, Map, Keys, FT>;
-    c.vertices.push_back(
-      std::make_unique<Values>(access, map, first_indices(level.number_of_vertices())));
+    if constexpr (check_attribute_values<Map, Keys, FT>()) {
+      using Values = Row_map<Access, Map, Keys, FT>;
+      c.vertices.push_back(
+        std::make_unique<Values>(access, map, first_indices(level.number_of_vertices())));
+    }
   }
   Map map;
 };
@@ -80,8 +133,10 @@ struct Corner_attribute
   template <class FT, class Access>
   void read(const Access& access, const Level_connectivity& level, Carried_attributes<FT>& c) const
   {
-    using Values = Row_map<Access, Map, Keys, FT>;
-    c.corners.push_back({std::make_unique<Values>(access, map, corners_of(level)), rule});
+    if constexpr (check_attribute_values<Map, Keys, FT>()) {
+      using Values = Row_map<Access, Map, Keys, FT>;
+      c.corners.push_back({std::make_unique<Values>(access, map, corners_of(level)), rule});
+    }
   }
   Map map;
   Corner_rule rule;

@@ -276,20 +276,23 @@ inline constexpr bool is_attribute_of_v<Mesh, Item<Map>> =
   Is_property_map_of<Map, typename Item<Map>::Keys::template Descriptor<Mesh>>::value;
 
 template <class Mesh, class Attributes>
-struct Check_attributes
+constexpr bool are_attributes_of_v = true;
+template <class Mesh, class... Items>
+inline constexpr bool
+  are_attributes_of_v<Mesh, Attributes<Items...>> = (is_attribute_of_v<Mesh, Items> && ...);
+
+template <class Mesh, class Given>
+constexpr bool check_given_attributes()
 {
-  static constexpr bool value = Is_attributes<Attributes>::value;
-  static_assert(value,
+  constexpr bool are_attributes = Is_attributes<Given>::value;
+  static_assert(are_attributes,
                 "PN_subdivision_3: parameters::attributes() is given neither attributes nor an "
                 "Attribute_table");
-};
-template <class Mesh, class... Items>
-struct Check_attributes<Mesh, Attributes<Items...>>
-{
-  static constexpr bool value = (is_attribute_of_v<Mesh, Items> && ...);
-  static_assert(value, "PN_subdivision_3: the map of an attribute is not a property map of the "
-                       "mesh's vertices, half-edges, edges or faces, as its name says");
-};
+  constexpr bool have_keys = are_attributes_of_v<Mesh, Given>;
+  static_assert(have_keys, "PN_subdivision_3: the map of an attribute is not a property map of the "
+                           "mesh's vertices, half-edges, edges or faces, as its name says");
+  return are_attributes && have_keys;
+}
 
 template <class T>
 struct Unwrapped
@@ -315,7 +318,7 @@ constexpr bool check_attributes()
       are_changed && std::is_same_v<Attributes, const Attribute_table>;
     static_assert(!is_const_table, "PN_subdivision_3: the table of attributes is const, but it is "
                                    "to be refined");
-    return !is_const_table && Check_attributes<Mesh, std::remove_const_t<Attributes>>::value;
+    return check_given_attributes<Mesh, std::remove_const_t<Attributes>>() && !is_const_table;
   }
 }
 
