@@ -101,8 +101,7 @@ Last, new points are not to fold long and narrow faces. Over the mean q of the m
 \sum_i |h_i - \bar h| \f]
 
 tells how far the arcs from the corners miss each other there: not at all on spheres and cylinders. The roundness of the
-corners is multiplied by \f$ 1 - S(5 x - 1) \f$, with the largest x of the faces of a vertex. Faces with a corner without
-a normal are left out.
+corners is multiplied by \f$ 1 - S(5 x - 1) \f$, with the largest x of the faces of a vertex.
 
 At a border vertex r and n are the normal of the reciprocal estimate. Where one of r and a vanishes the other one
 is taken for both; where E(r) is no more than rounding t = 1. The roundness is 0 where the normal vanishes and 1 at

@@ -18,6 +18,8 @@
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide.h>
 
+#include <array>
+#include <map>
 #include <numeric>
 
 using namespace estimated_normals;
@@ -211,6 +213,35 @@ Control_mesh ends_of_bevels(unsigned seed)
   return mesh;
 }
 
+// Of a lattice of 4 x 4 x 4 points what is outside, with the outer layers in the same place as those next to them: the
+// points on the edges of the box have no normals.
+Control_mesh box_with_bevels_of_no_width()
+{
+  Control_mesh mesh{"box with bevels of no width", {}, {}, {}};
+  std::map<std::array<int, 3>, int> numbers;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto found = numbers.emplace(p, int(mesh.points.size()));
+    if (found.second) mesh.points.push_back({p[0] / 2 * 12., p[1] / 2 * 7., p[2] / 2 * 3.});
+    return found.first->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int side : {0, 3})
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          reference::Face f;
+          for (const auto& [di, dj] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+            std::array<int, 3> p;
+            p[axis] = side;
+            p[(axis + 1) % 3] = i + di;
+            p[(axis + 2) % 3] = j + dj;
+            f.push_back(vertex(p));
+          }
+          if (side == 0) std::reverse(f.begin(), f.end());
+          mesh.faces.push_back(f);
+        }
+  return mesh;
+}
+
 // `n` rows around a cylinder of radius 1, with steps along its axis that are shorter than those around it by far
 Control_mesh short_rows(int n)
 {
@@ -266,6 +297,7 @@ std::vector<Control_mesh> any_shapes()
     shapes.push_back(beveled_plate(side, 1.4 * side));
   for (unsigned seed = 0; seed < 12; ++seed) shapes.push_back(ends_of_bevels(seed));
   shapes.push_back(chamfered_plate(5, 0));
+  shapes.push_back(box_with_bevels_of_no_width());
   return shapes;
 }
 
@@ -479,17 +511,19 @@ TEST(Coherent_normals, SpheresWithPointsThatCoincideAtThePolesAreRoundBesideThem
   }
 }
 
-// one of a plane, the other one of its rim
 TEST(Coherent_normals, PointsThatCoincideAreAlikeRound)
 {
-  const Control_mesh mesh = chamfered_plate(5, 0);
+  const Control_mesh mesh = box_with_bevels_of_no_width();
   const Result result = coherent(mesh);
-  const std::size_t n = mesh.points.size() / 4;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t z : {0, 2}) {
-      ASSERT_EQ(mesh.points[z * n + i], mesh.points[(z + 1) * n + i]);
-      EXPECT_EQ(result.roundness[z * n + i], result.roundness[(z + 1) * n + i]) << i;
+  int pairs = 0;
+  for (const reference::Face& f : mesh.faces)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto v = std::size_t(f[i]), w = std::size_t(f[(i + 1) % 4]);
+      if (mesh.points[v] != mesh.points[w]) continue;
+      EXPECT_EQ(result.roundness[v], result.roundness[w]) << v << ' ' << w;
+      ++pairs;
     }
+  EXPECT_EQ(pairs, 144); // 24 on each side
 }
 
 // Long edges dip far below the tangent planes there, and new points lie below these, but not below the neighbors.
@@ -616,7 +650,7 @@ TEST(Coherent_normals, GivenNormalsAreRound)
   });
 }
 
-// Who tags edges says what is smooth.
+// Who tags edges says what is smooth: vertex 0 is on the plane beside a bevel.
 TEST(Coherent_normals, PlatesAreRoundAtCreases)
 {
   struct One_at_crease : PN::internal::Vertex_sectors
@@ -624,19 +658,22 @@ TEST(Coherent_normals, PlatesAreRoundAtCreases)
     using Vertex_sectors::Vertex_sectors;
     bool is_at_crease(unsigned s) const { return s == 0; }
   };
-  const Control_mesh control = beveled_plate(70, 90);
-  const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
-  PN::internal::with_mesh_access(mesh, [&](const auto& access) {
-    const auto level = PN::internal::checked_level(access);
-    std::vector<double> roundness(control.points.size(), -1);
-    PN::internal::estimate_normals<double>(
-      level, Control_normal_estimate::coherent, One_at_crease(level),
-      [&](unsigned v) -> const Triple& { return control.points[v]; },
-      [](unsigned) -> const Triple* { return nullptr; }, [](unsigned, const Triple&) {},
-      [&](unsigned v, double w) { roundness[v] = w; });
-    EXPECT_EQ(roundness[0], 1);
-    EXPECT_EQ(roundness[1], 0);
-  });
+  for (const Control_mesh& control :
+       {beveled_plate(70, 90), ends_of_bevels(1), ends_of_bevels(2)}) {
+    const auto mesh = to_mesh<CGAL::Simple_cartesian<double>>(control);
+    EXPECT_LT(coherent(control).roundness[0], 1);
+    PN::internal::with_mesh_access(mesh, [&](const auto& access) {
+      const auto level = PN::internal::checked_level(access);
+      std::vector<double> roundness(control.points.size(), -1);
+      PN::internal::estimate_normals<double>(
+        level, Control_normal_estimate::coherent, One_at_crease(level),
+        [&](unsigned v) -> const Triple& { return control.points[v]; },
+        [](unsigned) -> const Triple* { return nullptr; }, [](unsigned, const Triple&) {},
+        [&](unsigned v, double w) { roundness[v] = w; });
+      EXPECT_EQ(roundness[0], 1);
+      if (control.name == "beveled plate") EXPECT_EQ(roundness[1], 0);
+    });
+  }
 }
 
 TEST(Coherent_normals, OtherEstimatesAreRound)

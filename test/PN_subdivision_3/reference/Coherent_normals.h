@@ -156,7 +156,6 @@ private:
       l = std::max(l, length);
       q += at(f[i]) / m;
       sum += normals[std::size_t(f[i])];
-      if (normals[std::size_t(f[i])].isZero()) return 0;
     }
     if (!(l > 6 * s) || sum.isZero()) return 0;
     const Point_3 n = unit(sum);

@@ -33,7 +33,6 @@ public:
     corners_.clear();
     last_ = Vector{0, 0, 0};
     longest_ = 0;
-    has_corner_without_normal_ = false;
   }
 
   // the edge to a corner, from the one before, and the corner's normal
@@ -42,13 +41,11 @@ public:
     add_multiple<double, 3>(last_, 1., edge);
     corners_.push_back({last_, normal, dot<double, 3>(edge, edge), 0});
     longest_ = (std::max)(longest_, corners_.back().squared_edge);
-    has_corner_without_normal_ = has_corner_without_normal_ || is_zero(normal);
   }
 
   // what is left of the roundness of the corners
   double share()
   {
-    if (has_corner_without_normal_) return 1;
     const double shortest = squared_width(), uneven = share_of_uneven(longest_, shortest);
     return uneven > 0 ? 1 - smooth_window(uneven * mean_error() / std::sqrt(shortest), 0.2, 0.4)
                       : 1;
@@ -94,7 +91,6 @@ private:
   std::vector<Corner> corners_;
   Vector last_{0, 0, 0};
   double longest_ = 0; // squared
-  bool has_corner_without_normal_ = false;
 };
 
 } // namespace internal
