@@ -191,6 +191,40 @@ TEST(Tessellate, ACornerOnAStraightSideGetsADiagonal)
   expect_conforming(out, control);
 }
 
+// also beside parts that are left out of a round, where creases end
+TEST(Tessellate, VerticesAreLimitPointsWhereCreasesEnd)
+{
+  Control_mesh grid = test_meshes::grid(6, 6, false, false, Cells::quads);
+  for (std::size_t i = 0; i < grid.points.size(); ++i) {
+    const double x = double(i % 7), y = double(i / 7);
+    grid.points[i] = {x, y, std::exp(-(x - 3) * (x - 3) - (y - 3) * (y - 3) / 2)};
+  }
+  grid.normals.assign(grid.points.size(), {0, 0, 0});
+  Surface_mesh control = to_surface_mesh(grid);
+  const auto sharp =
+    control.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+  for (auto e : control.edges()) {
+    const Point &p = control.point(control.vertex(e, 0)), &q = control.point(control.vertex(e, 1));
+    sharp[e] =
+      p.y() == 3 && q.y() == 3 && (std::max)(p.x(), q.x()) <= 4 && (std::min)(p.x(), q.x()) >= 1;
+  }
+  Surface_mesh out, uniform = control;
+  const auto sharp_there =
+    uniform.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", false).first;
+  const auto np = params::number_of_iterations(3);
+  PN::tessellate(control, PN::CatmullClark_scheme(), 0.004, out, np.edge_is_constrained_map(sharp));
+  expect_conforming(out, control);
+  PN::subdivide_to_limit(uniform, PN::CatmullClark_scheme(),
+                         np.edge_is_constrained_map(sharp_there));
+  EXPECT_LT(out.number_of_vertices(), uniform.number_of_vertices() / 2);
+  for (auto v : out.vertices()) {
+    double least = 1;
+    for (auto w : uniform.vertices())
+      least = (std::min)(least, CGAL::squared_distance(out.point(v), uniform.point(w)));
+    EXPECT_LE(least, 1e-16);
+  }
+}
+
 // \name Linear schemes, against CGAL
 
 template <class Scheme, class Subdivide>

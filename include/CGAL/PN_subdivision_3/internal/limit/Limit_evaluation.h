@@ -90,6 +90,21 @@ public:
     return results;
   }
 
+  // of some vertices, in their order
+  void operator()(const Level& level, unsigned next_round, const std::vector<Index>& vertices,
+                  std::vector<Result>& results)
+  {
+    results.assign(vertices.size(), Result());
+    std::vector<Index> places(vertices.size());
+    std::iota(places.begin(), places.end(), Index(0));
+    evaluate(level, vertices, next_round, 0, results.data(), places.data());
+    if (demand_.surface_normals && demand_.points)
+      orient_normals(
+        level.level, results, for_chunks_,
+        [&](Index v) { return to_double_3(point_of(level.values[v])); },
+        [&](Index i) { return vertices[i]; });
+  }
+
   // Sets result_of(i), of vertices[i], where the neighborhood is settled, or will be after one round; of the
   // other vertices returns the positions. A level that is cut open along creases may be given, without the vertices on
   // these.

@@ -80,15 +80,16 @@ bool is_against_face(const Level_connectivity& level, Level_connectivity::Index 
 }
 
 // The frame of a surface normal is that of the control normal, which may be on the wrong side of the faces, whose
-// corners are point(v).
-template <class Results, class Point_of>
+// corners are point(v). Result i is that of vertex(i).
+template <class Results, class Point_of, class Vertex_of>
 void orient_normals(const Level_connectivity& level, Results& results, const For_chunks& for_chunks,
-                    const Point_of& point)
+                    const Point_of& point, const Vertex_of& vertex)
 {
   using Index = Level_connectivity::Index;
   for_chunks(static_cast<Index>(results.size()), [&](Index begin, Index end) {
-    for (Index v = begin; v < end; ++v) {
-      auto& result = results[v];
+    for (Index i = begin; i < end; ++i) {
+      auto& result = results[i];
+      const Index v = vertex(i);
       if (result.has_surface_normal && !level.is_isolated(v) &&
           is_against_faces(level, v, point, result.surface_normal))
         result.surface_normal = opposite_vector<double, 3>(result.surface_normal);
@@ -102,8 +103,9 @@ void orient_normals(const Level& level, Results& results, const For_chunks& for_
 {
   using Index = Level_connectivity::Index;
   const auto orient = [&](const auto& of) {
-    orient_normals(level.level, results, for_chunks,
-                   [&](Index v) { return to_double_3(point_of(of(v))); });
+    orient_normals(
+      level.level, results, for_chunks, [&](Index v) { return to_double_3(point_of(of(v))); },
+      [](Index v) { return v; });
   };
   if (are_all)
     orient([&](Index v) -> const auto& { return results[v].value; });

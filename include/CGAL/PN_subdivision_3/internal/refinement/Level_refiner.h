@@ -52,6 +52,41 @@ Level_connectivity child_level(const Level_connectivity& level, unsigned round,
   return child_level(Host(level, round), size, size, for_chunks);
 }
 
+// with room to be cut open
+template <class Level_round, class Level_creases>
+Level_connectivity child_level(const Level_round& round, const Level_creases& creases,
+                               const For_chunks& for_chunks)
+{
+  const Level_size& size = round.round().refined_size();
+  return child_level(round.round().host(), size, size_when_cut(size, creases), for_chunks);
+}
+
+// Evaluates a round on a level with creases into the slots of the refined one; makes the level whole again.
+template <class Level_round, class Stored_value, class Refined_values>
+void evaluate_round(Level_round& round, const Stored_value* old, const For_chunks& for_chunks,
+                    Refined_values& refined,
+                    const typename Level_round::One_round::Rows_sink* rows_sink = nullptr)
+{
+  using One_round = typename Level_round::One_round;
+  using Index = typename One_round::Index;
+  using Precision = Caller_precision<typename One_round::FT>;
+  const auto on_creases = round.crease_values(for_chunks);
+  const One_round& rows = round.round();
+  const auto transfers = rows.transfers(old, for_chunks);
+  const Precision precision;
+  for_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
+    const typename Precision::In_this_thread scope(precision);
+    rows.evaluate(
+      begin, end, old, transfers,
+      [&](Index first, const typename One_round::Value* values, Index number) {
+        std::copy(values, values + number, refined.begin() + static_cast<std::ptrdiff_t>(first));
+      },
+      rows_sink);
+  });
+  for (const auto& [slot, value] : on_creases) refined[slot] = value;
+  round.close();
+}
+
 // A level with its creases, the values of its slots, which are its vertices if there are no creases, and the
 // rounds of a scheme on them. It knows neither a mesh nor its maps.
 //
@@ -123,16 +158,8 @@ public:
   // those of the slots; makes the level of the round whole again
   Values refined_values(One_round& round, const Rows_sink* rows_sink = nullptr) const
   {
-    const auto on_creases = round.crease_values(for_chunks_);
     Values refined(round.refined_creases().number_of_slots, boost::container::default_init);
-    evaluate(
-      round.round(), transfers(round.round()), 0, round.number_of_vertices(),
-      [&](Index first, const Value* values, Index number) {
-        std::copy(values, values + number, refined.begin() + first);
-      },
-      rows_sink);
-    for (const auto& [slot, value] : on_creases) refined[slot] = value;
-    round.close();
+    evaluate_round(round, values_.data(), for_chunks_, refined, rows_sink);
     return refined;
   }
 
@@ -167,8 +194,7 @@ public:
   // with room to be cut open
   Level_connectivity child(const One_round& round, const Level_creases& creases) const
   {
-    const Level_size& size = round.round().refined_size();
-    return child_level(round.round().host(), size, size_when_cut(size, creases), for_chunks_);
+    return child_level(round, creases, for_chunks_);
   }
 
 private:

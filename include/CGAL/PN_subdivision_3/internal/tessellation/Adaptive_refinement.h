@@ -33,6 +33,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <string>
@@ -91,8 +92,8 @@ public:
   double tolerance() const { return tolerance_; }
   Split_edges<FT>& all() { return all_; }
   const Split_edges<FT>& all() const { return all_; }
-  std::vector<Tessellation_node>& nodes() { return nodes_; }
-  const std::vector<Tessellation_node>& nodes() const { return nodes_; }
+  std::deque<Tessellation_node>& nodes() { return nodes_; }
+  const std::deque<Tessellation_node>& nodes() const { return nodes_; }
   // of each node, if there are any
   const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
   // vertices behind those of the control mesh that are not used go
@@ -119,11 +120,12 @@ private:
   using Cells = std::conditional_t<may_be_proven, Limit_cells<Scheme, Level_creases>, No_cells>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr Index null = Level_connectivity::null;
+  static constexpr std::ptrdiff_t limits_at_once = 1 << 13;
 
   struct Face_error
   {
     double error = 0;
-    std::array<double, 2> over_diagonals{};
+    bool has_flatter_second = false; // see Tessellation_leaf
   };
 
   // what coordinates in double can tell, and how many triangles there are where the tolerance is out of reach
@@ -134,16 +136,39 @@ private:
   static constexpr double distrust = 2;
 
   // \name Limits
+  // those at the slots, where only some vertices are asked for, at theirs
   Results limits(Level& level, const std::vector<Index>* some)
   {
-    Results results;
     if constexpr (is_creased) {
       Level_creases creases =
         level.creases; // gets the tangents of the limit, with which no round goes on
-      results = limits_(level.level, creases, rounds_ + 1, some);
+      return limits_(level.level, creases, rounds_ + 1, some);
     } else
-      results = limits_(level.level, rounds_ + 1, some);
-    return results;
+      return limits_(level.level, rounds_ + 1, some);
+  }
+
+  // at the slots that are new
+  void set_limits(const Level& level, const Results& results, Index first_new)
+  {
+    for (std::size_t s = 0; s < results.size(); ++s)
+      if (level.slots[s] != null && level.slots[s] >= first_new)
+        set_slot(level.slots[s], results[s]);
+  }
+  // at those of some vertices
+  void set_limits_of(Level& level, const std::vector<Index>& vertices, Index first_new)
+  {
+    if constexpr (is_creased)
+      set_limits(level, limits(level, &vertices), first_new);
+    else { // a part at a time, which stays in the cache
+      Results results;
+      std::vector<Index> part;
+      for (std::size_t i = 0; i < vertices.size(); i += part.size()) {
+        const auto begin = vertices.begin() + static_cast<std::ptrdiff_t>(i);
+        part.assign(begin, begin + (std::min)(vertices.end() - begin, limits_at_once));
+        limits_(level.level, rounds_ + 1, part, results);
+        for (std::size_t k = 0; k < part.size(); ++k) set_slot(level.slots[part[k]], results[k]);
+      }
+    }
   }
 
   // is_smooth: whether the surface has a tangent plane wherever there is a normal of it
@@ -157,7 +182,7 @@ private:
     s.has_surface_normal = result.has_surface_normal && is_smooth;
     if constexpr (is_pn_v<Scheme>) s.normal = to_double_3(result.value.normal);
     if (result.has_surface_normal) s.normal = result.surface_normal;
-    if (is_smooth) s.shape_normal = s.normal;
+    s.is_trusted = is_smooth;
   }
 
   // \name Levels
@@ -211,18 +236,32 @@ private:
     }
     Level next = refined(level);
     ++rounds_;
-    const std::vector<Index> vertices = new_vertices(level);
-    const Results results = limits(next, is_control ? nullptr : &vertices);
-    measure(level, results);
-    if (is_control && !select(level, true)) {
-      rounds_ = 0;
-      return false;
+    Results results;
+    if (is_control) {
+      results = limits(next, nullptr);
+      measure(level, [&](Index, Index v) { return all_.place(point_of(results[v].value)); });
+      if (!select(level, true)) {
+        rounds_ = 0;
+        return false;
+      }
     }
+    const std::vector<Index> vertices = new_vertices(level);
     std::vector<Results> of_planes;
     for (std::size_t p = 0; p < next.planes.size(); ++p)
       of_planes.push_back(attributes_.limits(next, p, rounds_, is_control ? nullptr : &vertices));
     all_.reserve(vertices.size(), next.level.level.number_of_edges());
-    connect(level, next, results, of_planes);
+    const Index first_new = all_.number_of_slots();
+    connect(level, next, of_planes);
+    if (is_control)
+      set_limits(next, results, first_new);
+    else {
+      set_limits_of(next, vertices, first_new);
+      measure(level, [&](Index h, Index v) {
+        const Index slot = h == null ? next.slots[v] : all_.edge(level.edges[h / 2]).middle[h % 2];
+        return all_.place_of(all_.slot(slot).vertex);
+      });
+    }
+    hand_down(level, next);
     level = std::move(next);
     return true;
   }
@@ -242,13 +281,11 @@ private:
     });
     constexpr std::uint64_t triangles = Host::refined_degree == 4 ? 8 : 4;
     relax(level, errors, triangles / 4);
-    std::uint64_t number = 0, wanted = 0;
+    std::uint64_t number = 0;
     for (Index f = 0; f < level.faces.size(); ++f) {
       level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f].error <= tolerance_);
       number += level.faces[f].is_split ? 1 : 0;
-      wanted += level.faces[f].is_wanted ? 1 : 0;
     }
-    nodes_.reserve(nodes_.size() + wanted);
     const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds ||
                          number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
     for (Index f = 0; f < level.faces.size(); ++f) {
@@ -297,13 +334,13 @@ private:
     if (!is_leaf(level, f))
       for_each_halfedge_of_face(
         level.level.level, f, [&](Index h) { all_.pin(level.edges[Level_connectivity::edge(h)]); });
-    else
-      node.leaf = flatness.leaf(f, error.error, error.over_diagonals);
+    else {
+      node.leaf.error = error.error;
+      node.leaf.has_flatter_second = error.has_flatter_second;
+      flatness.read(f, node.leaf);
+    }
     if (!level.corners.empty()) corners_of_nodes_.push_back(level.corners[f]);
-    if (parent == null) return;
-    auto& children = nodes_[parent].children;
-    const auto place = std::find(children.begin(), children.end(), null);
-    if (nodes_[parent].leaf.degree != 0) *place = face.node;
+    if (parent != null && nodes_[parent].leaf.degree != 0) nodes_[parent].add_child(face.node);
   }
 
   static bool is_leaf(const Level& level, Index f)
@@ -314,7 +351,7 @@ private:
 
   Face_error error(const Level& level, const Flatness& flatness, Index f, bool is_control) const
   {
-    if (!is_leaf(level, f)) return {infinity, {}};
+    if (!is_leaf(level, f)) return {infinity, false};
     const auto estimate = flatness.estimate(f);
     const Adaptive_face& face = level.faces[f];
     double e = (is_control ? 1 : rest_of_distance) * face.measured;
@@ -330,7 +367,7 @@ private:
     e = (estimate.is_at_curve ? safety_at_curves : tessellation_safety) *
         (std::max)(e, estimate.along_curves);
     if (demand_.is_proven && e <= tolerance_) e = proven(flatness, f, tolerance_);
-    return {e, estimate.over_diagonals};
+    return {e, estimate.has_flatter_second};
   }
 
   void cut(Level& level) const
@@ -345,22 +382,39 @@ private:
   {
     unsigned rings = limit_neighborhood(scheme_).regular_rings == 0 ? ghost_rings(scheme_) : 0;
     if (rings == 0) rings = cut_rings(scheme_);
-    return rings + (level.creases.empty() ? 0 : is_pn_v<Scheme> ? 2 : 1);
+    return rings + (reads_wedges(level.creases) ? 1 : 0);
+  }
+
+  // whether a vertex may need all wedges of its neighbors, which then must not lack faces
+  static bool reads_wedges([[maybe_unused]] const Level_creases& creases)
+  {
+    if constexpr (is_creased)
+      return std::any_of(creases.stars.begin(), creases.stars.end(), [&](const Crease_star& star) {
+        return has_roundness_v<Value> || creases.rule(star) == Vertex_rule::dart;
+      });
+    else
+      return false;
   }
 
   Level refined(Level& level) const
   {
-    Refiner refiner(scheme_, std::move(level.level.level), std::move(level.creases),
-                    {level.level.values.begin(), level.level.values.end()}, for_chunks_, rounds_);
-    auto round = refiner.next_round();
-    const auto values = refiner.refined_values(round);
-    Level next{{refiner.child(round, round.refined_creases()), {values.begin(), values.end()}},
-               std::move(round.refined_creases()),
-               {},
-               {},
-               {}};
-    level.creases = refiner.take_creases();
-    level.level.level = refiner.take_level();
+    using Stored_value = typename Refiner::Stored_value;
+    auto& values = level.level.values;
+    if constexpr (std::is_same_v<Stored_value, Value>)
+      return refined(level, values.data());
+    else
+      return refined(level, std::vector<Stored_value>(values.begin(), values.end()).data());
+  }
+  template <class Stored_value>
+  Level refined(Level& level, const Stored_value* values) const
+  {
+    typename Refiner::One_round round(scheme_, level.level.level, level.creases, values,
+                                      rounds_ + 1);
+    Level next{{}, Level_creases(), {}, {}, {}};
+    next.level.values.resize(round.refined_creases().number_of_slots);
+    evaluate_round(round, values, for_chunks_, next.level.values);
+    next.level.level = child_level(round, round.refined_creases(), for_chunks_);
+    next.creases = std::move(round.refined_creases());
     attributes_.refine(level, rounds_, next);
     return next;
   }
@@ -385,23 +439,24 @@ private:
   }
 
   // \name What the new limit points tell of the faces
-  void measure(Level& level, const Results& results) const
+  // place(half-edge, vertex of the next level) is that of the limit, without a half-edge of a face
+  template <class Place>
+  void measure(Level& level, const Place& place) const
   {
     const Level_connectivity& old = level.level.level;
     const Host host(old, rounds_);
     const Flatness flatness(level, all_);
-    const auto place = [&](Index v) { return all_.place(point_of(results[v].value)); };
     for_chunks_(old.number_of_faces(), [&](Index begin, Index end) {
       for (Index f = begin; f < end; ++f) {
         Adaptive_face& face = level.faces[f];
         if (!face.is_wanted || !is_leaf(level, f) || (rounds_ > 1 && !face.is_split)) continue;
         typename Flatness::Middles middles;
         flatness.for_each_edge(f, [&](std::size_t i, Index h) {
-          middles.of_edges[i] = place(host.vertex_of_edge(Level_connectivity::edge(h)));
+          middles.of_edges[i] = place(h, host.vertex_of_edge(Level_connectivity::edge(h)));
         });
         if constexpr (has_face_vertices) {
           middles.has_face = true;
-          middles.of_face = place(host.vertex_of_face(f));
+          middles.of_face = place(null, host.vertex_of_face(f));
         }
         const auto measure = flatness.measure(f, middles);
         face.measured = measure.distance;
@@ -411,8 +466,7 @@ private:
   }
 
   // \name From a level to the next one
-  void connect(const Level& level, Level& next, const Results& results,
-               const std::vector<Results>& of_planes)
+  void connect(const Level& level, Level& next, const std::vector<Results>& of_planes)
   {
     const Level_connectivity& old = level.level.level;
     const Host host(old, rounds_);
@@ -421,7 +475,7 @@ private:
       const Slots old_slots(old, level.creases), new_slots(next.level.level, next.creases);
       for (Index f = 0; f < old.number_of_faces(); ++f)
         if (level.faces[f].is_split)
-          split_face(level, f, host, old_slots, new_slots, results, of_planes, next);
+          split_face(level, f, host, old_slots, new_slots, of_planes, next);
     }
     next.edges.assign(next.level.level.number_of_edges(), null);
     for (Index e = 0; e < next.edges.size(); ++e) {
@@ -431,13 +485,20 @@ private:
       if (old_edge != null && all_.edge(old_edge).is_split())
         next.edges[e] = all_.edge(old_edge).halves + parent.ordinal;
     }
+  }
+
+  // what is known of the faces
+  void hand_down(const Level& level, Level& next)
+  {
+    const Host host(level.level.level, rounds_);
+    for (const Adaptive_face& face : level.faces)
+      if (face.is_split) nodes_[face.node].leaf.error = face.discrepancy;
     next.faces.resize(next.level.level.number_of_faces());
     for (Index f = 0; f < next.faces.size(); ++f) {
       const Adaptive_face& parent = level.faces[host.parent_of_face(f).index];
       if (!parent.is_split) continue;
       next.faces[f] = parent;
       next.faces[f].is_split = false;
-      nodes_[parent.node].discrepancy = parent.discrepancy;
       number_edges(next, f);
     }
     if (!level.corners.empty()) attributes_.split_corners(level, host, next);
@@ -452,7 +513,7 @@ private:
   }
 
   void split_face(const Level& level, Index f, [[maybe_unused]] const Host& host,
-                  const Slots& old_slots, const Slots& new_slots, const Results& results,
+                  const Slots& old_slots, const Slots& new_slots,
                   const std::vector<Results>& of_planes, Level& next)
   {
     const Level_connectivity& old = level.level.level;
@@ -460,7 +521,7 @@ private:
     const auto add_slot = [&](Index new_slot, Index vertex) {
       Index& slot = next.slots[new_slot];
       if (slot != null) return slot;
-      set_slot(slot = all_.add_slot(vertex), results[new_slot]);
+      slot = all_.add_slot(vertex);
       for (std::size_t p = 0; p < of_planes.size(); ++p)
         attributes_.set(p, vertex, of_planes[p][new_slot]);
       return slot;
@@ -490,8 +551,8 @@ private:
   Attributes attributes_;
   std::vector<std::vector<double>> corners_of_nodes_;
   Split_edges<FT> all_;
-  std::optional<Cells> cells_; // of the level, for proofs
-  std::vector<Tessellation_node> nodes_;
+  std::optional<Cells> cells_;          // of the level, for proofs
+  std::deque<Tessellation_node> nodes_; // of which none is copied when there are more
   std::uint64_t number_of_leaves_ = 0;
   std::ptrdiff_t number_of_control_vertices_ = 0;
   unsigned rounds_ = 0;

@@ -39,9 +39,9 @@ public:
   // of a face: two triangles, or one
   struct Estimate
   {
-    double error = 0;                       // by the normals
-    std::array<double, 2> over_diagonals{}; // of a quadrilateral
-    double along_curves = 0;                // of its edges on creases and the border
+    double error = 0;                // by the normals
+    bool has_flatter_second = false; // of the diagonals of a quadrilateral
+    double along_curves = 0;         // of its edges on creases and the border
     bool knows_normals = true, trusts_normals = true, is_at_curve = false;
   };
   // limit points on the middles of the edges, and of the face
@@ -69,9 +69,9 @@ public:
       for (const auto& e : level.creases.edges) is_curve_[e.edge] = 1;
   }
 
-  Tessellation_leaf leaf(Index f, double error, const std::array<double, 2>& over_diagonals) const
+  void read(Index f, Tessellation_leaf& leaf) const
   {
-    Tessellation_leaf leaf{level_.faces[f].origin, 0, {}, {}, error, over_diagonals};
+    leaf.origin = level_.faces[f].origin;
     const Index first = connectivity_.halfedge_of_face(f);
     Index h = first;
     do {
@@ -81,7 +81,6 @@ public:
         2 * level_.edges[Level_connectivity::edge(next)] + (next & 1u);
       h = next;
     } while (h != first);
-    return leaf;
   }
 
   std::array<Vector, 4> places(Index f) const
@@ -100,10 +99,12 @@ public:
     result.is_at_curve = c.are_at_curve;
     if (c.number == 3)
       result.error = flatness::over_triangle(c[0], c[1], c[2]);
-    else
-      result.over_diagonals = flatness::over_quadrilateral(c[0], c[1], c[2], c[3]);
-    if (c.number == 4)
-      result.error = (std::min)(result.over_diagonals[0], result.over_diagonals[1]);
+    else {
+      const auto over = flatness::over_quadrilateral(c[0], c[1], c[2], c[3]);
+      result.error = (std::min)(over[0], over[1]);
+      result.has_flatter_second = !(over[0] + weight_of_length * flatness::distance(c[0], c[2]) <=
+                                    over[1] + weight_of_length * flatness::distance(c[1], c[3]));
+    }
     for (std::size_t i = 0; i < c.number; ++i)
       if (is_curve_[Level_connectivity::edge(c.halfedges[i])] != 0)
         result.along_curves = (std::max)(result.along_curves, along_curve(c, i));

@@ -21,6 +21,8 @@ namespace internal {
 
 // by which estimates are multiplied
 constexpr double tessellation_safety = 1.1, safety_at_curves = 1.25;
+// what the length of a diagonal counts where heights over it are about equal
+constexpr double weight_of_length = 1. / 1024;
 
 // How far a surface is from triangles between its points, told from the normals at these.
 namespace flatness {

@@ -52,6 +52,8 @@ public:
     , edge_(all.number_of_edges(), Level_connectivity::null)
   {}
 
+  void reserve(std::size_t triangles) { triangles_.reserve(triangles); }
+
   // corner_values: `dimension` numbers for each corner
   void add(const Tessellation_leaf& leaf, const double* corner_values = nullptr)
   {
@@ -208,8 +210,7 @@ private:
     const auto& p = polygon_;
     const auto key = [&](std::size_t i) {
       const Place &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[(i + 3) % 4];
-      return std::make_pair(turns(a, b, c) + turns(a, c, d),
-                            leaf.over_diagonals[i] + tie * flatness::distance(a.corner, c.corner));
+      return std::make_pair(turns(a, b, c) + turns(a, c, d), leaf.has_flatter_second != (i == 1));
     };
     clip_corner(leaf.origin, key(0) <= key(1) ? 1 : 2);
     add_triangle(leaf.origin, p[0], p[1], p[2]);
@@ -261,7 +262,7 @@ private:
     const auto [before, after] = neighbors(i);
     const flatness::Section section(before->corner, after->corner);
     return {turns(*before, polygon_[i], *after),
-            section.bulge() + tie * flatness::distance(before->corner, after->corner)};
+            section.bulge() + weight_of_length * flatness::distance(before->corner, after->corner)};
   }
 
   // The division of least cost, part by part: of the places from i to k the best apex of the triangle at i, k. False if a
@@ -269,16 +270,17 @@ private:
   bool divide(Index origin)
   {
     const std::size_t n = polygon_.size();
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = i + 1; k < n; ++k) {
+    for (std::size_t step = 1; step < n; ++step)
+      for (std::size_t i = 0, k = step; k < n; ++i, ++k) {
         const flatness::Section section(polygon_[i].corner, polygon_[k].corner);
         chords_[i][k] = {flatness::height(section),
                          flatness::distance(polygon_[i].corner, polygon_[k].corner)};
-      }
-    for (std::size_t step = 1; step < n; ++step)
-      for (std::size_t i = 0, k = step; k < n; ++i, ++k) {
         Part& part = parts_[i][k];
         part = {step == 1 ? 0 : infinity, i};
+        if (is_trial_ && chords_[i][k].height.largest > tolerance_) {
+          if (step == 1) return false;
+          continue;
+        }
         for (std::size_t j = i + 1; j < k; ++j) {
           const double of_parts = parts_[i][j].cost + parts_[j][k].cost;
           if (!(of_parts < part.cost)) continue;
@@ -353,9 +355,6 @@ private:
   };
   static constexpr std::size_t most_places = 16;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  // what the length of a diagonal counts where heights over it are about equal
-  static constexpr double tie = 1. / 1024;
 
   template <class T>
   using Table = std::array<std::array<T, most_places>, most_places>;

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -37,7 +38,7 @@ public:
   using Index = Level_connectivity::Index;
 
   // `tolerance` is that of the triangles
-  Merged_leaves(Split_edges<FT>& all, std::vector<Tessellation_node>& nodes, double tolerance)
+  Merged_leaves(Split_edges<FT>& all, std::deque<Tessellation_node>& nodes, double tolerance)
     : all_(all)
     , nodes_(nodes)
     , tolerance_(tolerance)
@@ -58,32 +59,32 @@ public:
   }
 
 private:
-  static constexpr Index null = Level_connectivity::null;
   // of the tolerance: what counts as straight
   static constexpr double straight = 1. / 1024;
 
   bool may_merge(const Tessellation_node& node) const
   {
-    if (node.is_leaf || !node.has_children()) return false;
-    return std::all_of(node.children.begin(), node.children.end(),
-                       [&](Index c) { return c == null || nodes_[c].is_leaf; });
+    if (node.is_leaf || node.number_of_children == 0) return false;
+    for (Index i = 0; i < node.number_of_children; ++i)
+      if (!nodes_[node.child(i)].is_leaf) return false;
+    return true;
   }
 
   void merge(Tessellation_node& node)
   {
-    if (!(node.discrepancy <= tolerance_)) return;
+    const double discrepancy = node.discrepancy();
+    if (!(discrepancy <= tolerance_)) return;
     std::array<Index, 4> straight_edges;
     std::size_t number = 0;
     for (Index i = 0; i < node.leaf.degree; ++i)
       if (is_straight(node.leaf, i)) straight_edges[number++] = node.leaf.halfedges[i] / 2;
     for (std::size_t i = 0; i < number; ++i) all_.hide(straight_edges[i], true);
-    const double error = error_of(node) + node.discrepancy;
+    const double error = error_of(node) + discrepancy;
     const bool is_flat = error <= tolerance_;
     if (is_flat) {
       node.is_leaf = true;
       node.leaf.error = tessellation_safety * error;
-      for (const Index c : node.children)
-        if (c != null) nodes_[c].is_leaf = false;
+      for (Index i = 0; i < node.number_of_children; ++i) nodes_[node.child(i)].is_leaf = false;
       for (Index i = 0; i < node.leaf.degree; ++i) --users_[node.leaf.halfedges[i] / 2];
     }
     for (std::size_t i = 0; i < number; ++i)
@@ -92,9 +93,10 @@ private:
 
   bool is_straight(const Tessellation_leaf& leaf, Index i) const
   {
-    const flatness::Vector &a = all_.corner(leaf.slots[i]).point,
-                           &b = all_.corner(leaf.slots[(i + 1) % leaf.degree]).point;
-    bool result = all_.edge(leaf.halfedges[i] / 2).is_seen_split();
+    if (!all_.edge(leaf.halfedges[i] / 2).is_seen_split()) return false;
+    const flatness::Vector a = all_.corner(leaf.slots[i]).point,
+                           b = all_.corner(leaf.slots[(i + 1) % leaf.degree]).point;
+    bool result = true;
     all_.for_each_part(leaf.slots[i], leaf.halfedges[i], [&](Index slot, Index, double) {
       result = result &&
                flatness::distance_from_line(all_.corner(slot).point, a, b) <= straight * tolerance_;
@@ -106,7 +108,7 @@ private:
   double error_of(const Tessellation_node& node)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!trial_.try_alone(node.leaf, node.discrepancy)) return infinity;
+    if (!trial_.try_alone(node.leaf, node.discrepancy())) return infinity;
     double error = 0;
     for (const Tessellation_triangle& t : trial_.triangles()) {
       const auto a = all_.corner(t.slots[0]), b = all_.corner(t.slots[1]),
@@ -118,14 +120,13 @@ private:
     seen_.clear();
     for (const Tessellation_triangle& t : trial_.triangles())
       for (const Index s : t.slots) note(s);
-    for (const Index child : node.children)
-      if (child != null)
-        for (Index i = 0; i < nodes_[child].leaf.degree; ++i)
-          all_.for_each_part(nodes_[child].leaf.slots[i], nodes_[child].leaf.halfedges[i],
-                             [&](Index slot, Index, double) {
-                               if (note(slot))
-                                 error = (std::max)(error, distance(all_.corner(slot).point));
-                             });
+    for (Index c = 0; c < node.number_of_children; ++c) {
+      const Tessellation_leaf& child = nodes_[node.child(c)].leaf;
+      for (Index i = 0; i < child.degree; ++i)
+        all_.for_each_part(child.slots[i], child.halfedges[i], [&](Index slot, Index, double) {
+          if (note(slot)) error = (std::max)(error, distance(all_.corner(slot).point));
+        });
+    }
     return error;
   }
 
@@ -154,7 +155,7 @@ private:
   }
 
   Split_edges<FT>& all_;
-  std::vector<Tessellation_node>& nodes_;
+  std::deque<Tessellation_node>& nodes_;
   const double tolerance_;
   std::vector<unsigned char> users_; // faces that are split, of each edge
   std::vector<Index> seen_;

@@ -12,12 +12,25 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Flatness.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
+
+// Room for more elements, which is not all used up by the next few.
+template <class Elements>
+void make_room(std::size_t more, Elements& elements)
+{
+  const std::size_t needed = elements.size() + more;
+  if (needed > elements.capacity())
+    elements.reserve((std::max)(needed, elements.capacity() + elements.capacity() / 2));
+}
 
 // The vertices and edges of all levels of an adaptive refinement. A vertex has a slot for each of its wedges. A
 // half-edge of edge e is 2 * e or 2 * e + 1, and its halves go the same way.
@@ -31,10 +44,10 @@ public:
 
   struct Slot
   {
+    Vector normal; // unit or zero
     Index vertex;
-    Vector normal;       // unit or zero
-    Vector shape_normal; // by which flatness goes, zero where it is not to be trusted
     bool has_surface_normal;
+    bool is_trusted; // whether flatness goes by the normal
   };
   struct Edge
   {
@@ -53,21 +66,21 @@ public:
   // for so many more
   void reserve(std::size_t vertices, std::size_t edges)
   {
-    points_.reserve(points_.size() + vertices);
-    places_.reserve(places_.size() + vertices);
-    slots_.reserve(slots_.size() + vertices);
-    edges_.reserve(edges_.size() + edges);
+    make_room(vertices, points_);
+    if constexpr (keeps_places) make_room(vertices, places_);
+    make_room(vertices, slots_);
+    make_room(edges, edges_);
   }
 
   Index add_vertex()
   {
     points_.emplace_back();
-    places_.emplace_back();
+    if constexpr (keeps_places) places_.emplace_back();
     return number_of_vertices() - 1;
   }
   Index add_slot(Index vertex)
   {
-    slots_.push_back({vertex, {}, {}, false});
+    slots_.push_back({{}, vertex, false, false});
     return number_of_slots() - 1;
   }
   Index add_edge()
@@ -77,17 +90,17 @@ public:
   }
 
   // Flatness is told from points that are divided by a power of two, so that squares neither overflow nor underflow.
-  void set_exponent(int exponent) { exponent_ = exponent; }
+  void set_exponent(int exponent) { scale_ = std::ldexp(1., -exponent); }
   Vector place(const Coordinates<FT, 3>& point) const
   {
     Vector place = to_double_3(point);
-    for (double& x : place) x = std::ldexp(x, -exponent_);
+    for (double& x : place) x *= scale_;
     return place;
   }
   void set_point(Index vertex, const Coordinates<FT, 3>& point)
   {
     points_[vertex] = point;
-    places_[vertex] = place(point);
+    if constexpr (keeps_places) places_[vertex] = place(point);
   }
   Slot& slot(Index s) { return slots_[s]; }
   const Slot& slot(Index s) const { return slots_[s]; }
@@ -95,7 +108,15 @@ public:
   const Coordinates<FT, 3>& point(Index vertex) const { return points_[vertex]; }
   flatness::Corner corner(Index s) const
   {
-    return {places_[slots_[s].vertex], slots_[s].shape_normal};
+    const Slot& slot = slots_[s];
+    return {place_of(slot.vertex), slot.is_trusted ? slot.normal : Vector{}};
+  }
+  Vector place_of(Index vertex) const
+  {
+    if constexpr (keeps_places)
+      return places_[vertex];
+    else
+      return place(points_[vertex]);
   }
 
   // Those that are not used go; the others are renumbered in their order.
@@ -106,11 +127,11 @@ public:
     for (Index v = 0; v < used.size(); ++v)
       if (used[v]) {
         points_[kept] = points_[v];
-        places_[kept] = places_[v];
+        if constexpr (keeps_places) places_[kept] = places_[v];
         number[v] = kept++;
       }
     points_.resize(kept);
-    places_.resize(kept);
+    if constexpr (keeps_places) places_.resize(kept);
     for (Slot& s : slots_)
       if (s.vertex != null) s.vertex = number[s.vertex];
   }
@@ -144,9 +165,12 @@ public:
   }
 
 private:
+  // where they are not as quickly found again
+  static constexpr bool keeps_places = !std::is_same_v<FT, double>;
+
   std::vector<Coordinates<FT, 3>> points_;
   std::vector<Vector> places_;
-  int exponent_ = 0;
+  double scale_ = 1;
   std::vector<Slot> slots_;
   std::vector<Edge> edges_;
 };
@@ -156,13 +180,12 @@ struct Tessellation_leaf
 {
   using Index = Level_connectivity::Index;
 
-  Index origin;                   // the face of the control mesh
-  Index degree;                   // 3 or 4
-  std::array<Index, 4> slots;     // of the corners
-  std::array<Index, 4> halfedges; // to the next corner
-  double error;                   // estimated
-  std::array<double, 2>
-    over_diagonals; // of a quadrilateral: from its first corner, and from its second
+  double error = 0;                 // estimated
+  Index origin = 0;                 // the face of the control mesh
+  std::array<Index, 4> slots{};     // of the corners
+  std::array<Index, 4> halfedges{}; // to the next corner
+  unsigned char degree = 0;         // 3 or 4
+  bool has_flatter_second = false;  // of a quadrilateral: the diagonal from its second corner
 };
 
 // A face of some level, with those that it was split into.
@@ -170,13 +193,19 @@ struct Tessellation_node
 {
   using Index = Level_connectivity::Index;
 
+  // if it is split, its error is how far the middles were from where the normals had them
   Tessellation_leaf leaf;
-  std::array<Index, 4> children{null, null, null, null}; // none if there are more
-  double discrepancy =
-    0; // how far the middles were from where the normals had them, if it was split
+  Index first_child = null, other_children = null; // none if there are more than four
+  unsigned char number_of_children = 0;
   bool is_leaf = false;
 
-  bool has_children() const { return children[0] != null; }
+  double discrepancy() const { return leaf.error; }
+  Index child(Index i) const { return i == 0 ? first_child : other_children + i - 1; }
+  void add_child(Index node)
+  {
+    if (number_of_children < 2) (number_of_children == 0 ? first_child : other_children) = node;
+    ++number_of_children;
+  }
 
   static constexpr Index null = Level_connectivity::null;
 };

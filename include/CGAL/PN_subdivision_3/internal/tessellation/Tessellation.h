@@ -65,6 +65,7 @@ public:
         if (!demand.is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
         Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners(),
                                      demand.is_proven);
+        triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
         const auto& corners = refinement.corners_of_nodes();
         for (std::size_t i = 0; i < refinement.nodes().size(); ++i)
           if (refinement.nodes()[i].is_leaf)
@@ -149,7 +150,8 @@ private:
   Tessellation_demand demand(double box) const
   {
     Tessellation_demand demand;
-    demand.exponent = box > 0 && std::isfinite(box) ? std::ilogb(box) : 0;
+    // 2^-exponent is a number, too
+    demand.exponent = box > 0 && std::isfinite(box) ? (std::max)(std::ilogb(box), -1000) : 0;
     demand.tolerance = std::ldexp(chord_error_, -demand.exponent);
     constexpr bool is_given =
       !std::is_same_v<typename internal_np::Lookup_named_param_def<
@@ -209,6 +211,7 @@ private:
       return std::vector<char>();
     else {
       std::vector<typename boost::property_traits<Normal_map>::value_type> normals;
+      normals.reserve(mesh.level().number_of_vertices());
       for (const flatness::Vector& n : mesh.normals()) normals.emplace_back(n[0], n[1], n[2]);
       return normals;
     }
