@@ -219,7 +219,8 @@ in `scripts/mutation_results.tsv`; run the script again to get missing ones.
 
 \\section PN_subdivision_3_mutations_numbers Numbers
 
-By the folder of the changed header below `include/CGAL/PN_subdivision_3/`, or below `internal/` there:
+Of {all} changes {run} were run, of which {caught} are caught and {survive} survive; {missing} were not run.
+By the folder of the changed header below `include/CGAL/PN_subdivision_3/`, or below `internal/` there (`.`: in none):
 
 | Headers | Changes | Caught | Survive | Not run |
 |---|---:|---:|---:|---:|
@@ -241,20 +242,24 @@ def write_table(name):
     results = read_results()
     subjects = {}
     for m in mutations():
-        subject = pathlib.PurePath(m["file"].removeprefix("internal/")).parent.name
+        subject = pathlib.PurePath(m["file"].removeprefix("internal/")).parent.name or "."
         verdict = results.get(m["name"], {"verdict": ""})["verdict"]
         subjects.setdefault(subject, []).append(verdict if verdict in ("caught", "survives", "SURVIVED") else "")
     subjects["**all**"] = sum(subjects.values(), [])
 
-    def row(subject, verdicts):
+    def counts(verdicts):
         survivors = sum("surv" in v.lower() for v in verdicts)
-        counts = [len(verdicts), verdicts.count("caught"), survivors, verdicts.count("")]
-        return " | ".join(["| " + subject, *map(str, counts)]) + " |"
+        return [len(verdicts), verdicts.count("caught"), survivors, verdicts.count("")]
+
+    def row(subject, verdicts):
+        return " | ".join(["| " + subject, *map(str, counts(verdicts))]) + " |"
 
     def items(lines):
         return "\n".join(f"- {line}" for line in lines) or "None."
 
+    total, caught, survivors, missing = counts(subjects["**all**"])
     pathlib.Path(name).write_text(PAGE.format(
+        all=total, run=total - missing, caught=caught, survive=survivors, missing=missing,
         rows="\n".join(row(*item) for item in subjects.items()),
         survivors=items(f"*{m['name']}* (`{m['file']}`): {m.get('survives', 'not known whether another test notices it, or one is missing')}." for m in mutations()
                         if "surv" in results.get(m["name"], {"verdict": ""})["verdict"].lower()),

@@ -8,12 +8,24 @@
 \cgalConcept
 
 A value at vertices or corners that `CGAL::PN_subdivision_3::subdivide()` refines by the linear rows of a scheme, see
-`CGAL::PN_subdivision_3::parameters::vertex_attribute()`. Numbers, arrays of them, and points and vectors of \cgal are models. Other types
-specialize `CGAL::PN_subdivision_3::Attribute_traits`, or have the following; values of corners must also be comparable by `==`.
+`CGAL::PN_subdivision_3::parameters::vertex_attribute()`. A type that is not among the models below
+specializes `CGAL::PN_subdivision_3::Attribute_traits`, or has the following; values of corners must also be comparable by `==`.
+Values of other types are refused when a call is compiled, by one line.
 
-Models are built-in numbers, number types of \cgal, `std::array` of them, `CGAL::Point_2`, `CGAL::Point_3`, `CGAL::Vector_2`,
-`CGAL::Vector_3`, `CGAL::IO::Color`, and vectors and matrices of fixed size of Eigen. Values that are not are refused when a call is
-compiled, by one line.
+All built-in numbers are models, the number type of the points, and `std::array` of these.
+
+\cgalHasModelsBegin
+\cgalHasModels{float}
+\cgalHasModels{double}
+\cgalHasModels{int}
+\cgalHasModels{std::array}
+\cgalHasModels{CGAL::Point_2}
+\cgalHasModels{CGAL::Point_3}
+\cgalHasModels{CGAL::Vector_2}
+\cgalHasModels{CGAL::Vector_3}
+\cgalHasModels{CGAL::IO::Color}
+\cgalHasModels{Eigen::Matrix}
+\cgalHasModelsEnd
 
 \sa `CGAL::PN_subdivision_3::parameters::attributes()`
 */

@@ -408,8 +408,7 @@ template <class FaceGraph, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Limit_surface(const FaceGraph&, const Scheme&,
               const NamedParameters& = parameters::default_values())
-  -> Limit_surface<FaceGraph,
-                   typename internal::Surface_parameters<FaceGraph, NamedParameters>::Geom_traits>;
+  -> Limit_surface<FaceGraph, internal::Geom_traits_of_call<FaceGraph, NamedParameters>>;
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

@@ -140,13 +140,16 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
-    : control_vertices_(mesh, np)
   {
-    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-      internal::with_scheme_of_call(
-        scheme, np, [&](const auto& s, const auto& others) { this->read_scheme(mesh, s, others); });
-    else
-      read_scheme(mesh, scheme, np);
+    if constexpr (internal::check_named_parameters<NamedParameters>()) {
+      control_vertices_ = internal::Control_vertices<PolygonMesh>(mesh, np);
+      if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+        internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+          this->read_scheme(mesh, s, others);
+        });
+      else
+        read_scheme(mesh, scheme, np);
+    }
   }
 
   /// \name Size
@@ -453,9 +456,8 @@ template <class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Surface_refiner(const PolygonMesh&, const Scheme&,
                 const NamedParameters& = parameters::default_values())
-  -> Surface_refiner<
-    PolygonMesh, Scheme,
-    typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
+  -> Surface_refiner<PolygonMesh, Scheme,
+                     internal::Geom_traits_of_call<PolygonMesh, NamedParameters>>;
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

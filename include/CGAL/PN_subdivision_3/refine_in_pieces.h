@@ -134,13 +134,16 @@ public:
   template <class PolygonMesh, class NamedParameters = parameters::Default_named_parameters>
   Surface_pieces(const PolygonMesh& mesh, const Scheme& scheme,
                  const NamedParameters& np = parameters::default_values())
-    : number_of_pieces_(internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1)))
   {
-    if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
-      internal::with_scheme_of_call(
-        scheme, np, [&](const auto& s, const auto& others) { this->read_scheme(mesh, s, others); });
-    else
-      read_scheme(mesh, scheme, np);
+    if constexpr (internal::check_named_parameters<NamedParameters>()) {
+      number_of_pieces_ = internal::parameter_or<internal::number_of_pieces_t>(np, std::size_t(1));
+      if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
+        internal::with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
+          this->read_scheme(mesh, s, others);
+        });
+      else
+        read_scheme(mesh, scheme, np);
+    }
   }
 
   /*!
@@ -466,7 +469,7 @@ private:
     return typename GeomTraits::Vector_3(n[0], n[1], n[2]);
   }
 
-  std::size_t number_of_pieces_;
+  std::size_t number_of_pieces_ = 1;
   unsigned rounds_ = 0, ghost_rings_ = 0;
   bool is_near_overflow_ = false;
   std::unique_ptr<Limits> limits_; // if they are asked for
@@ -478,8 +481,7 @@ template <class PolygonMesh, class Scheme,
           class NamedParameters = parameters::Default_named_parameters>
 Surface_pieces(const PolygonMesh&, const Scheme&,
                const NamedParameters& = parameters::default_values())
-  -> Surface_pieces<
-    Scheme, typename internal::Surface_parameters<PolygonMesh, NamedParameters>::Geom_traits>;
+  -> Surface_pieces<Scheme, internal::Geom_traits_of_call<PolygonMesh, NamedParameters>>;
 
 } // namespace PN_subdivision_3
 } // namespace CGAL

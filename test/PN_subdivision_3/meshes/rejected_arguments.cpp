@@ -10,8 +10,11 @@
 // rejected_arguments compiles this file and looks for the lines; nothing else may be an error.
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
+#include <CGAL/PN_subdivision_3/compare_with_linear.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
+#include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/schemes/Any_scheme.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
 #include <CGAL/Polyhedron_3.h>
@@ -40,6 +43,22 @@ void reject(Mesh& mesh)
   // expected: the mesh is const
 
   PN::CatmullClark_subdivision(mesh, 3);
+  // expected: the last argument is not a named parameter: for a number of rounds write
+
+  // said once for each type of number
+  PN::Surface_refiner(mesh, PN::Loop_scheme(), 3u);
+  // expected: the last argument is not a named parameter: for a number of rounds write
+
+  PN::Surface_pieces(mesh, PN::Loop_scheme(), 3l);
+  // expected: the last argument is not a named parameter: for a number of rounds write
+
+  PN::Surface_pieces<PN::Loop_scheme, Kernel>(mesh, PN::Loop_scheme(), 3.);
+  // expected: the last argument is not a named parameter: for a number of rounds write
+
+  PN::Limit_surface(mesh, PN::Loop_scheme(), 3ul);
+  // expected: the last argument is not a named parameter: for a number of rounds write
+
+  PN::compare_with_linear(mesh, PN::Loop_scheme(), 3.f);
   // expected: the last argument is not a named parameter: for a number of rounds write
 
   std::vector<Kernel::Point_3> points_of_soup;

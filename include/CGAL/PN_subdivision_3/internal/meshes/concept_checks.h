@@ -43,6 +43,12 @@ constexpr bool check_named_parameters()
   return are_named_parameters_v<NamedParameters>;
 }
 
+// What a deduction guide makes of a call. Of something else than named parameters it says nothing, the constructor does.
+template <class Mesh, class NamedParameters>
+using Geom_traits_of_call = typename Surface_parameters<
+  Mesh, std::conditional_t<are_named_parameters_v<NamedParameters>, NamedParameters,
+                           parameters::Default_named_parameters>>::Geom_traits;
+
 // \name Meshes
 
 // asked first: of what is no graph, such as a soup, boost::graph_traits is an error
@@ -163,7 +169,9 @@ template <class Mesh, class Scheme, class NamedParameters,
           class Access_tag = boost::readable_property_map_tag>
 constexpr bool check_control_arguments()
 {
-  if constexpr (!check_is_point_map<Mesh, NamedParameters>())
+  if constexpr (!check_named_parameters<NamedParameters>())
+    return false;
+  else if constexpr (!check_is_point_map<Mesh, NamedParameters>())
     return false;
   else {
     using Parameters = Surface_parameters<Mesh, NamedParameters>;
