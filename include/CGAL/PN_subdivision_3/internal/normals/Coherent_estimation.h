@@ -264,7 +264,8 @@ private:
 
   void compare_roundness(std::vector<double>& shares) const
   {
-    const std::vector<double> uneven = shares_of_uneven();
+    std::vector<double> uneven; // none is
+    if (is_uneven_) uneven = shares_of_uneven();
     const auto is_round = [](const Estimate& e) { return e.weight == 1; };
     for_each_edge([&](Index i, Index j, Index h) {
       const Estimate &s = estimates_[i], &t = estimates_[j];
@@ -273,7 +274,8 @@ private:
       const double e_length = quick_length(e);
       const double miss = std::abs(dot<double, 3>(s.normal, e) + dot<double, 3>(t.normal, e));
       const auto beside = [&](Index k) {
-        const double error = e_length > 0 ? miss * inverse_width(k, uneven[k], e_length) : 1;
+        const double share = uneven.empty() ? 0 : uneven[k];
+        const double error = e_length > 0 ? miss * inverse_width(k, share, e_length) : 1;
         return roundness_beside(estimates_[k].weight, error);
       };
       shares[i] = (std::min)(shares[i], beside(j));
@@ -292,7 +294,6 @@ private:
   std::vector<double> shares_of_uneven() const
   {
     std::vector<double> result(estimates_.size(), 0);
-    if (!is_uneven_) return result;
     for_each_edge([&](Index i, Index j, Index h) { // first the squared lengths of the longest edges
       const Vector e = edge(h);
       for (Index s : {i, j}) result[s] = (std::max)(result[s], dot<double, 3>(e, e));
@@ -318,31 +319,20 @@ private:
     for (Index f = 0; f < level_.number_of_faces(); ++f) {
       arcs_.clear();
       bool are_linear = true;
-      for_each_corner(f, [&](Index h) {
+      for_each_halfedge_of_face(level_, f, [&](Index h) {
         const Index s = sectors_.at_target(h);
         are_linear = are_linear && !(estimates_[s].weight * shares[s] > 0);
         arcs_.add(edge(h), estimates_[s].normal);
       });
       const double share = are_linear ? 1 : arcs_.share();
       if (share < 1)
-        for_each_corner(f, [&](Index h) {
+        for_each_halfedge_of_face(level_, f, [&](Index h) {
           double& of_corner = of_faces[sectors_.at_target(h)];
           of_corner = (std::min)(of_corner, share);
         });
     }
     for (Index s = 0; s < shares.size(); ++s)
       if (!sectors_.is_at_crease(s)) shares[s] *= of_faces[s];
-  }
-
-  template <class Function>
-  void for_each_corner(Index f, const Function& function) const
-  {
-    const Index first = level_.halfedge_of_face(f);
-    Index h = first;
-    do {
-      function(h);
-      h = level_.next(h);
-    } while (h != first);
   }
 
   double share_of_lift(Index s)
