@@ -17,6 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/creases/Creases.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Cut_level.h>
 #include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
+#include <CGAL/PN_subdivision_3/internal/normals/Fan.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
 
 #include <algorithm>
@@ -95,19 +96,6 @@ private:
   // \name Parts of the sharp round
   // by the numbers of the new vertices
 
-  // calls f(vertex) for the corners of the face of h
-  template <class Function>
-  static void for_each_corner_of_face(const Level_connectivity& level, Index face,
-                                      const Function& f)
-  {
-    const Index first = level.halfedge_of_face(face);
-    Index h = first;
-    do {
-      f(h);
-      h = level.next(h);
-    } while (h != first);
-  }
-
   void find_parts_on_creases()
   {
     const Creases<FT>& creases = gone_.creases;
@@ -164,9 +152,10 @@ private:
     const std::vector<bool> old = is_near;
     for (Index f = 0; f < level.number_of_faces(); ++f) {
       bool is_any = false;
-      for_each_corner_of_face(level, f, [&](Index h) { is_any = is_any || old[level.target(h)]; });
+      for_each_halfedge_of_face(level, f,
+                                [&](Index h) { is_any = is_any || old[level.target(h)]; });
       if (is_any)
-        for_each_corner_of_face(level, f, [&](Index h) { is_near[level.target(h)] = true; });
+        for_each_halfedge_of_face(level, f, [&](Index h) { is_near[level.target(h)] = true; });
     }
   }
 
