@@ -47,4 +47,4 @@ draw BlendSwap-CC-0 bread 45
 draw BlendSwap-CC-0 stoneLantern 30
 draw BlendSwap-CC-0 rock1 none
 draw BlendSwap-CC-BY simpleDesk none
-scripts/render.py --output "$folder/gallery.png" --columns 6 --tile 170 --up y --shading split "${captions[@]}" "${tiles[@]}"
+scripts/render.py --output "$folder/gallery.png" --columns 6 --tile 170 --up y --view=-35,22 --shading split "${captions[@]}" "${tiles[@]}"
