@@ -35,8 +35,8 @@ Coordinates<FT, dimension> zero_vector()
 }
 
 template <class FT, int dimension>
-Coordinates<FT, dimension> difference(Coordinates<FT, dimension> a,
-                                      const Coordinates<FT, dimension>& b)
+inline Coordinates<FT, dimension> difference(Coordinates<FT, dimension> a,
+                                             const Coordinates<FT, dimension>& b)
 {
   for (int c = 0; c < dimension; ++c) a[c] -= b[c];
   return a;
@@ -141,7 +141,7 @@ double vanishing_tolerance()
 }
 
 template <class T>
-Coordinates<T, 3> cross(const Coordinates<T, 3>& a, const Coordinates<T, 3>& b)
+inline Coordinates<T, 3> cross(const Coordinates<T, 3>& a, const Coordinates<T, 3>& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

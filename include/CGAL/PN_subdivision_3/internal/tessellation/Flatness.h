@@ -175,20 +175,15 @@ inline std::array<double, 2> over_quadrilateral(const Corner& a, const Corner& b
           (std::max)(over_triangle(bc, cd, bd), over_triangle(da, ab, bd))};
 }
 
-// Whether its area is less than a part of the square of the longest side.
-inline bool is_thin(const Corner& a, const Corner& b, const Corner& c, double part)
+// Whether the triangle is turned over, as its corners see it, or its area less than a part of the square of the longest
+// side.
+inline bool is_turned_or_thin(const Corner& a, const Corner& b, const Corner& c, double part)
 {
   const Vector ab = minus(b.point, a.point), ac = minus(c.point, a.point),
                bc = minus(c.point, b.point), area = cross<double>(ab, ac);
+  if (product(area, a.normal) + product(area, b.normal) + product(area, c.normal) < 0) return true;
   const double longest = (std::max)({product(ab, ab), product(ac, ac), product(bc, bc)});
   return !(length(area) > part * longest);
-}
-
-// Whether the triangle is turned over, as its corners see it.
-inline bool is_turned(const Corner& a, const Corner& b, const Corner& c)
-{
-  const Vector area = cross<double>(minus(b.point, a.point), minus(c.point, a.point));
-  return product(area, a.normal) + product(area, b.normal) + product(area, c.normal) < 0;
 }
 
 } // namespace flatness

@@ -63,17 +63,19 @@ public:
     add_triangles(leaf);
   }
 
-  // The triangles of this leaf alone, for a trial; false if it is known that one of them is farther than tolerance - reserve, or
-  // turned over.
-  bool try_alone(const Tessellation_leaf& leaf, double reserve)
+  // The triangles of this leaf alone, for a trial: how far the surface is from them by the normals, infinite if it is more
+  // than `most`.
+  double try_alone(const Tessellation_leaf& leaf, double most)
   {
     triangles_.clear();
     take(leaf, nullptr);
-    for (const Place& p : polygon_)
-      if (p.corner.normal == flatness::Vector{}) return false;
-    if (!may_be_flat(reserve)) return false;
     is_trial_ = true;
-    return add_triangles(leaf);
+    most_ = most;
+    trial_error_ = 0;
+    for (const Place& p : polygon_)
+      if (p.corner.normal == flatness::Vector{}) return infinity;
+    forget_chords();
+    return may_be_flat() && add_triangles(leaf) && trial_error_ <= most_ ? trial_error_ : infinity;
   }
 
   const std::vector<Tessellation_triangle>& triangles() const { return triangles_; }
@@ -87,6 +89,12 @@ public:
   const flatness::Vector& worst_place() const { return worst_.place; }
 
 private:
+  struct Chord
+  {
+    flatness::Height height;
+    double length;
+  };
+
   void take(const Tessellation_leaf& leaf, const double* corner_values)
   {
     polygon_.clear();
@@ -130,15 +138,17 @@ private:
 
   // Each division has a triangle about the middle of the polygon, none of whose sides has more than half of the places
   // beyond it, and one of them a third.
-  bool may_be_flat(double reserve) const
+  bool may_be_flat()
   {
     const std::size_t n = polygon_.size();
     if (n < 4) return true;
+    const auto bulge = [&](std::size_t i, std::size_t k) {
+      return n <= most_places ? chord((std::min)(i, k), (std::max)(i, k)).height.largest
+                              : flatness::Section(polygon_[i].corner, polygon_[k].corner).bulge();
+    };
     for (std::size_t step = n / 2; step >= (n + 2) / 3; --step)
-      for (std::size_t i = 0; i < (2 * step == n ? step : n); ++i) {
-        const flatness::Section section(polygon_[i].corner, polygon_[(i + step) % n].corner);
-        if (section.bulge() + reserve <= tolerance_) return true;
-      }
+      for (std::size_t i = 0; i < (2 * step == n ? step : n); ++i)
+        if (bulge(i, (i + step) % n) <= most_) return true;
     return false;
   }
 
@@ -199,27 +209,35 @@ private:
 
   static double turns(const Place& a, const Place& b, const Place& c)
   {
-    return flatness::is_turned(a.corner, b.corner, c.corner) ||
-               flatness::is_thin(a.corner, b.corner, c.corner, 1e-7)
-             ? 1
-             : 0;
+    return flatness::is_turned_or_thin(a.corner, b.corner, c.corner, 1e-7) ? 1 : 0;
   }
 
   void add_quadrilateral(const Tessellation_leaf& leaf)
   {
     const auto& p = polygon_;
-    const auto key = [&](std::size_t i) {
+    const auto turns_at = [&](std::size_t i) {
       const Place &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[(i + 3) % 4];
-      return std::make_pair(turns(a, b, c) + turns(a, c, d), leaf.has_flatter_second != (i == 1));
+      return turns(a, b, c) + turns(a, c, d);
     };
-    clip_corner(leaf.origin, key(0) <= key(1) ? 1 : 2);
+    std::size_t first = leaf.has_flatter_second ? 1 : 0;
+    const double of_flatter = turns_at(first);
+    if (of_flatter > 0 && turns_at(1 - first) < of_flatter) first = 1 - first;
+    if (is_trial_)
+      trial_error_ = (std::max)(over_triangle(first, first + 1, first + 2),
+                                over_triangle(first, first + 2, (first + 3) % 4));
+    clip_corner(leaf.origin, first + 1);
     add_triangle(leaf.origin, p[0], p[1], p[2]);
+  }
+  double over_triangle(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    return flatness::over_triangle(polygon_[i].corner, polygon_[j].corner, polygon_[k].corner);
   }
 
   // A triangle has no three corners on one side, and what is left after it neither. Ears, the flattest and shortest
   // first, until there are few places; then the best of all divisions.
   bool clip(Index origin)
   {
+    const bool has_chords = is_trial_ && polygon_.size() <= most_places;
     while (polygon_.size() > most_places) {
       std::size_t best = polygon_.size();
       auto best_key = std::make_pair(0., 0.);
@@ -233,7 +251,24 @@ private:
       }
       clip_corner(origin, best);
     }
+    if (!has_chords) forget_chords();
     return divide(origin);
+  }
+
+  // of the places as they are now; each is found when it is asked for
+  void forget_chords()
+  {
+    const std::size_t n = (std::min)(polygon_.size(), most_places);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = i + 1; k < n; ++k) chords_[i][k].length = -1;
+  }
+  const Chord& chord(std::size_t i, std::size_t k)
+  {
+    Chord& c = chords_[i][k];
+    if (c.length < 0)
+      c = {flatness::height({polygon_[i].corner, polygon_[k].corner}),
+           flatness::distance(polygon_[i].corner, polygon_[k].corner)};
+    return c;
   }
 
   // of each side, how many places are not on it
@@ -272,12 +307,9 @@ private:
     const std::size_t n = polygon_.size();
     for (std::size_t step = 1; step < n; ++step)
       for (std::size_t i = 0, k = step; k < n; ++i, ++k) {
-        const flatness::Section section(polygon_[i].corner, polygon_[k].corner);
-        chords_[i][k] = {flatness::height(section),
-                         flatness::distance(polygon_[i].corner, polygon_[k].corner)};
         Part& part = parts_[i][k];
         part = {step == 1 ? 0 : infinity, i};
-        if (is_trial_ && chords_[i][k].height.largest > tolerance_) {
+        if (chord(i, k).height.largest > most_ && is_trial_) {
           if (step == 1) return false;
           continue;
         }
@@ -302,8 +334,9 @@ private:
     const Place &a = polygon_[i], &b = polygon_[j], &c = polygon_[k];
     if ((a.sides & b.sides & c.sides) != 0) return infinity;
     const Chord &ab = chords_[i][j], &bc = chords_[j][k], &ac = chords_[i][k];
-    const double error = flatness::over_triangle(ab.height, bc.height, ac.height) / tolerance_;
-    if (is_trial_ && error > 1) return infinity;
+    const double height = flatness::over_triangle(ab.height, bc.height, ac.height);
+    if (is_trial_ && height > most_) return infinity;
+    const double error = height / tolerance_;
     constexpr double cost_of_turn = 1024, cost_of_excess = 64, cost_of_length = 1. / 256;
     const double around = ab.length + bc.length + ac.length;
     const double longest = (std::max)({ab.length, bc.length, ac.length});
@@ -325,12 +358,12 @@ private:
     triangles_.push_back(
       {origin, {polygon_[i].slot, polygon_[j].slot, polygon_[k].slot}, {first, second, back}});
     add_corner_values(polygon_[i], polygon_[j], polygon_[k]);
-    if (!is_trial_ && !is_proven_ && is_known(i) && is_known(j) && is_known(k))
-      note_error(origin,
-                 tessellation_safety * flatness::over_triangle(polygon_[i].corner,
-                                                               polygon_[j].corner,
-                                                               polygon_[k].corner),
-                 i, k);
+    const double error =
+      flatness::over_triangle(chords_[i][j].height, chords_[j][k].height, chords_[i][k].height);
+    if (is_trial_)
+      trial_error_ = (std::max)(trial_error_, error);
+    else if (!is_proven_ && is_known(i) && is_known(j) && is_known(k))
+      note_error(origin, tessellation_safety * error, i, k);
     add_part(origin, i, j, first + 1);
     add_part(origin, j, k, second + 1);
   }
@@ -342,11 +375,6 @@ private:
     Index origin = 0;
     double error = 0;
     flatness::Vector place{};
-  };
-  struct Chord
-  {
-    flatness::Height height;
-    double length;
   };
   struct Part
   {
@@ -366,6 +394,7 @@ private:
   const double* corners_ = nullptr;
   std::size_t degree_ = 0;
   bool is_trial_ = false;
+  double most_ = 0, trial_error_ = 0; // of a trial
   std::vector<double> corner_values_;
   Table<Chord> chords_;
   Table<Part> parts_;

@@ -108,14 +108,12 @@ private:
   double error_of(const Tessellation_node& node)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!trial_.try_alone(node.leaf, node.discrepancy())) return infinity;
-    double error = 0;
+    double error = trial_.try_alone(node.leaf, tolerance_ - node.discrepancy());
+    if (error == infinity) return infinity;
     for (const Tessellation_triangle& t : trial_.triangles()) {
       const auto a = all_.corner(t.slots[0]), b = all_.corner(t.slots[1]),
                  c = all_.corner(t.slots[2]);
-      if (flatness::is_turned(a, b, c) || flatness::is_thin(a, b, c, 1e-4)) return infinity;
-      error = (std::max)(error, flatness::over_triangle(a, b, c));
-      if (error > tolerance_) return infinity;
+      if (flatness::is_turned_or_thin(a, b, c, 1e-4)) return infinity;
     }
     seen_.clear();
     for (const Tessellation_triangle& t : trial_.triangles())
