@@ -242,14 +242,10 @@ values_of_rows(const One_round& round, const std::vector<Level_connectivity::Ind
   using Index = Level_connectivity::Index;
   using Value = typename One_round::Value;
   std::vector<Value> values(vertices.size());
-  const Caller_precision<typename One_round::FT> precision;
-  for_chunks(static_cast<Index>(vertices.size()), [&](Index begin, Index end) {
-    const typename Caller_precision<typename One_round::FT>::In_this_thread scope(precision);
-    round.evaluate(vertices.data() + begin, vertices.data() + end, old,
-                   [&](const Index* first, const Value* v, Index n) {
-                     std::copy(v, v + n, values.begin() + (first - vertices.data()));
-                   });
-  });
+  evaluate_rows(round, vertices.data(), static_cast<Index>(vertices.size()), old, for_chunks,
+                [&](const Index* first, const Value* v, Index n) {
+                  std::copy(v, v + n, values.begin() + (first - vertices.data()));
+                });
   return values;
 }
 

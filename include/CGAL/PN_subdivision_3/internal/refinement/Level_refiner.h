@@ -69,20 +69,14 @@ void evaluate_round(Level_round& round, const Stored_value* old, const For_chunk
 {
   using One_round = typename Level_round::One_round;
   using Index = typename One_round::Index;
-  using Precision = Caller_precision<typename One_round::FT>;
   const auto on_creases = round.crease_values(for_chunks);
   const One_round& rows = round.round();
-  const auto transfers = rows.transfers(old, for_chunks);
-  const Precision precision;
-  for_chunks(round.number_of_vertices(), [&](Index begin, Index end) {
-    const typename Precision::In_this_thread scope(precision);
-    rows.evaluate(
-      begin, end, old, transfers,
-      [&](Index first, const typename One_round::Value* values, Index number) {
-        std::copy(values, values + number, refined.begin() + static_cast<std::ptrdiff_t>(first));
-      },
-      rows_sink);
-  });
+  evaluate_rows(
+    rows, 0, round.number_of_vertices(), old, rows.transfers(old, for_chunks), for_chunks,
+    [&](Index first, const typename One_round::Value* values, Index number) {
+      std::copy(values, values + number, refined.begin() + static_cast<std::ptrdiff_t>(first));
+    },
+    rows_sink);
   for (const auto& [slot, value] : on_creases) refined[slot] = value;
   round.close();
 }
@@ -174,21 +168,13 @@ public:
   void evaluate(const Rows& round, const Transfers& transfers, Index begin, Index end, Sink sink,
                 const Rows_sink* rows_sink = nullptr) const
   {
-    const Precision precision;
-    for_chunks_(end - begin, [&](Index first, Index last) {
-      const typename Precision::In_this_thread scope(precision);
-      round.evaluate(begin + first, begin + last, values_.data(), transfers, sink, rows_sink);
-    });
+    evaluate_rows(round, begin, end, values_.data(), transfers, for_chunks_, sink, rows_sink);
   }
 
   // Only the new vertices that are listed, as their rows have them, without transfers.
   void evaluate(const Rows& round, const Index* vertices, Index number, List_sink sink) const
   {
-    const Precision precision;
-    for_chunks_(number, [&](Index first, Index last) {
-      const typename Precision::In_this_thread scope(precision);
-      round.evaluate(vertices + first, vertices + last, values_.data(), sink);
-    });
+    evaluate_rows(round, vertices, number, values_.data(), for_chunks_, sink);
   }
 
   // with room to be cut open
@@ -198,8 +184,6 @@ public:
   }
 
 private:
-  using Precision = Caller_precision<typename Average::FT>;
-
   const Scheme& scheme_;
   Level_connectivity level_;
   Level_creases creases_;

@@ -264,6 +264,39 @@ private:
   std::vector<Index> of_others_;
 };
 
+// The new vertices [begin, end) of a round, by chunks. The sink gets a few neighboring ones with every call, which come from
+// several threads if for_chunks does.
+template <class One_round>
+void evaluate_rows(const One_round& round, typename One_round::Index begin,
+                   typename One_round::Index end, const typename One_round::Stored_value* old,
+                   const typename One_round::Transfers& transfers, const For_chunks& for_chunks,
+                   typename One_round::Sink sink,
+                   const typename One_round::Rows_sink* rows_sink = nullptr)
+{
+  using Index = typename One_round::Index;
+  using Precision = Caller_precision<typename One_round::FT>;
+  const Precision precision;
+  for_chunks(end - begin, [&](Index first, Index last) {
+    const typename Precision::In_this_thread scope(precision);
+    round.evaluate(begin + first, begin + last, old, transfers, sink, rows_sink);
+  });
+}
+
+// only the new vertices that are listed, as their rows have them, without transfers
+template <class One_round>
+void evaluate_rows(const One_round& round, const typename One_round::Index* vertices,
+                   typename One_round::Index number, const typename One_round::Stored_value* old,
+                   const For_chunks& for_chunks, typename One_round::List_sink sink)
+{
+  using Index = typename One_round::Index;
+  using Precision = Caller_precision<typename One_round::FT>;
+  const Precision precision;
+  for_chunks(number, [&](Index first, Index last) {
+    const typename Precision::In_this_thread scope(precision);
+    round.evaluate(vertices + first, vertices + last, old, sink);
+  });
+}
+
 // The round that a level with creases is asked for is an ordinary one where nothing can be sharp.
 template <class Scheme, class Average, class Level_creases>
 class Crease_round;
