@@ -97,6 +97,24 @@ export async function dropAll(page, files) {
   }, files.map(([name, content]) => [name, [...Buffer.from(content)]]));
 }
 
+/** The page is without graphics hardware while `meanwhile` runs on it. */
+export async function loseContext(page, meanwhile = async () => {}) {
+  await page.evaluate(`(async () => {
+    const canvas = document.getElementById("canvas");
+    const context = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const heard = (name) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = heard("webglcontextlost");
+    context.loseContext();
+    await lost;
+    await new Promise((resolve) => setTimeout(resolve, 100)); // the event has been heard by all
+    await (${meanwhile})();
+    const back = heard("webglcontextrestored");
+    context.restoreContext();
+    await back;
+  })()`);
+  await page.waitForTimeout(200);
+}
+
 export const message = async (page) => {
   await page.waitForSelector("#message:not([hidden])");
   return page.textContent("#message span");
