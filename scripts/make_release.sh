@@ -107,9 +107,15 @@ lintian --allow-root --fail-on error,warning --suppress-tags "$(IFS=,; echo "${u
   fail "lintian objects to the Debian package"
 
 echo "Statically linked command"
+archive_of() {
+  g++ -print-file-name="lib$1.a"
+}
 configure "$work/static" -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DCMAKE_EXE_LINKER_FLAGS="-static -s" \
   -DPN_SUBDIVISION_3_WITH_TBB=OFF -DPN_SUBDIVISION_3_INSTALL=OFF \
-  -DGMP_LIBRARIES="$(g++ -print-file-name=libgmp.a)" -DMPFR_LIBRARIES="$(g++ -print-file-name=libmpfr.a)" >"$work/log.txt"
+  -DGMP_LIBRARY_RELEASE="$(archive_of gmp)" -DGMPXX_LIBRARIES="$(archive_of gmpxx)" -DMPFR_LIBRARIES="$(archive_of mpfr)" \
+  >"$work/log.txt"
+# before minutes of compilation
+[[ $(ninja -C "$work/static" -t commands pn_subdivide | tail -n 1) != *.so\ * ]] || fail "the command would be linked with shared libraries"
 build "$work/static" pn_subdivide
 program=$work/static/src/pn_subdivide/pn_subdivide
 [[ $(file -b "$program") == *"statically linked"* ]] || fail "$program is not statically linked"

@@ -15,12 +15,13 @@ import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
-import { licences } from "./licences.mjs";
+import { licences, requireNoGpl } from "./licences.mjs";
 
 const [, , modelerFolder, output, ...options] = process.argv;
 const url = options.includes("--url") ? new URL(options[options.indexOf("--url") + 1]).href : undefined;
 const isSeparate = options.includes("--separate");
 const here = path.dirname(fileURLToPath(import.meta.url));
+await requireNoGpl(modelerFolder);
 
 /** The module's code, its binary compressed, and the address of the worker, which is in the page or a file beside it. */
 const modeler = {

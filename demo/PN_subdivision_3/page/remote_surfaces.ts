@@ -80,8 +80,8 @@ export class RemoteSurfaces {
   private ask<T>(request: Record<string, unknown>, transfer: Transferable[] = []): Promise<T> {
     const number = ++this.number;
     return new Promise<T>((resolve, reject) => {
-      this.waiting.set(number, { resolve: resolve as (answer: never) => void, reject });
       this.started().postMessage({ number, ...request } as Request, transfer);
+      this.waiting.set(number, { resolve: resolve as (answer: never) => void, reject });
     });
   }
 
@@ -90,7 +90,10 @@ export class RemoteSurfaces {
     const address = workerAddress();
     const worker = new Worker(address);
     worker.onmessage = ({ data }: MessageEvent<Answer>) => this.take(data);
-    worker.onerror = ({ message }) => this.fail(message || "the worker cannot be started");
+    worker.onerror = (event) => {
+      event.preventDefault(); // it is told here
+      this.fail(event.message || "the worker cannot be started");
+    };
     worker.postMessage(this.module);
     setTimeout(() => URL.revokeObjectURL(address), 10_000);
     return (this.worker = worker);
@@ -121,7 +124,11 @@ export class RemoteSurfaces {
     }
     this.next = undefined;
     this.running = { number: ++this.number, job, since: performance.now() };
-    this.started().postMessage({ number: this.number, draw: job } satisfies Request);
+    try {
+      this.started().postMessage({ number: this.number, draw: job } satisfies Request);
+    } catch (error) {
+      this.fail(error instanceof Error ? error.message : String(error)); // a page that may have no workers
+    }
   }
 
   private take(answer: Answer): void {

@@ -97,6 +97,32 @@ export async function dropAll(page, files) {
   }, files.map(([name, content]) => [name, [...Buffer.from(content)]]));
 }
 
+/** The page is without graphics hardware while `meanwhile` runs on it, and then draws by itself what there is. */
+export async function loseContext(page, meanwhile = async () => {}) {
+  await page.evaluate(`(async () => {
+    const { viewer } = window.page.editor;
+    const { onDraw } = viewer;
+    const canvas = document.getElementById("canvas");
+    const context = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const heard = (name) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = heard("webglcontextlost");
+    context.loseContext();
+    await lost;
+    await new Promise((resolve) => setTimeout(resolve, 100)); // the event has been heard by all
+    await (${meanwhile})();
+    await new Promise((resolve) => setTimeout(resolve, 300)); // what is left to be drawn is drawn into nothing
+    const drawn = new Promise((resolve, reject) => {
+      viewer.onDraw = resolve;
+      setTimeout(() => reject(new Error("nothing is drawn when the context is back")), 10_000);
+    });
+    const back = heard("webglcontextrestored");
+    context.restoreContext();
+    await back;
+    await drawn;
+    viewer.onDraw = onDraw;
+  })()`);
+}
+
 export const message = async (page) => {
   await page.waitForSelector("#message:not([hidden])");
   return page.textContent("#message span");

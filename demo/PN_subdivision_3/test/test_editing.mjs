@@ -15,7 +15,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { withPage } from "./browser.mjs";
-import { drop, dropAll, frontWedge, largestDifference, message, middleOf, points, tipOf } from "./page_actions.mjs";
+import { drop, dropAll, frontWedge, largestDifference, loseContext, message, middleOf, points, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 let folder;
@@ -405,19 +405,7 @@ test("without WebGL curves work, and a lost context comes back", async () => {
       return [...new Uint8Array(await (await viewer.png()).arrayBuffer())];
     });
     const before = await picture();
-    await page.evaluate(async () => {
-      const canvas = document.getElementById("canvas");
-      const context = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
-      const heard = (name) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
-      const lost = heard("webglcontextlost");
-      context.loseContext();
-      await lost;
-      await new Promise((resolve) => setTimeout(resolve, 100)); // the event has been heard by all
-      const back = heard("webglcontextrestored");
-      context.restoreContext();
-      await back;
-    });
-    await page.waitForTimeout(200);
+    await loseContext(page);
     assert.deepEqual(await picture(), before);
   });
 });

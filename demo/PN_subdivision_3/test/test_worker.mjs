@@ -15,7 +15,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { withPage } from "./browser.mjs";
-import { download as downloadTo, drop, frontWedge, largestDifference, message, points, readPly, tipOf } from "./page_actions.mjs";
+import { download as downloadTo, frontWedge, largestDifference, loseContext, message, points, readPly, tipOf } from "./page_actions.mjs";
 
 const file = path.resolve(process.env.PN_PAGE);
 const command = path.resolve(process.env.PN_SUBDIVIDE);
@@ -178,5 +178,112 @@ test("a million faces are shown as they are", async () => {
     assert.ok(Number(await page.getAttribute("#rounds", "max")) > 3);
     await page.click("#undo");
     assert.match(await page.textContent("#about"), /1.000.000 faces/);
+  });
+});
+
+test("the share that is shown as done rises, and is gone at the end", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    await page.fill("#rounds", "3");
+    const shares = await page.evaluate(async () => {
+      const { editor } = window.page;
+      await editor.settled();
+      const { listener } = editor.remote;
+      const { onProgress } = listener;
+      const shares = [];
+      listener.onProgress = (share) => {
+        shares.push(share ?? null);
+        onProgress(share);
+      };
+      editor.set({ rounds: 5, layout: "both" });
+      await editor.settled();
+      return shares;
+    });
+    assert.equal(shares.pop(), null);
+    assert.equal(shares.at(-1), 1);
+    // the mesh, two surfaces and what is drawn of each
+    assert.equal(shares.length, 5, `${shares}`);
+    assert.ok(shares.every((share, i) => share > (shares[i - 1] ?? 0)), `${shares}`);
+    assert.ok(await page.isHidden("#progress"));
+  });
+});
+
+test("where a worker cannot be started the page says why, and shows fewer rounds", async () => {
+  for (const isRefusedAtOnce of [true, false])
+    await withPage(file, { hash: "#ring" }, async (page) => {
+      await page.check("input[name=layout][value=pn]");
+      await page.evaluate((isRefusedAtOnce) => {
+        const Original = Worker;
+        window.Worker = class extends Original {
+          constructor() {
+            if (isRefusedAtOnce) throw new Error("no workers here");
+            super(URL.createObjectURL(new Blob(["throw new Error('no workers here')"], { type: "text/javascript" })));
+          }
+        };
+      }, isRefusedAtOnce);
+      await page.selectOption("#example", "head");
+      await page.fill("#rounds", "5");
+      await page.waitForFunction(() => /no workers here/.test(document.querySelector("#message span").textContent));
+      await page.waitForFunction(() => Number(document.getElementById("rounds").value) < 5);
+      const faces = await facesOf(page);
+      assert.ok(faces > 0 && faces < 15_000, `${faces} faces`);
+      assert.equal(await facesMadeHere(page), faces);
+      await dropText(page, "grid.off", grid(80));
+      await page.waitForFunction(() => /^grid.off: .*no workers here/.test(document.querySelector("#message span").textContent));
+    });
+});
+
+test("a file that is read when all is stopped is named, and the next one is read", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    await page.evaluate(async (text) => {
+      const { editor } = window.page;
+      editor.set({ rounds: 5, layout: "both" });
+      const reading = editor.openLarge(new TextEncoder().encode(text), "grid.off");
+      editor.cancel();
+      await reading;
+    }, grid(80));
+    assert.match(await message(page), /^grid\.off: cancelled$/);
+    assert.equal(await page.evaluate(() => window.page.editor.name), "head");
+    await dropText(page, "second.off", grid(80));
+    await page.waitForFunction(() => window.page.editor.name === "second.off");
+  });
+});
+
+test("a lost context comes back with what the worker has made", async () => {
+  await withPage(file, { hash: "#head" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    await page.fill("#rounds", "4");
+    const picture = () => page.evaluate(async () => {
+      await window.page.editor.settled();
+      return [...new Uint8Array(await (await window.page.editor.viewer.png()).arrayBuffer())];
+    });
+    const before = await picture();
+    await loseContext(page, async () => {
+      const { editor } = window.page; // while there is none
+      editor.set({ rounds: 3 });
+      await editor.settled();
+    });
+    assert.notDeepEqual(await picture(), before);
+    await page.fill("#rounds", "4");
+    assert.deepEqual(await picture(), before);
+  });
+});
+
+test("what a million faces cannot have is refused in one line", async () => {
+  await withPage(file, { hash: "#ring" }, async (page) => {
+    await page.check("input[name=layout][value=pn]");
+    await dropText(page, "million.off", grid(1000));
+    await page.waitForFunction(() => window.page.editor.name === "million.off");
+    await facesOf(page);
+    for (const act of [
+      (editor) => editor.set({ scheme: "loop" }), // which takes triangles
+      (editor) => editor.openSelection("\n\n0 1\n", "edges.txt"),
+      (editor) => editor.slideRoundness(0.5, true),
+    ]) {
+      await page.evaluate(() => (document.getElementById("message").hidden = true));
+      await page.evaluate(`(${act})(window.page.editor)`);
+      assert.match(await message(page), /more than 60000 faces are shown here, but not edited/);
+      assert.equal(await facesOf(page), 1_000_000);
+      assert.equal(await page.evaluate(() => window.page.editor.settings.scheme), "catmull-clark");
+    }
   });
 });

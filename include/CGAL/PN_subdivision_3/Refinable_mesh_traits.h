@@ -38,6 +38,10 @@ struct Any_mesh_traits
   static constexpr bool has_adjust_outgoing_halfedge = false;
   /// different threads may set the connectivity of different elements at the same time.
   static constexpr bool has_concurrent_connectivity = false;
+  /// elements are numbers of slots, and the mesh has the members of `Surface_mesh` that number, link and resize them:
+  /// `Vertex_index` and its like, `num_vertices()`, `number_of_vertices()`, `is_removed()`, `target()`, `set_target()` and so on.
+  /// It is then read and written without tables of its elements.
+  static constexpr bool has_slots = false;
 };
 
 namespace internal {
@@ -47,6 +51,7 @@ struct Surface_mesh_traits : Any_mesh_traits
   static constexpr bool has_resize = true;
   static constexpr bool recycles = true;
   static constexpr bool has_collect_garbage = true;
+  static constexpr bool has_slots = true;
   static constexpr bool has_concurrent_connectivity = true;
 };
 

@@ -12,8 +12,6 @@
 #include "io/corner_normals.h"
 #include "io/soup_check.h"
 
-#include <CGAL/box_intersection_d.h>
-
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -33,27 +31,77 @@ struct Pair
   Index a, b; // a < b
 };
 
+// Points in the cells of a grid, sorted by these.
+class Point_grid
+{
+public:
+  Point_grid(const Mesh_data& mesh, const std::vector<Index>& vertices, double distance)
+    // so that rounding takes no two points within the distance beyond neighboring cells
+    : width_((std::max)(2 * distance, std::numeric_limits<double>::min()))
+  {
+    points_.reserve(vertices.size());
+    for (const Index v : vertices) {
+      const Triple& p = mesh.points[v];
+      points_.push_back({{cell_of(p[0]), cell_of(p[1]), cell_of(p[2])}, v});
+    }
+    std::sort(points_.begin(), points_.end(), [](const Placed& p, const Placed& q) {
+      return p.cell != q.cell ? p.cell < q.cell : p.vertex < q.vertex;
+    });
+  }
+
+  // f(a, b) once for all pairs within the distance, and for some others
+  template <class Function>
+  void for_each_pair(const Function& f) const
+  {
+    for (auto p = points_.begin(); p != points_.end(); ++p) {
+      const auto [x, y, z] = p->cell;
+      for (auto q = p + 1; q != points_.end() && is_in_row(q->cell, {x, y, z}); ++q)
+        f(p->vertex, q->vertex);
+      for (const auto& [dx, dy] : {std::pair(0, 1), {1, -1}, {1, 0}, {1, 1}}) {
+        const Triple first = {x + dx, y + dy, z - 1};
+        if ((dx != 0 && first[0] == x) || (dy != 0 && first[1] == y)) continue;
+        auto q =
+          std::lower_bound(points_.begin(), points_.end(), first,
+                           [](const Placed& s, const Triple& cell) { return s.cell < cell; });
+        for (; q != points_.end() && is_in_row(q->cell, {first[0], first[1], z}); ++q)
+          f(p->vertex, q->vertex);
+      }
+    }
+  }
+
+private:
+  struct Placed
+  {
+    Triple cell;
+    Index vertex;
+  };
+
+  // where cells are narrower than the digits of x, only equal numbers are near
+  double cell_of(double x) const
+  {
+    const double cell = std::floor(x / width_);
+    return std::abs(cell) < 1 / std::numeric_limits<double>::epsilon() ? cell : x;
+  }
+  // \pre not before the cell below
+  static bool is_in_row(const Triple& cell, const Triple& other)
+  {
+    return cell[0] == other[0] && cell[1] == other[1] && cell[2] <= other[2] + 1;
+  }
+
+  double width_;
+  std::vector<Placed> points_;
+};
+
 std::vector<Pair> pairs_within(const Mesh_data& mesh, const std::vector<Index>& vertices,
                                double distance)
 {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index>;
-  std::vector<Box> boxes;
-  boxes.reserve(vertices.size());
-  for (const Index v : vertices) {
-    Triple low = mesh.points[v], high = low;
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] -= distance;
-      high[k] += distance;
-    }
-    boxes.emplace_back(low.data(), high.data(), v);
-  }
   const std::size_t too_many = 64 * vertices.size() + 1000;
   std::vector<Pair> pairs;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& s, const Box& t) {
-    const Triple d = difference(mesh.points[s.info()], mesh.points[t.info()]);
+  Point_grid(mesh, vertices, distance).for_each_pair([&](Index a, Index b) {
+    const Triple d = difference(mesh.points[a], mesh.points[b]);
     const double length = std::hypot(d[0], d[1], d[2]);
     if (!(length <= distance)) return;
-    pairs.push_back({length, (std::min)(s.info(), t.info()), (std::max)(s.info(), t.info())});
+    pairs.push_back({length, (std::min)(a, b), (std::max)(a, b)});
     if (pairs.size() > too_many)
       throw Error("--merge-distance is too large for this mesh: it would join most of its points");
   });

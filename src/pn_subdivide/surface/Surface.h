@@ -10,9 +10,7 @@
 #define PN_SUBDIVIDE_SURFACE_H
 
 #include "io/Mesh_data.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "surface/Surface_type.h"
 
 #include <cstddef>
 #include <optional>
@@ -21,10 +19,6 @@
 
 namespace pn_subdivide {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
-using Surface = CGAL::Surface_mesh<Point_3>;
 using Normal_map = Surface::Property_map<Surface::Vertex_index, Vector_3>;
 using Roundness_map = Surface::Property_map<Surface::Vertex_index, double>;
 // the normal of a half-edge's face at its target

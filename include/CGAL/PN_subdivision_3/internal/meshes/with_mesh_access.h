@@ -23,9 +23,6 @@
 namespace CGAL {
 
 // Declared, not included: Surface_mesh has a licence of its own, and whoever calls with one has it.
-template <typename P>
-class Surface_mesh;
-
 namespace Properties {
 template <typename I, typename T, typename CRTP_derived_class>
 class Property_map_base;
@@ -81,7 +78,7 @@ private:
   std::vector<Index> slots_; // empty if none is removed
 };
 
-// A Surface_mesh. It grows by one resize() into fresh memory. (A reserve() before it would make the resize() ten
+// A Surface_mesh, or one of its like. It grows by one resize() into fresh memory. (A reserve() before it would make the resize() ten
 // times slower.)
 template <class Mesh>
 class Surface_mesh_access : public Element_names
@@ -178,16 +175,8 @@ public:
   void trim(const Level_size& size, bool collect)
   {
     if (is_child_of_hosts()) return resize(size);
-    for (auto f = number_of_slots(mesh_.num_faces(), faces_); f > size.faces;)
-      mesh_.remove_face(face_at(--f));
-    for (auto e = number_of_slots(mesh_.num_edges(), edges_); e > size.edges;)
-      mesh_.remove_edge(edge_at(--e));
-    for (auto v = number_of_slots(mesh_.num_vertices(), vertices_); v > size.vertices;)
-      mesh_.remove_vertex(vertex(--v));
-    try {
-      if (collect) mesh_.collect_garbage();
-    } catch (const std::bad_alloc&) {
-    }
+    if constexpr (Refinable_mesh_traits<std::remove_const_t<Mesh>>::has_collect_garbage)
+      remove_beyond(size, collect);
   }
 
   // the child of a host, if numbers are slots
@@ -223,6 +212,20 @@ public:
   }
 
 private:
+  void remove_beyond(const Level_size& size, bool collect)
+  {
+    for (auto f = number_of_slots(mesh_.num_faces(), faces_); f > size.faces;)
+      mesh_.remove_face(face_at(--f));
+    for (auto e = number_of_slots(mesh_.num_edges(), edges_); e > size.edges;)
+      mesh_.remove_edge(edge_at(--e));
+    for (auto v = number_of_slots(mesh_.num_vertices(), vertices_); v > size.vertices;)
+      mesh_.remove_vertex(vertex(--v));
+    try {
+      if (collect) mesh_.collect_garbage();
+    } catch (const std::bad_alloc&) {
+    }
+  }
+
   static std::string name(const char* kind, const Slot_numbers& numbers, Index i)
   {
     return kind + std::to_string(numbers.slot(i));
@@ -271,16 +274,11 @@ template <class Property_map>
 constexpr bool has_concurrent_put_v =
   decltype(is_surface_mesh_map(static_cast<const Property_map*>(nullptr)))::value;
 
-template <class Mesh>
-constexpr bool is_surface_mesh_v = false;
-template <class Point>
-inline constexpr bool is_surface_mesh_v<Surface_mesh<Point>> = true;
-
 // calls f(access) with the access that fits the mesh
 template <class Mesh, class Function>
 void with_mesh_access(Mesh& mesh, const Function& f)
 {
-  if constexpr (is_surface_mesh_v<std::remove_const_t<Mesh>>) {
+  if constexpr (Refinable_mesh_traits<std::remove_const_t<Mesh>>::has_slots) {
     Surface_mesh_access<Mesh> access(mesh);
     f(access);
   } else {
