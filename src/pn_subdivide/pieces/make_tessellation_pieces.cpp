@@ -133,7 +133,8 @@ std::unique_ptr<Any_pieces> make_tessellation_pieces(Surface& surface, const Sch
     });
   const std::size_t vertices = surface.number_of_vertices(), faces = surface.number_of_faces();
   surface = Surface();
-  const std::vector<double> weights = kept->expected_triangles();
+  const std::vector<double> weights =
+    options.pieces == std::size_t(1) ? std::vector<double>(faces, 1) : kept->expected_triangles();
   const auto bytes = [&](std::size_t n) {
     return bytes_of_pieces(kept->divide(n, weights), faces, of_vertex);
   };

@@ -101,13 +101,14 @@ public:
 
   std::vector<double> expected_triangles() const override
   {
-    constexpr std::size_t faces_at_once = 1 << 12;
+    constexpr std::size_t least_at_once = 1 << 14, parts_of_many = 8;
     constexpr double more_if_proven = 2;
     Tessellation_demand demand = data_.demand;
     demand.most_rounds = 0;
     demand.is_proven = demand.is_of_piece = false;
     std::vector<double> expected(level().number_of_faces(), 0);
-    const std::size_t number = (expected.size() + faces_at_once - 1) / faces_at_once;
+    const std::size_t number =
+      (std::min)((expected.size() + least_at_once - 1) / least_at_once, parts_of_many);
     const Divided_level parts(level(), (std::max)(number, std::size_t(1)), place());
     for (std::size_t i = 0; i < number; ++i) {
       Part part = this->part(parts, i, 0);
