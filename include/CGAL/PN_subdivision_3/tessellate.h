@@ -71,6 +71,14 @@ Attribute_table* attribute_table(const NamedParameters& np)
   }
 }
 
+template <class Scheme>
+std::string no_halves(const Scheme& scheme)
+{
+  return "PN_subdivision_3: " + name_in_message(scheme) +
+         " does not split edges in halves, by which a tessellation is refined: take Catmull-Clark "
+         "or Loop, or another scheme that splits faces as they do";
+}
+
 } // namespace internal
 
 /*!
@@ -166,10 +174,7 @@ Tessellation_result tessellate(const FaceGraph& control, const Scheme& scheme, d
       });
   else if constexpr (!std::is_same_v<typename Scheme::Host, PQQ_host> &&
                      !std::is_same_v<typename Scheme::Host, PTQ_host>)
-    throw std::invalid_argument("PN_subdivision_3: " + internal::name_in_message(scheme) +
-                                " does not split edges in halves, by which a tessellation is "
-                                "refined: take Catmull-Clark or Loop, or another scheme that "
-                                "splits faces as they do");
+    throw std::invalid_argument(internal::no_halves(scheme));
   else {
     Tessellation_result result;
     if (!(chord_error > 0) || !std::isfinite(chord_error))

@@ -42,6 +42,18 @@ void sync_file(const std::filesystem::path& file);
 // An existing file.
 std::unique_ptr<Shared_file> open_file(const std::filesystem::path& file);
 
+// What is written and read again by this process alone; it is gone with the object, whatever ends the program.
+class Nameless_file : public Shared_file
+{
+public:
+  virtual void read(std::uint64_t place, void* data, std::size_t bytes) = 0;
+  void sync() override {}
+  void close() override {}
+};
+
+// On the disk of another file, after which it is called for a moment.
+std::unique_ptr<Nameless_file> open_nameless_file(const std::filesystem::path& beside);
+
 } // namespace pn_subdivide
 
 #endif // PN_SUBDIVIDE_SHARED_FILE_H

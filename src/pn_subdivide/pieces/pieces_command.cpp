@@ -169,7 +169,9 @@ static void suit_attributes(Mesh_data& mesh, const Mesh_file& output)
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& input,
                            const Mesh_file& output, const Output_normals& normals,
-                           const Limit_choice& limit, Texture_rule texture_rule, Report& report)
+                           const Limit_choice& limit, Texture_rule texture_rule,
+                           const std::optional<Tessellation_in_pieces>& tessellation,
+                           Report& report)
 {
   Pieces_job job;
   job.lost_attributes = not_held(output, mesh);
@@ -178,18 +180,21 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   std::optional<Crease_maps> maps;
   if (is_creased(creases) && (options.levels > 0 || limit.is_used()))
     maps = add_creases(surface, creases, limit.is_used());
-  const std::size_t number =
-    piece_count(surface, scheme, options.levels, options.pieces, ranks().number(), limit.is_used(),
-                bytes_of_vertex(mesh.attributes));
+  const double of_vertex = bytes_of_vertex(mesh.attributes);
+  const std::size_t number = tessellation
+                               ? 0
+                               : piece_count(surface, scheme, options.levels, options.pieces,
+                                             ranks().number(), limit.is_used(), of_vertex);
   job.name = name_of(mesh, creases, options, scheme, normals, limit, number);
   job.limit = limit;
   job.has_normals = mesh.has_normals();
   job.normals = Piece_normals(normals, job.has_normals, limit);
-  if (!mesh.roundness.empty()) job.normals.add_roundness();
+  if (tessellation) job.normals.are_written = normals.any();
+  if (!mesh.roundness.empty() && !tessellation) job.normals.add_roundness();
   const bool has_several = options.levels == 0 && !limit.is_used()
                              ? mesh.has_corner_normals()
                              : maps && has_inner_creases(surface, creases, options.levels);
-  job.has_lost_normals = job.normals.are_written && has_several;
+  job.has_lost_normals = job.normals.are_written && has_several && !tessellation;
   job.is_resumable = options.pieces.resume;
   if (normals.with_control() && output.format == "ply")
     job.origin = origin_after(mesh, scheme.scheme, options.levels);
@@ -201,7 +206,10 @@ Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surfa
   job.attributes = std::make_unique<const Piece_attributes>(std::move(carried), output);
   take_names(job, output);
   job.pieces =
-    make_pieces(surface, scheme, options.levels, number, maps, limit, job.attributes->table());
+    tessellation
+      ? make_tessellation_pieces(surface, scheme, *tessellation, options.pieces, maps,
+                                 job.attributes->table(), of_vertex)
+      : make_pieces(surface, scheme, options.levels, number, maps, limit, job.attributes->table());
   return job;
 }
 

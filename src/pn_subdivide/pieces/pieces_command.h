@@ -21,6 +21,7 @@
 #include "surface/surface_command.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,11 +54,14 @@ struct Pieces_job
   std::unique_ptr<Output_lock> lock; // of one of the ranks
 };
 
-// Takes the names in the file system first. Throws Output_error if they cannot be had.
+// Takes the names in the file system first. Throws Output_error if they cannot be had. With a tessellation the pieces are
+// those of its triangles.
 Pieces_job make_pieces_job(Mesh_data&& mesh, const Creases& creases, const Surface_options& options,
                            const Scheme_choice& scheme, const Mesh_file& input,
                            const Mesh_file& output, const Output_normals& normals,
-                           const Limit_choice& limit, Texture_rule texture_rule, Report& report);
+                           const Limit_choice& limit, Texture_rule texture_rule,
+                           const std::optional<Tessellation_in_pieces>& tessellation,
+                           Report& report);
 
 // Refines the pieces that are this rank's, and writes them; the output is there when all ranks have done so.
 // Returns what limits have reached.

@@ -161,7 +161,7 @@ Plan make_plan(const Surface_options& options)
             texture_rule(options),
             1};
   require_consistent(options);
-  require_options_for_tessellation(options, plan.output);
+  require_options_for_tessellation(options);
   plan.is_adaptive = plan.chord && !options.auto_levels;
   plan.output_normals = Output_normals::make(options, plan.output);
   if (!plan.is_adaptive) plan.limit = limit_choice(options, plan.output_normals);
@@ -441,14 +441,19 @@ std::string turning_edges(const Mesh_data& mesh, const Plan& plan, const Surface
   return number == 0 ? "" : ", " + turning_edges_text(number) + ": --sharp angle:40";
 }
 
+void remark_on_texture(const Plan& plan, const Surface_options& options, Report& report)
+{
+  if (!options.texture_rule)
+    report.remark(plan.input.title("standard input") +
+                  ": with --chord texture coordinates are linear inside the control faces, as "
+                  "--texture-rule all has them");
+}
+
 // Triangles within --chord; the rounds become those that were done.
 void tessellate(Surface& surface, const Plan& plan, Surface_options& options,
                 const Scheme_choice& scheme, Refinement& rounds, double chord, Report& report)
 {
-  if (!rounds.attributes->corners.empty() && !options.texture_rule)
-    report.remark(plan.input.title("standard input") +
-                  ": with --chord texture coordinates are linear inside the control faces, as "
-                  "--texture-rule all has them");
+  if (!rounds.attributes->corners.empty()) remark_on_texture(plan, options, report);
   const Tessellation result =
     tessellate_surface(surface, scheme, rounds.creases, chord, options.chord_bound == "proven",
                        plan.threads, *rounds.attributes);
@@ -673,6 +678,13 @@ void report_surfaces(const Surface_table& table, const std::optional<Chord_round
   }
 }
 
+std::optional<Tessellation_in_pieces>
+tessellation_in_pieces(const Plan& plan, const Surface_options& options, double chord)
+{
+  if (!plan.is_adaptive) return std::nullopt;
+  return Tessellation_in_pieces{chord, options.chord_bound == "proven", plan.threads};
+}
+
 void report_rounds(const Chord_rounds& rounds, double chord, Report& report)
 {
   char text[200];
@@ -682,8 +694,8 @@ void report_rounds(const Chord_rounds& rounds, double chord, Report& report)
   report.set_chord({{"asked", chord}, {"measured", rounds.estimate}});
 }
 
-void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_options& options,
-                     const Scheme_choice& scheme, const std::string& normals,
+void write_in_pieces(const Pieces_job& job, const Plan& plan, Surface_options& options,
+                     const Scheme_choice& scheme, double chord, const std::string& normals,
                      const Creases& creases, const std::string& turning, Report& report)
 {
   const unsigned number = ranks().number();
@@ -691,12 +703,19 @@ void write_in_pieces(const Pieces_job& job, const Plan& plan, const Surface_opti
     std::to_string(job.pieces->number()) + (job.pieces->number() == 1 ? " piece" : " pieces") +
     (number == 1 ? "" : ", shared by " + std::to_string(number) + " ranks");
   const Any_pieces::Size& size = job.pieces->size();
-  if (size.faces >= faces_worth_a_report)
+  if (size.faces >= faces_worth_a_report) // not known of a tessellation
     report.progress("refining and writing " + plan.output.name + ": " + std::to_string(size.faces) +
                     " faces, " + pieces);
+  if (plan.is_adaptive && job.attributes->has_texture()) remark_on_texture(plan, options, report);
   warn_of_lost_normals(job.has_lost_normals, plan, report);
   warn_of_lost_attributes(job.lost_attributes, plan, report);
   const Limit_summary limits = write_pieces(job, plan.output.name, plan.threads, report);
+  if (const Tessellation* const tessellation = job.pieces->tessellation()) {
+    options.levels = tessellation->depth;
+    report_tessellation(*tessellation, chord, plan.output.name, report);
+    warn_of_lost_normals(tessellation->has_several_normals && job.normals.are_written, plan,
+                         report);
+  }
   if (plan.limit.is_used()) report_limits(limits, plan, report);
   report.note(plan.output.name + ": " + std::to_string(size.vertices) + " vertices, " +
               std::to_string(size.faces) + " faces, " +
@@ -724,6 +743,7 @@ void run_surface_command(const Surface_options& given_options)
   std::optional<Recognized_part> part;
   std::optional<Surface_table> table;
   bool has_normals = false; // to refine with
+  double chord = 0;
   Creases creases;
   Pieces_job pieces;
   const bool in_pieces = is_in_pieces(options, plan.output);
@@ -751,13 +771,14 @@ void run_surface_command(const Surface_options& given_options)
     has_normals = mesh.has_normals();
     plan.output_normals.suit(mesh);
     turning = turning_edges(mesh, plan, options, scheme, creases);
-    const double chord = plan.chord ? plan.chord->of(mesh) : 0;
+    chord = plan.chord ? plan.chord->of(mesh) : 0;
     const std::optional<Chord_rounds> rounds =
       choose_rounds(mesh, plan, part, creases, scheme, options);
     if (rounds && !part) report_rounds(*rounds, chord, report);
     if (in_pieces)
       pieces = make_pieces_job(std::move(mesh), creases, options, scheme, plan.input, plan.output,
-                               plan.output_normals, plan.limit, plan.texture_rule, report);
+                               plan.output_normals, plan.limit, plan.texture_rule,
+                               tessellation_in_pieces(plan, options, chord), report);
     else {
       forget_other_comparisons(part, plan, options.levels);
       if (part) table.emplace(*part, mesh);
@@ -777,7 +798,7 @@ void run_surface_command(const Surface_options& given_options)
     throw Error(what.rfind(input + ": ", 0) == 0 ? what : input + ": " + what);
   }
   if (in_pieces)
-    return write_in_pieces(pieces, plan, options, scheme, normals, creases, turning, report);
+    return write_in_pieces(pieces, plan, options, scheme, chord, normals, creases, turning, report);
   if (plan.verification) plan.verification->print(options.output == "-" ? stderr : stdout);
   if (check) check->print(options.output == "-" ? stderr : stdout);
   if (mesh.number_of_faces() >= faces_worth_a_report)

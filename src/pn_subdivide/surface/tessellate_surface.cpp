@@ -9,8 +9,8 @@
 #include "surface/tessellate_surface.h"
 
 #include "io/Error.h"
-#include "pieces/pieces_command.h"
-#include "surface/Scheme.h"
+#include "pieces/Ranks.h"
+#include "surface/Tessellation_parameters.h"
 #include "surface/surface_command.h"
 
 #include <CGAL/PN_subdivision_3/tessellate.h>
@@ -38,9 +38,8 @@ struct Chord
 
 // With maps of the result's normals, of vertices or of corners.
 template <class S, class NamedParameters>
-Result with_scheme_and_maps(const Surface& surface, const S& scheme, Chord chord, Surface& result,
-                            bool has_corners, const NamedParameters& np,
-                            Attribute_table& attributes)
+Result tessellated(const Surface& surface, const S& scheme, Chord chord, Surface& result,
+                   bool has_corners, const NamedParameters& np, Attribute_table& attributes)
 {
   const Normal_map normals = add_normals(result);
   const auto all =
@@ -52,44 +51,6 @@ Result with_scheme_and_maps(const Surface& surface, const S& scheme, Chord chord
                              CGAL::parameters::vertex_normal_map(add_corner_normals(result)));
 }
 
-Result with_creases(Surface& surface, const Scheme_choice& choice, const Crease_maps& creases,
-                    Chord chord, Surface& result, Attribute_table& attributes)
-{
-  const auto sharp = PN::parameters::border(creases.border)
-                       .edge_is_constrained_map(creases.edges)
-                       .vertex_is_constrained_map(creases.vertices);
-  if (!normals_of(surface)) {
-    return with_scheme_and_maps(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
-                                chord, result, true, sharp, attributes);
-  }
-  std::optional<Corner_normal_map> normals = corner_normals_of(surface);
-  if (!normals) normals = add_corner_normals(surface);
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  const Roundness_map roundness = given ? *given : add_roundness(surface);
-  const auto np = PN::parameters::join(
-    PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
-    sharp.vertex_normal_map(*normals));
-  return with_scheme(choice, [&](const auto& scheme) {
-    return with_scheme_and_maps(surface, scheme, chord, result, true, np, attributes);
-  });
-}
-
-Result without_creases(Surface& surface, const Scheme_choice& choice, Chord chord, Surface& result,
-                       Attribute_table& attributes)
-{
-  const std::optional<Normal_map> normals = normals_of(surface);
-  if (!normals)
-    return with_scheme_and_maps(surface, PN::linear(make_scheme("--scheme", choice.scheme, choice)),
-                                chord, result, false, CGAL::parameters::default_values(),
-                                attributes);
-  const std::optional<Roundness_map> given = roundness_of(surface);
-  const Roundness_map roundness = given ? *given : add_roundness(surface);
-  const auto np = PN::parameters::vertex_roundness_map(roundness).vertex_normal_map(*normals);
-  return with_scheme(choice, [&](const auto& scheme) {
-    return with_scheme_and_maps(surface, scheme, chord, result, false, np, attributes);
-  });
-}
-
 void refuse(bool is_given, const std::string& option, const std::string& why)
 {
   if (is_given)
@@ -99,7 +60,7 @@ void refuse(bool is_given, const std::string& option, const std::string& why)
 
 } // namespace
 
-void require_options_for_tessellation(const Surface_options& options, const Mesh_file& output)
+void require_options_for_tessellation(const Surface_options& options)
 {
   if (!options.chord || options.auto_levels) return;
   const std::string why = "the triangles are no control mesh for further rounds";
@@ -107,11 +68,9 @@ void require_options_for_tessellation(const Surface_options& options, const Mesh
     refuse(options.output_normals == choice, std::string("--output-normals ") + choice, why);
   refuse(options.write_tags.has_value(), "--write-tags", why);
   refuse(options.check, "--check", "the linear result has other faces");
-  refuse(is_in_pieces(options, output),
-         options.pieces.memory  ? "--memory"
-         : options.pieces.any() ? "--pieces"
-                                : "refinement in pieces (.pvtp, mpirun)",
-         "adaptive refinement takes the mesh as a whole");
+  const std::string in_order = "the pieces of a tessellation are made one after the other";
+  refuse(options.pieces.resume, "--resume", in_order);
+  refuse(ranks().number() > 1, "mpirun", in_order);
   refuse(options.limit.tolerance.has_value(), "--limit-tolerance",
          "its points are limits to 1/1024 of the chord's tolerance and better");
   refuse(options.curvature.has_value(), "--curvature",
@@ -128,11 +87,13 @@ Tessellation tessellate_surface(Surface& surface, const Scheme_choice& scheme,
 #endif
   Surface result;
   const Chord within{chord, is_proven};
-  const Result r = creases ? with_creases(surface, scheme, *creases, within, result, attributes)
-                           : without_creases(surface, scheme, within, result, attributes);
+  const Result r =
+    with_tessellation_parameters(surface, scheme, creases, [&](const auto& s, const auto& np) {
+      return tessellated(surface, s, within, result, creases.has_value(), np, attributes);
+    });
   surface = std::move(result);
-  return {r.bound,       r.reached, r.number_of_triangles, r.depth, r.worst_face,
-          r.worst_place, is_proven};
+  return {r.bound,   r.reached, r.number_of_triangles, r.depth, r.worst_face, r.worst_place,
+          is_proven, false};
 }
 
 void report_tessellation(const Tessellation& tessellation, double chord, const std::string& output,

@@ -10,7 +10,6 @@
 #define PN_SUBDIVIDE_TESSELLATE_SURFACE_H
 
 #include "io/Report.h"
-#include "io/mesh_io.h"
 #include "surface/Surface.h"
 #include "surface/creases.h"
 #include "surface/surface_schemes.h"
@@ -27,7 +26,7 @@ namespace pn_subdivide {
 struct Surface_options;
 
 // --chord without --levels: throws Usage_error if it does not go with the other options.
-void require_options_for_tessellation(const Surface_options& options, const Mesh_file& output);
+void require_options_for_tessellation(const Surface_options& options);
 
 // What the library tells of one.
 struct Tessellation
@@ -39,6 +38,7 @@ struct Tessellation
   std::size_t worst_face = 0;
   std::array<double, 3> worst_place{};
   bool is_proven = false;
+  bool has_several_normals = false; // a vertex, of which one was made; of pieces
 };
 
 // The surface becomes triangles between points of its limit surface, of which these are no farther than `chord`, as is estimated or

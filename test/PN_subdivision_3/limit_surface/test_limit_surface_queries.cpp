@@ -108,6 +108,81 @@ TEST(LimitSurfaceQueries, NoPointIsCloser)
     }
 }
 
+// \name Creases and borders: the surfaces are known
+
+void expect_point(const Queries::Hit& hit, const Point& expected, double distance)
+{
+  EXPECT_LE(length(hit.point - expected), 2e-6) << hit.point << " not " << expected;
+  EXPECT_NEAR(hit.distance, distance, 2e-6);
+}
+
+// all edges of the cube of side 2 are sharp, so that it is its own limit
+TEST(LimitSurfaceQueries, EdgesAndCornersOfABox)
+{
+  Control_mesh shape = named_shapes::cube();
+  shape.normals = shape.points; // not used
+  Surface_mesh mesh = to_surface_mesh(shape);
+  double side = 0;
+  for (auto v : mesh.vertices()) side = (std::max)(side, std::abs(mesh.point(v).x()));
+  const auto sharp = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:sharp", true).first;
+  const PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()),
+                                  PN::parameters::tolerance(1e-7).edge_is_constrained_map(sharp));
+  const Queries queries(surface);
+  const auto closest = [&](const Point& p) {
+    const auto clamped = [&](double x) { return (std::max)(-side, (std::min)(side, x)); };
+    const Point on(clamped(p.x()), clamped(p.y()), clamped(p.z()));
+    expect_point(queries.closest_point(p), on, length(p - on));
+  };
+  for (const double t : {-1., -0.62, 0., 0.3, 1.}) {
+    closest({1.5 * side, 1.4 * side, t * side}); // of an edge
+    closest({t * side, -1.2 * side, 1.9 * side});
+    closest({-1.2 * side, t * side, -1.001 * side});
+    closest({1.5 * side, t * side, 0.99 * side}); // of a face, beside an edge
+  }
+  closest({2 * side, 1.5 * side, -3 * side}); // of a corner
+  closest({1.001 * side, -1.001 * side, 1.002 * side});
+  // from inside
+  expect_point(queries.closest_point({0.9 * side, 0.8 * side, 0.1 * side}),
+               {side, 0.8 * side, 0.1 * side}, 0.1 * side);
+  // rays on either side of an edge, and past it
+  for (const double t : {1e-3, 0.2, 0.5}) {
+    const Vector d(-1, -1, 0.25);
+    const auto hit = queries.first_intersection({2 * side + t * side, 2 * side, 0}, d);
+    ASSERT_TRUE(hit);
+    const double s = (1 + t) * side; // where x is that of the side
+    expect_point(*hit, Point(2 * side + t * side, 2 * side, 0) + s * d, s * length(d));
+    EXPECT_LE(length(hit->normal - Vector(1, 0, 0)), 1e-6);
+  }
+  for (const double t : {1e-3, 0.2, 0.5}) {
+    const auto hit = queries.first_intersection({2 * side, t * side, side + t * side}, {-1, 0, 0});
+    EXPECT_FALSE(hit);
+  }
+}
+
+// A square whose border stays, in the plane z = 0.
+TEST(LimitSurfaceQueries, BordersOfASquare)
+{
+  Control_mesh shape = test_meshes::grid(3, 3, false, false, test_meshes::Cells::quads);
+  shape.normals = shape.points; // not used
+  Surface_mesh mesh = to_surface_mesh(shape);
+  const double side = 3;
+  for (auto v : mesh.vertices()) mesh.point(v) = Point(double(v % 4), double(v / 4), 0);
+  const PN::Limit_surface surface(mesh, PN::linear(PN::CatmullClark_scheme()),
+                                  PN::parameters::tolerance(1e-7).border(PN::Border::corners));
+  const Queries queries(surface);
+  const auto at = [&](double u, double v, double z) { return Point(u * side, v * side, z); };
+  for (const double t : {0.013, 0.4, 0.77}) {
+    expect_point(queries.closest_point(at(-0.5, t, 0)), at(0, t, 0), 0.5 * side);
+    expect_point(queries.closest_point(at(t, 1.25, 0.3)), at(t, 1, 0),
+                 std::hypot(0.25 * side, 0.3));
+    const auto hit = queries.first_intersection(at(1e-3, t, 1), Vector(0, 0, -2));
+    ASSERT_TRUE(hit);
+    expect_point(*hit, at(1e-3, t, 0), 1);
+    EXPECT_FALSE(queries.first_intersection(at(-1e-3, t, 1), Vector(0, 0, -2)));
+  }
+  expect_point(queries.closest_point(at(-1, -1, 0)), at(0, 0, 0), std::hypot(side, side));
+}
+
 TEST(LimitSurfaceQueries, WrongArgumentsAreRefused)
 {
   Control_mesh shape = named_shapes::cube();

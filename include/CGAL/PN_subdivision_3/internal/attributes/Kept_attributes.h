@@ -51,6 +51,9 @@ class Kept_attributes
   using Index = Level_connectivity::Index;
 
 public:
+  Kept_attributes() = default;
+  explicit Kept_attributes(Attribute_table&& table) { lists_.emplace_back(std::move(table)); }
+
   std::size_t memory() const { return memory_; }
 
   // those of a control mesh, of which the creases are known

@@ -68,8 +68,8 @@ struct Parameters_in_double : Surface_parameters<PolygonMesh, NamedParameters>
 };
 
 // A scheme that is kept beyond the call. The values have the roundness of vertices; one of all goes to where it stays.
-template <class Scheme>
-Scheme kept_scheme(Scheme scheme, [[maybe_unused]] Given_roundness<double>& kept)
+template <class Scheme, class FT>
+Scheme kept_scheme(Scheme scheme, [[maybe_unused]] Given_roundness<FT>& kept)
 {
   if constexpr (Is_with_roundness<Scheme>::value) {
     if (scheme.given != nullptr) kept.of_all = scheme.given->of_all;

@@ -159,17 +159,18 @@ private:
   Index vertices_ = 0, edges_ = 0, faces_ = 0;
 };
 
-// Divides the faces of a level into pieces with about equally many corners, by planes across the longest
-// extent of what is divided. The same on all machines: ties go by the numbers of the faces.
+// Divides the faces of a level into pieces with about equally many corners, or of about equal weights, by planes across
+// the longest extent of what is divided. The same on all machines: ties go by the numbers of the faces.
 class Face_division
 {
 public:
   using Index = Level_connectivity::Index;
   using Center = std::array<double, 3>;
 
-  // point(v): the coordinates of a vertex, as Center
+  // point(v): the coordinates of a vertex, as Center; weights: of the faces, or null
   template <class Point>
-  Face_division(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point)
+  Face_division(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point,
+                const std::vector<double>* weights = nullptr)
     : piece_(level.number_of_faces(), 0)
   {
     std::vector<Face> faces(level.number_of_faces());
@@ -183,7 +184,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i) center[i] += p[i] / m;
         h = level.next(h);
       } while (h != first);
-      faces[f] = {center, m, f};
+      faces[f] = {center, weights == nullptr ? m : (*weights)[f], f};
     }
     const auto differs = [](const Face& f, const Face& g) { return f.corners != g.corners; };
     is_uniform_ = std::adjacent_find(faces.begin(), faces.end(), differs) == faces.end();
@@ -197,7 +198,7 @@ private:
   struct Face
   {
     Center center;
-    double corners;
+    double corners; // or another weight
     Index number;
   };
 
@@ -269,16 +270,17 @@ class Divided_level
 public:
   using Index = Level_connectivity::Index;
 
-  // point(v) as for Face_division; the level must stay
+  // point(v) and weights as for Face_division; the level must stay
   template <class Point>
-  Divided_level(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point)
+  Divided_level(const Level_connectivity& level, std::size_t number_of_pieces, const Point& point,
+                const std::vector<double>* weights = nullptr)
     : level_(level)
     , piece_of_face_(level.number_of_faces())
     , faces_by_piece_(level.number_of_faces())
     , first_of_piece_(number_of_pieces + 1, 0)
     , first_face_(level.number_of_vertices(), Level_connectivity::null)
   {
-    list_faces(Face_division(level, number_of_pieces, point));
+    list_faces(Face_division(level, number_of_pieces, point, weights));
     for (Index h = 0; h < level.number_of_halfedges(); ++h)
       if (!level.is_border(h)) {
         Index& first = first_face_[level.target(h)];

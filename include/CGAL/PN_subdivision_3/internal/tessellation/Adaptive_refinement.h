@@ -36,6 +36,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,6 +54,7 @@ struct Tessellation_demand
   std::uint64_t most_triangles;
   Limit_demand limits;
   bool is_proven = false;
+  bool is_of_piece = false; // which has the tolerance of the others, whatever that takes
 };
 
 // Refines, level by level, the faces that are not flat enough, with the rings of faces that they need. Every vertex gets
@@ -81,9 +83,12 @@ public:
   }
 
   void operator()(Valued_level<Value>&& control, Level_creases&& creases,
-                  const typename Attributes::Data& attributes = {})
+                  const typename Attributes::Data& attributes = {},
+                  const Face_marks* wanted = nullptr)
   {
     Level level = first_level(std::move(control), std::move(creases), attributes);
+    if (wanted != nullptr)
+      for (Index f = 0; f < level.faces.size(); ++f) level.faces[f].is_wanted = (*wanted)[f] != 0;
     for (bool is_done = false; !is_done;) is_done = !refine(level);
   }
 
@@ -96,10 +101,9 @@ public:
   const std::deque<Tessellation_node>& nodes() const { return nodes_; }
   // of each node, if there are any
   const std::vector<std::vector<double>>& corners_of_nodes() const { return corners_of_nodes_; }
-  // vertices behind those of the control mesh that are not used go
-  void remove_unused(std::vector<bool>&& used)
+  // vertices that are not used go
+  void remove_unused(const std::vector<bool>& used)
   {
-    std::fill_n(used.begin(), number_of_control_vertices_, true);
     attributes_.keep_vertices(used);
     all_.keep_vertices(used);
   }
@@ -190,7 +194,6 @@ private:
                     const typename Attributes::Data& attributes)
   {
     Level level{std::move(control), std::move(creases), {}, {}, {}};
-    number_of_control_vertices_ = level.level.level.number_of_vertices();
     attributes_.read(attributes, level);
     const Level_connectivity& connectivity = level.level.level;
     const Results results = limits(level, nullptr);
@@ -286,8 +289,9 @@ private:
       level.faces[f].is_split = level.faces[f].is_wanted && !(errors[f].error <= tolerance_);
       number += level.faces[f].is_split ? 1 : 0;
     }
-    const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds ||
-                         number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
+    const bool are_too_many = number_of_leaves_ * 2 + number * triangles > demand_.most_triangles;
+    if (are_too_many) require_tolerance();
+    const bool is_last = rounds_ - (is_control ? 1 : 0) >= demand_.most_rounds || are_too_many;
     for (Index f = 0; f < level.faces.size(); ++f) {
       Adaptive_face& face = level.faces[f];
       if (is_last && face.is_split && is_leaf(level, f)) {
@@ -309,7 +313,19 @@ private:
     for (Index f = 0; f < level.faces.size(); ++f)
       if (level.faces[f].is_wanted && errors[f].error > tolerance_ && errors[f].error < infinity)
         expected += triangles * (errors[f].error / tolerance_);
-    if (expected > double(demand_.most_triangles)) tolerance_ *= expected / triangles_out_of_reach;
+    if (!(expected > double(demand_.most_triangles))) return;
+    require_tolerance();
+    tolerance_ *= expected / triangles_out_of_reach;
+  }
+
+  // A piece cannot do with less: it would not fit the others.
+  void require_tolerance() const
+  {
+    if (demand_.is_of_piece)
+      throw std::length_error(
+        "PN_subdivision_3: a piece of the tessellation would have more than " +
+        std::to_string(demand_.most_triangles) +
+        " triangles: ask for more pieces, or for a larger chord error");
   }
 
   // infinite beyond the tolerance
@@ -554,7 +570,6 @@ private:
   std::optional<Cells> cells_;          // of the level, for proofs
   std::deque<Tessellation_node> nodes_; // of which none is copied when there are more
   std::uint64_t number_of_leaves_ = 0;
-  std::ptrdiff_t number_of_control_vertices_ = 0;
   unsigned rounds_ = 0;
   bool is_reached_ = true;
 };

@@ -11,7 +11,6 @@
 
 #include <CGAL/PN_subdivision_3/attributes/Attribute_traits.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
-#include <CGAL/PN_subdivision_3/internal/attributes/Array_values.h>
 #include <CGAL/PN_subdivision_3/internal/limit/Limit_evaluation.h>
 #include <CGAL/PN_subdivision_3/internal/limit/limits_at_slots.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
@@ -25,6 +24,7 @@
 #include <CGAL/PN_subdivision_3/internal/tessellation/Leaf_triangles.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Merged_leaves.h>
 #include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation_mesh.h>
+#include <CGAL/PN_subdivision_3/internal/tessellation/Tessellation_table.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -39,10 +39,61 @@ namespace CGAL {
 namespace PN_subdivision_3 {
 namespace internal {
 
+// A control mesh that has been read, with what is asked for.
+template <class Scheme, class FT, class Level_creases, bool may_be_proven>
+struct Tessellation_data
+{
+  using Refinement = Adaptive_refinement<Scheme, FT, Level_creases, may_be_proven>;
+  using Attributes = typename Refinement::Attributes::Data;
+
+  Tessellation_demand demand;
+  Valued_level<typename Refinement::Value> control;
+  Level_creases creases;
+  Attributes attributes;
+
+  Refinement refinement(const Scheme& scheme, const For_chunks& for_chunks) const
+  {
+    return Refinement(scheme, demand, for_chunks);
+  }
+};
+
+// Those of the leaves for which is_taken(leaf) is true, once splits that did not have to be are taken back.
+template <class FT, class Refinement, class Is_taken>
+Leaf_triangles<FT> triangles_of_leaves(Refinement& refinement, std::size_t dimension_of_corners,
+                                       const Is_taken& is_taken)
+{
+  const bool is_proven = refinement.demand().is_proven;
+  const double tolerance = refinement.tolerance() / tessellation_safety;
+  if (!is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
+  Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners, is_proven);
+  triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
+  const auto& corners = refinement.corners_of_nodes();
+  for (std::size_t i = 0; i < refinement.nodes().size(); ++i) {
+    const Tessellation_node& node = refinement.nodes()[i];
+    if (node.is_leaf && is_taken(node.leaf))
+      triangles.add(node.leaf, corners.empty() ? nullptr : corners[i].data());
+  }
+  return triangles;
+}
+
+// by triangles
+template <class FT>
+std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles<FT>& triangles)
+{
+  std::vector<bool> used(all.number_of_vertices(), false);
+  for (const Tessellation_triangle& t : triangles.triangles())
+    for (const Level_connectivity::Index slot : t.slots) used[all.slot(slot).vertex] = true;
+  return used;
+}
+
 // A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
 template <class Concurrency_tag, class FaceGraph, class NamedParameters>
 class Tessellation
 {
+  using Parameters = Surface_parameters<FaceGraph, NamedParameters>;
+  using FT = typename Parameters::FT;
+  using Index = Level_connectivity::Index;
+
 public:
   Tessellation(double chord_error, const NamedParameters& np, Attribute_table* table)
     : chord_error_(chord_error)
@@ -59,29 +110,22 @@ public:
     require_empty(out_access);
     Report report;
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
-      refine(access, s, Parameters::const_point_map(control, np_), [&](auto& refinement) {
+      read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
+        auto refinement = data.refinement(s, for_chunks_);
+        refinement(std::move(data.control), std::move(data.creases), data.attributes);
         const Tessellation_demand& demand = refinement.demand();
-        const double tolerance = refinement.tolerance() / tessellation_safety;
-        if (!demand.is_proven) Merged_leaves<FT>(refinement.all(), refinement.nodes(), tolerance)();
-        Leaf_triangles<FT> triangles(refinement.all(), tolerance, dimension_of_corners(),
-                                     demand.is_proven);
-        triangles.reserve(2 * std::size_t(refinement.all().number_of_vertices()));
-        const auto& corners = refinement.corners_of_nodes();
-        for (std::size_t i = 0; i < refinement.nodes().size(); ++i)
-          if (refinement.nodes()[i].is_leaf)
-            triangles.add(refinement.nodes()[i].leaf,
-                          corners.empty() ? nullptr : corners[i].data());
-        std::vector<bool> used(refinement.all().number_of_vertices(), false);
-        for (const Tessellation_triangle& t : triangles.triangles())
-          for (const Index slot : t.slots) used[refinement.all().slot(slot).vertex] = true;
-        refinement.remove_unused(std::move(used));
+        const Leaf_triangles<FT> triangles = triangles_of_leaves<FT>(
+          refinement, table_.dimension_of_corners(), [](const Tessellation_leaf&) { return true; });
+        std::vector<bool> used = used_vertices(refinement.all(), triangles);
+        std::fill_n(used.begin(), access.size().vertices, true);
+        refinement.remove_unused(used);
         const Tessellation_mesh<FT> mesh(refinement.all(), triangles);
         using Out = Surface_parameters<OutputMesh, Out_parameters>;
         Attribute_table carried;
-        if (table_ != nullptr) carried = attributes(refinement, triangles);
+        if (table_.any()) carried = table_.of_result(refinement, triangles);
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
-        if (table_ != nullptr) *table_ = std::move(carried);
+        table_.set(std::move(carried));
         report.bound = std::ldexp(triangles.bound(), demand.exponent);
         report.worst_face = triangles.worst_face();
         report.worst_place = triangles.worst_place();
@@ -95,14 +139,12 @@ public:
     return report;
   }
 
-private:
-  using Parameters = Surface_parameters<FaceGraph, NamedParameters>;
-  using FT = typename Parameters::FT;
-  using Index = Level_connectivity::Index;
+  const For_chunks& for_chunks() const { return for_chunks_; }
+  const Tessellation_table& table() const { return table_; }
 
-  // calls sink(refinement)
+  // calls sink(Tessellation_data)
   template <class Access, class Scheme, class Point_map, class Sink>
-  void refine(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
+  void read(const Access& access, const Scheme& scheme, Point_map points, const Sink& sink) const
   {
     static_assert(check_no_grid_rows<Scheme>());
     const auto normals = normal_map<Scheme>();
@@ -129,14 +171,13 @@ private:
         if (demand.is_proven)
           require_proof_of_all(Limit_cells<Scheme, decltype(creases)>(
             scheme, decltype(control)(control), decltype(creases)(creases)));
-      using Refinement = Adaptive_refinement<Scheme, FT, decltype(creases), may_be_proven>;
-      const auto attributes = read_attributes<typename Refinement::Attributes::Data>(control.level);
-      Refinement refinement(scheme, demand, for_chunks_);
-      refinement(std::move(control), std::move(creases), attributes);
-      sink(refinement);
+      using Data = Tessellation_data<Scheme, FT, decltype(creases), may_be_proven>;
+      auto attributes = table_.template read<typename Data::Attributes>(control.level);
+      sink(Data{demand, std::move(control), std::move(creases), std::move(attributes)});
     }
   }
 
+private:
   // a linear scheme has no use for normals
   template <class Scheme>
   auto normal_map() const
@@ -217,91 +258,9 @@ private:
     }
   }
 
-  std::size_t dimension_of_corners() const
-  {
-    std::size_t n = 0;
-    if (table_ != nullptr)
-      for (const Attribute_array& array : table_->corners) n += array.dimension;
-    return n;
-  }
-
-  // those of an element next to each other
-  static std::vector<double> joined(const std::vector<Attribute_array>& arrays,
-                                    std::size_t elements, const char* kind, std::size_t& dimension)
-  {
-    dimension = 0;
-    for (const Attribute_array& array : arrays) {
-      check_array(array, elements, kind);
-      dimension += array.dimension;
-    }
-    std::vector<double> values(dimension * elements);
-    std::size_t first = 0;
-    for (const Attribute_array& array : arrays) {
-      for (std::size_t i = 0; i < elements; ++i)
-        std::copy_n(array.values.begin() + std::ptrdiff_t(i * array.dimension), array.dimension,
-                    values.begin() + std::ptrdiff_t(i * dimension + first));
-      first += array.dimension;
-    }
-    return values;
-  }
-
-  template <class Attributes>
-  Attributes read_attributes(const Level_connectivity& level) const
-  {
-    Attributes result;
-    if (table_ == nullptr) return result;
-    if (!table_->edges.empty())
-      throw std::invalid_argument("PN_subdivision_3: there is an attribute of edges, but the edges "
-                                  "of a tessellation are not parts of those of the control mesh");
-    for (const Attribute_array& array : table_->corners)
-      if (array.rule != Corner_rule::all)
-        throw std::invalid_argument("PN_subdivision_3: tessellations carry attributes of corners "
-                                    "by Corner_rule::all only, which is linear inside the faces");
-    result.vertices =
-      joined(table_->vertices, level.number_of_vertices(), "vertices", result.of_vertices);
-    result.corners = joined(table_->corners, level.number_of_halfedges(), "corners (half-edges)",
-                            result.of_corners);
-    return result;
-  }
-
-  // the arrays of the result; half-edges have the numbers that the level of the triangles gives them
-  template <class Refinement>
-  Attribute_table attributes(const Refinement& refinement,
-                             const Leaf_triangles<FT>& triangles) const
-  {
-    Attribute_table result;
-    result.has_face_parents = table_->has_face_parents;
-    if (result.has_face_parents)
-      for (const Tessellation_triangle& t : triangles.triangles())
-        result.face_parents.push_back(t.origin);
-    std::size_t first = 0;
-    for (const Attribute_array& array : table_->vertices) {
-      result.vertices.push_back({array.dimension, {}, array.rule});
-      for (Index v = 0; v < refinement.all().number_of_vertices(); ++v)
-        for (std::size_t k = 0; k < array.dimension; ++k)
-          result.vertices.back().values.push_back(refinement.attributes().value(v, first + k));
-      first += array.dimension;
-    }
-    first = 0;
-    const std::size_t all = dimension_of_corners();
-    for (const Attribute_array& array : table_->corners) {
-      const std::size_t n = array.dimension;
-      result.corners.push_back(
-        {n, std::vector<double>(2 * n * triangles.number_of_edges()), array.rule});
-      std::size_t corner = 0;
-      for (const Tessellation_triangle& t : triangles.triangles())
-        for (std::size_t i = 0; i < 3; ++i, ++corner) // the half-edge before leads to it
-          std::copy_n(triangles.corner_values().begin() + std::ptrdiff_t(corner * all + first), n,
-                      result.corners.back().values.begin() +
-                        std::ptrdiff_t(n * t.halfedges[i == 0 ? 2 : i - 1]));
-      first += n;
-    }
-    return result;
-  }
-
   double chord_error_;
   const NamedParameters& np_;
-  Attribute_table* table_; // or null
+  const Tessellation_table table_;
   For_chunks for_chunks_;
 };
 

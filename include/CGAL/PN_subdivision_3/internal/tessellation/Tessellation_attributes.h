@@ -52,6 +52,7 @@ public:
   {
     std::size_t of_vertices = 0, of_corners = 0;
     std::vector<double> vertices, corners;
+    std::vector<double> largest{}; // of each number of vertices, in the whole control mesh
   };
 
   // With the tolerance of the points.
@@ -77,9 +78,7 @@ public:
     limits_.resize(level.planes.size());
     for (auto& plane : level.planes) plane = std::vector<Value>(vertices.size());
     for (std::size_t i = 0; i < n; ++i) {
-      double largest = 0;
-      for (std::size_t k = i; k < attributes.vertices.size(); k += n)
-        largest = (std::max)(largest, std::abs(attributes.vertices[k]));
+      const double largest = attributes.largest[i];
       exponents_.push_back(largest > 0 && std::isfinite(largest) && size > 0
                              ? std::ilogb(size) - std::ilogb(largest)
                              : 0);
