@@ -172,7 +172,7 @@ struct Gone_creases
   std::vector<Value> joined(const Creases<FT>& old, const Old_value& old_value) const
   {
     std::vector<Value> values(creases.number_of_slots);
-    const Index n = static_cast<Index>(old.number_of_slots - extra_slots(old));
+    const auto n = static_cast<Index>(old.number_of_slots - extra_slots(old));
     for (Index v = 0; v < n; ++v) values[v] = old_value(v);
     for (std::size_t i = 0; i < star_.size(); ++i) {
       const Crease_star& star = old.stars[i];
