@@ -12,6 +12,8 @@
 #include "Scheme_runs.h"
 #include "Tessellation_piece_cases.h"
 
+#include <CGAL/PN_subdivision_3/schemes/Tuned_Loop_scheme.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +48,15 @@ TEST(TessellationPieces, Loop)
 {
   expect_same(test_meshes::grid(4, 4, false, false, Cells::triangles), PN::Loop_scheme(), 0.01);
   expect_same(test_meshes::bipyramid(7), PN::Loop_scheme(), 0.01);
+}
+
+// Beside irregular vertices and other faces limits read more.
+TEST(TessellationPieces, ALongIrregularStrip)
+{
+  const Control_mesh mixed = test_meshes::grid(24, 2, false, false, Cells::mixed);
+  expect_same(mixed, PN::CatmullClark_scheme(), 0.05);
+  expect_same(test_meshes::grid(16, 2, false, false, Cells::triangles), PN::Loop_scheme::Tuned(),
+              0.05);
 }
 
 // Splits are taken back along rulings.
