@@ -24,8 +24,8 @@ namespace pn_demo {
 class Property_array
 {
 public:
-  explicit Property_array(std::string name)
-    : name(std::move(name))
+  explicit Property_array(std::string its_name)
+    : name(std::move(its_name))
   {}
   virtual ~Property_array() = default;
   virtual void resize(std::size_t n) = 0;
@@ -38,8 +38,8 @@ template <class T>
 class Property_array_of : public Property_array
 {
 public:
-  Property_array_of(std::string name, T new_value, std::size_t n)
-    : Property_array(std::move(name))
+  Property_array_of(std::string its_name, T new_value, std::size_t n)
+    : Property_array(std::move(its_name))
     , values(n, new_value)
     , new_value_(std::move(new_value))
   {}
