@@ -29,6 +29,7 @@
 namespace tagged_meshes {
 
 using namespace crease_shapes;
+using crease_levels::Control;
 using crease_levels::Crease_run;
 using crease_levels::Index;
 using crease_levels::triangulated;
