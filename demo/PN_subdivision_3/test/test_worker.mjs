@@ -211,7 +211,10 @@ test("where a worker cannot be started the page says why, and shows fewer rounds
   for (const isRefusedAtOnce of [true, false])
     await withPage(file, { hash: "#ring" }, async (page) => {
       await page.check("input[name=layout][value=pn]");
-      await page.evaluate((isRefusedAtOnce) => {
+      await page.evaluate(async (isRefusedAtOnce) => {
+        const { editor } = window.page;
+        await editor.settled();
+        editor.remote.worker = undefined; // one that has been started already would do the work
         const Original = Worker;
         window.Worker = class extends Original {
           constructor() {
