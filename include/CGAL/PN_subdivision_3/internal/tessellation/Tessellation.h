@@ -86,6 +86,20 @@ std::vector<bool> used_vertices(const Split_edges<FT>& all, const Leaf_triangles
   return used;
 }
 
+// What has been reached, in the unit of the coordinates; faces have the numbers of what was refined.
+template <class Refinement, class FT, class Report>
+void report_reached(const Refinement& refinement, const Leaf_triangles<FT>& triangles,
+                    Report& report)
+{
+  const Tessellation_demand& demand = refinement.demand();
+  report.bound = std::ldexp(triangles.bound(), demand.exponent);
+  report.worst_face = triangles.worst_face();
+  report.worst_place = triangles.worst_place();
+  for (double& x : report.worst_place) x = std::ldexp(x, demand.exponent);
+  report.reached = refinement.is_reached() && triangles.bound() <= demand.tolerance;
+  report.depth = refinement.depth();
+}
+
 // A call of tessellate(): reads the control mesh, refines it adaptively, and builds the mesh of the triangles.
 template <class Concurrency_tag, class FaceGraph, class NamedParameters>
 class Tessellation
@@ -113,7 +127,6 @@ public:
       read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
         auto refinement = data.refinement(s, for_chunks_);
         refinement(std::move(data.control), std::move(data.creases), data.attributes);
-        const Tessellation_demand& demand = refinement.demand();
         const Leaf_triangles<FT> triangles = triangles_of_leaves<FT>(
           refinement, table_.dimension_of_corners(), [](const Tessellation_leaf&) { return true; });
         std::vector<bool> used = used_vertices(refinement.all(), triangles);
@@ -126,14 +139,9 @@ public:
         build(refinement.all(), mesh, out_access, Out::point_map(out, np_out),
               Out::normal_map(np_out));
         table_.set(std::move(carried));
-        report.bound = std::ldexp(triangles.bound(), demand.exponent);
-        report.worst_face = triangles.worst_face();
-        report.worst_place = triangles.worst_place();
-        for (double& x : report.worst_place) x = std::ldexp(x, demand.exponent);
-        report.reached = refinement.is_reached() && triangles.bound() <= demand.tolerance;
+        report_reached(refinement, triangles, report);
         report.number_of_vertices = mesh.level().number_of_vertices();
         report.number_of_triangles = mesh.level().number_of_faces();
-        report.depth = refinement.depth();
       });
     });
     return report;

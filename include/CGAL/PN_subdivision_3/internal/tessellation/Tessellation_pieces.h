@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -165,7 +164,8 @@ public:
     piece.level = Tessellation_mesh<FT>(all, triangles).level();
     piece.faces = Numbered_elements(triangles.triangles().size());
     for (std::size_t t = 0; t < piece.faces.size(); ++t) piece.faces.set(t, triangles_++, true);
-    report(refinement, triangles, part, piece);
+    report_reached(refinement, triangles, piece);
+    if (!part.of.faces.empty()) piece.worst_face = part.of.faces[piece.worst_face];
     return piece;
   }
 
@@ -312,18 +312,6 @@ private:
       if (of_all.number(v) == none) of_all.set(v, numbers_.next(), true);
       piece.vertices.push_back(of_all.number(v), of_all.is_owned(v));
     }
-  }
-
-  void report(const Refinement& refinement, const Leaf_triangles<FT>& triangles, const Part& part,
-              Piece& piece) const
-  {
-    const Tessellation_demand& demand = refinement.demand();
-    piece.bound = std::ldexp(triangles.bound(), demand.exponent);
-    if (!part.of.faces.empty()) piece.worst_face = part.of.faces[triangles.worst_face()];
-    piece.worst_place = triangles.worst_place();
-    for (double& x : piece.worst_place) x = std::ldexp(x, demand.exponent);
-    piece.reached = refinement.is_reached() && triangles.bound() <= demand.tolerance;
-    piece.depth = refinement.depth();
   }
 
   Given_roundness<FT> roundness_;
