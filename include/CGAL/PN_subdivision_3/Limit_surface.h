@@ -305,8 +305,10 @@ private:
         internal::box_size(level);
       demand_.normal_tolerance = checked_tolerance(
         internal::parameter_or<internal::normal_tolerance_t>(np, demand_.normal_tolerance));
-      evaluation_ = std::make_unique<internal::Scheme_evaluation<Scheme, decltype(creases)>>(
-        internal::kept_scheme(scheme, *roundness_), std::move(level), std::move(creases));
+      using Rules = internal::Rules_of<Scheme>;
+      evaluation_ = std::make_unique<internal::Scheme_evaluation<Rules, decltype(creases)>>(
+        internal::kept_scheme<Rules>(internal::rules_of(scheme), *roundness_), std::move(level),
+        std::move(creases));
     }
   }
 

@@ -48,7 +48,9 @@ Limit_report face_limit_points(const PolygonMesh& mesh, const Scheme& scheme, Li
         Limit_demand demand = limit_demand<FT>(limit_options(np), box_size(level));
         demand.curvatures = false;
         demand.points = true;
-        Face_limits<Scheme_of_call, FT> evaluation(s, demand, For_chunks::with(Concurrency_tag()));
+        const Rules_of<Scheme_of_call>& rules = rules_of(s);
+        Face_limits<Rules_of<Scheme_of_call>, FT> evaluation(rules, demand,
+                                                             For_chunks::with(Concurrency_tag()));
         const auto results = evaluation(level);
         check_limits<FT>(results, [](std::size_t f) { return "face number " + std::to_string(f); });
         std::size_t i = 0;

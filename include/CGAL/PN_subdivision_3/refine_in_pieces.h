@@ -426,7 +426,8 @@ private:
       return internal::is_near_overflow(internal::point_of(v));
     });
     constexpr bool carries = !std::is_same_v<Attributes, internal::No_attributes>;
-    using Refiner = internal::Piece_refiner<Hosted_scheme, Average, Level_creases, carries>;
+    using Rules = internal::Rules_of<Hosted_scheme>;
+    using Refiner = internal::Piece_refiner<Rules, Average, Level_creases, carries>;
     typename Refiner::Carried carried;
     if constexpr (carries)
       if (!internal::is_empty(attributes)) {
@@ -439,7 +440,7 @@ private:
     const auto make = [&](auto* refiner) {
       using Made = std::remove_pointer_t<decltype(refiner)>;
       refiner_ = std::make_unique<Made>(
-        scheme, std::move(level), std::move(creases),
+        internal::rules_of(scheme), std::move(level), std::move(creases),
         typename Refiner::Values(values.begin(), values.end()), std::move(carried), rounds_,
         number_of_pieces_, ghost_rings_, internal::For_chunks::with(Concurrency_tag()));
     };
@@ -451,8 +452,7 @@ private:
       if constexpr (Host::keeps_vertices)
         if (limits_)
           return make(
-            static_cast<internal::Piece_limits<Hosted_scheme, Average, Level_creases, carries>*>(
-              nullptr));
+            static_cast<internal::Piece_limits<Rules, Average, Level_creases, carries>*>(nullptr));
     }
     make(static_cast<Refiner*>(nullptr));
   }

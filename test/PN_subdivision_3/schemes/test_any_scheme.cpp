@@ -12,6 +12,7 @@
 #include "support/Options.h"
 
 #include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Limit_surface.h>
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/analysis/extraordinary_eigenvalues.h>
 #include <CGAL/PN_subdivision_3/analysis/subdivision_matrix.h>
@@ -108,6 +109,32 @@ Outcome expect_same(const Scheme& scheme, const Call& call)
   return expected;
 }
 
+// a model with a mask of its own for the normals
+template <class Scheme, class Normal_scheme>
+struct Of_two
+{
+  using Host = typename Scheme::Host;
+  static constexpr bool has_crease_rules = true;
+  static constexpr bool has_normal_mask = true;
+  static constexpr unsigned ghost_rings = 1;
+  static constexpr PN::Limit_neighborhood limit_neighborhood =
+    Normal_scheme::limit_neighborhood; // the farther one
+
+  template <class FT>
+  auto mask(const PN::Level_connectivity& level, unsigned round) const
+  {
+    return points.template mask<FT>(level, round);
+  }
+  template <class FT>
+  auto normal_mask(const PN::Level_connectivity& level, unsigned round) const
+  {
+    return normals.template mask<FT>(level, round);
+  }
+
+  Scheme points;
+  Normal_scheme normals;
+};
+
 } // namespace
 
 TEST(Any_scheme, RoundsOfAllSchemes)
@@ -147,26 +174,64 @@ TEST(Any_scheme, Creases)
   expect_same(PN::CatmullClark_scheme::Transfer(), subdivide);
 }
 
-TEST(Any_scheme, TwoSchemes)
+// call(mesh, scheme, normals, sharp edges) with two schemes themselves and with two that are chosen at run time, without creases
+// and with some, one of which ends
+template <class Scheme, class Normal_scheme, class Call>
+void expect_same_of_two(const Scheme& points, const Normal_scheme& normals, const Call& call)
 {
-  for (const bool creased : {false, true}) {
-    const auto with = [&](const auto& points, const auto& normals) {
-      return outcome(control_mesh<double>(false), [&](Mesh& mesh) {
+  for (const std::size_t creased : {0, 1, 3}) {
+    const auto with = [&](const auto& scheme) {
+      return outcome(control_mesh<double>(takes_triangles_v<Scheme>), [&](Mesh& mesh) {
         auto edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
-        edges[*mesh.edges().begin()] = creased;
-        PN::subdivide(mesh, PN::with_normal_scheme(points, normals),
-                      params::number_of_iterations(3)
-                        .vertex_normal_map(add_normals<double>(mesh))
-                        .edge_is_constrained_map(edges));
+        for (std::size_t e = 0; e < creased; ++e) edges[Mesh::Edge_index(unsigned(e))] = true;
+        auto of_vertices = add_normals<double>(mesh);
+        call(mesh, scheme, of_vertices, edges);
+        for (const auto v : mesh.vertices()) mesh.point(v) = mesh.point(v) + of_vertices[v];
       });
     };
-    const PN::CatmullClark_scheme points;
-    const PN::CatmullClark_scheme::Tuned normals;
-    const Outcome expected = with(points, normals);
+    const Outcome expected = with(PN::with_normal_scheme(points, normals));
     EXPECT_TRUE(expected.message.empty()) << expected.message;
-    EXPECT_EQ(with(PN::Any_scheme<>(points), PN::Any_scheme<>(normals)), expected);
-    EXPECT_FALSE(with(points, points) == expected);
+    EXPECT_EQ(with(PN::with_normal_scheme(PN::Any_scheme<>(points), PN::Any_scheme<>(normals))),
+              expected);
+    EXPECT_EQ(with(PN::Any_scheme<>(Of_two<Scheme, Normal_scheme>{points, normals})), expected);
+    if (creased == 0) EXPECT_FALSE(with(points) == expected);
   }
+}
+
+TEST(Any_scheme, TwoSchemes)
+{
+  const auto subdivide = [](Mesh& mesh, const auto& s, const auto& normals, const auto& edges) {
+    PN::subdivide(
+      mesh, s,
+      params::number_of_iterations(3).vertex_normal_map(normals).edge_is_constrained_map(edges));
+  };
+  expect_same_of_two(PN::CatmullClark_scheme(), PN::CatmullClark_scheme::Tuned(), subdivide);
+  expect_same_of_two(PN::Loop_scheme(), PN::Loop_scheme::Tuned(), subdivide);
+}
+
+TEST(Any_scheme, LimitsOfTwoSchemes)
+{
+  const auto to_limit = [](Mesh& mesh, const auto& s, const auto& normals, const auto& edges) {
+    PN::subdivide_to_limit(
+      mesh, s,
+      params::number_of_iterations(1).vertex_normal_map(normals).edge_is_constrained_map(edges));
+  };
+  expect_same_of_two(PN::CatmullClark_scheme(), PN::CatmullClark_scheme::Tuned(), to_limit);
+  expect_same_of_two(PN::Loop_scheme(), PN::Loop_scheme::Tuned(), to_limit);
+}
+
+// the proof takes the same weights for points and normals
+TEST(Any_scheme, ProvenBoundsOfTwoSchemes)
+{
+  Mesh mesh = control_mesh<double>(false);
+  const PN::Any_scheme<> scheme{PN::CatmullClark_scheme()};
+  const auto given = params::vertex_normal_map(add_normals<double>(mesh));
+  const PN::Limit_surface<Mesh> proven(mesh, scheme, given);
+  EXPECT_GT(proven.proven_distance_to_linear(Mesh::Face_index(0), 4), 0);
+  const PN::Limit_surface<Mesh> of_two(
+    mesh, PN::with_normal_scheme(scheme, PN::Any_scheme<>(PN::CatmullClark_scheme::Tuned())),
+    given);
+  EXPECT_THROW(of_two.proven_distance_to_linear(Mesh::Face_index(0), 4), std::invalid_argument);
 }
 
 TEST(Any_scheme, Limits)

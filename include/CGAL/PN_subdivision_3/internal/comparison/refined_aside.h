@@ -95,8 +95,9 @@ Level_with_points<FT> refined_aside(const Scheme& scheme, const Access& access, 
     const auto values = of_mesh.values(level, points, normals, creases);
     Level_with_points<FT> result;
     count_roundness(values, level.number_of_vertices(), result);
-    Level_refiner<Scheme, Average, decltype(creases)> refiner(
-      scheme, std::move(level), std::move(creases), {values.begin(), values.end()},
+    const Rules_of<Scheme>& rules = rules_of(scheme);
+    Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
+      rules, std::move(level), std::move(creases), {values.begin(), values.end()},
       For_chunks::with(Concurrency_tag()));
     while (refiner.rounds_done() < rounds) refiner.refine();
     result.level = refiner.level();

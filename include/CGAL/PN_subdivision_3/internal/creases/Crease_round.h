@@ -440,7 +440,8 @@ private:
     const auto needs_row = [this](const Crease_star& s) { return has_smooth_rule(s); };
     smooth_rows_.emplace(level_, creases_, slots, smooth.mask(), needs_row);
     if constexpr (Has_normal_mask<Scheme>::value)
-      smooth_normal_rows_.emplace(level_, creases_, slots, smooth.normal_mask(), needs_row);
+      if (smooth.has_own_normals())
+        smooth_normal_rows_.emplace(level_, creases_, slots, smooth.normal_mask(), needs_row);
   }
 
   const Scheme& scheme_;

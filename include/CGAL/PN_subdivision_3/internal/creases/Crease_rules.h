@@ -280,12 +280,15 @@ private:
       return {average(row.first, row.second, data_.old), {}, {}, {}};
     else {
       const Old_values old{data_.old};
-      typename Average::Value value;
-      if constexpr (Has_normal_mask<Scheme>::value) {
-        const auto normal_row = row_of(*data_.smooth_normal_rows);
-        value = average(row.first, row.second, normal_row.first, normal_row.second, old);
-      } else
-        value = average(row.first, row.second, old);
+      const auto average_of_rows = [&] {
+        if constexpr (Has_normal_mask<Scheme>::value)
+          if (data_.round.has_own_normals()) {
+            const auto normal_row = row_of(*data_.smooth_normal_rows);
+            return average(row.first, row.second, normal_row.first, normal_row.second, old);
+          }
+        return average(row.first, row.second, old);
+      };
+      const typename Average::Value value = average_of_rows();
       Value result{value.point, {value.normal}, {}, {}};
       if constexpr (has_roundness) result.roundness = {value.roundness};
       return result;

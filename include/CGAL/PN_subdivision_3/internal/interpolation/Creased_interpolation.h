@@ -323,8 +323,8 @@ interpolate_with_creases(const Access& access, const Scheme& given_scheme,
   Valued_level<typename Average_of_scheme<Scheme_of_call, double>::Value> valued{
     level, slots_in_double<Scheme_of_call, FT>(values)};
   const Creases<double> fixed = in_double(creases);
-  auto result = Creased_interpolation<Scheme_of_call>(scheme, valued, fixed, vertex_of_slot, data,
-                                                      for_chunks)();
+  auto result = Creased_interpolation<Rules_of<Scheme_of_call>>(rules_of(scheme), valued, fixed,
+                                                                vertex_of_slot, data, for_chunks)();
   multiply_by_size(data.exponent, result.report);
   multiply_by_size<FT, 3>(data.exponent, data.points);
   multiply_by_size<FT, 3>(data.exponent, result.points);

@@ -102,7 +102,9 @@ public:
       return scheme.template mask<decltype(number)>(level, round);
     };
     set_rules(mask_of, valence, round, points_);
+    if (!has_normal_mask(scheme)) return;
     if constexpr (Has_normal_mask<Scheme>::value) {
+      has_own_normals_ = true;
       const auto normal_mask_of = [&](auto number, const Level_connectivity& level) {
         return scheme.template normal_mask<decltype(number)>(level, round);
       };
@@ -114,7 +116,10 @@ public:
     : crease_places_{crease_place}
     , points_(rules(border.matrix(), border.limit_row()))
     , normals_(rules(border.normal_matrix(), border.normal_limit_row()))
+    , has_own_normals_(border.has_own_normals())
   {}
+
+  bool has_own_normals() const { return has_own_normals_; }
 
   const std::vector<Index>& crease_places() const { return crease_places_; }
   const Rules& points() const { return points_; }
@@ -186,6 +191,7 @@ private:
 
   std::vector<Index> crease_places_; // of the slots of the neighbor on the crease
   Rules points_, normals_;
+  bool has_own_normals_ = false; // otherwise they are refined by the rules of the points
 };
 
 // The limit at a vertex where a crease ends. Its ring is refined by itself: on the crease by the crease
@@ -214,7 +220,7 @@ public:
     if constexpr (std::is_floating_point_v<FT>)
       for (Value& v : ring) add_multiple<FT, 3>(point_of(v), FT(-1), center);
     for (;;) {
-      Value limit = average(dart.points().limit, dart.normals().limit);
+      Value limit = average(dart, dart.points().limit, dart.normals().limit);
       if (steps.is_last(point_of(limit))) {
         turn_tangent(limit);
         if constexpr (std::is_floating_point_v<FT>)
@@ -231,22 +237,23 @@ private:
   using Entry = typename Rule::Entry;
   using Row = typename Class::Row;
 
-  Value average(const Row& row, [[maybe_unused]] const Row& normal_row) const
+  Value average([[maybe_unused]] const Class& dart, const Row& row,
+                [[maybe_unused]] const Row& normal_row) const
   {
     const auto* const begin = row.data();
     if constexpr (Has_normal_mask<Scheme>::value)
-      return average_(begin, begin + row.size(), normal_row.data(),
-                      normal_row.data() + normal_row.size(), ring.data());
-    else
-      return average_(begin, begin + row.size(), ring.data());
+      if (dart.has_own_normals())
+        return average_(begin, begin + row.size(), normal_row.data(),
+                        normal_row.data() + normal_row.size(), ring.data());
+    return average_(begin, begin + row.size(), ring.data());
   }
 
   void refine(const Class& dart)
   {
     std::vector<Value> next;
     for (std::size_t p = 0; p < ring.size(); ++p)
-      next.push_back(average(dart.points().rows[p],
-                             Has_normal_mask<Scheme>::value ? dart.normals().rows[p] : Row()));
+      next.push_back(average(dart, dart.points().rows[p],
+                             dart.has_own_normals() ? dart.normals().rows[p] : Row()));
     const FT half = FT(1) / FT(2);
     const Vector onwards = opposite_vector<FT, 3>(far_tangent);
     const std::array<Entry, 2> entries{

@@ -101,24 +101,25 @@ private:
     Carried_through<FT, Host, Carry> carried(
       carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
       Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
-    Level_refiner<Scheme, Average, decltype(creases)> refiner(
-      scheme_, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    const Rules_of<Scheme>& rules = rules_of(scheme_);
+    Level_refiner<Rules_of<Scheme>, Average, decltype(creases)> refiner(
+      rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
     for (unsigned k = 1; k < rounds; ++k) {
-      carried.refine(scheme_, refiner);
+      carried.refine(rules, refiner);
       round_done_(k, static_cast<std::size_t>(refiner.level().size().faces));
     }
     carried.before_cut(refiner);
     auto last = refiner.next_round();
-    carried.begin_round(scheme_, refiner, last, Kind_of_round::last_put_later);
+    carried.begin_round(rules, refiner, last, Kind_of_round::last_put_later);
     Level refined = refined_level(refiner, last, carried.rows());
     refiner.release_values();
     report_last_round(round_done_, rounds, rounds_, size);
     auto limit_creases = last.refined_creases();
     const Limit_demand demand = limit_demand<FT>(options_, box_size(refined));
     auto limits =
-      limits_at_slots<FT>(scheme_, demand, for_chunks_, refined, limit_creases, rounds + 1);
+      limits_at_slots<FT>(rules, demand, for_chunks_, refined, limit_creases, rounds + 1);
     if (asks_for_points(options_))
       std::vector<Value>().swap(refined.values); // else they are written
     check_limits<FT>(limits, [](std::size_t v) { return "vertex number " + std::to_string(v); });

@@ -165,14 +165,15 @@ public:
     const auto masks = set_rules(rounds, layout, matrix_of, points_);
     if (!masks) return;
     is_interpolating_ = points_.limit_row.size() == 1;
-    if constexpr (has_normal_rows) {
+    if constexpr (may_have_normal_rows) {
+      has_normal_rows_ = has_normal_mask(scheme);
       const auto normal_matrix_of = [&](auto number, const Ring_round& r) {
         using Number = decltype(number);
         const typename Scheme::Host host(r.level, r.number);
         return ring_matrix<Number>(host, scheme.template normal_mask<Number>(r.level, r.number),
                                    r.rings);
       };
-      if (!set_rules(rounds, layout, normal_matrix_of, normals_)) return;
+      if (has_normal_rows_ && !set_rules(rounds, layout, normal_matrix_of, normals_)) return;
     }
     if (transfers_curvature(scheme) && !layout.at_border && layout.number > 2 &&
         layout.number != (Scheme::Host::refined_degree == 4 ? 4 : 6))
@@ -201,12 +202,12 @@ public:
   const Ring_matrix<FT>& matrix() const { return points_.matrix; }
   const Ring_matrix<FT>& normal_matrix() const
   {
-    return has_normal_rows ? normals_.matrix : points_.matrix;
+    return has_normal_rows_ ? normals_.matrix : points_.matrix;
   }
   const Ring_row<FT>& limit_row() const { return points_.limit_row; }
   const Ring_row<FT>& normal_limit_row() const
   {
-    return has_normal_rows ? normals_.limit_row : points_.limit_row;
+    return has_normal_rows_ ? normals_.limit_row : points_.limit_row;
   }
 
   bool has_tangents() const { return !tangents_[0].empty(); }
@@ -215,6 +216,7 @@ public:
   double normal_ratio() const { return normal_ratio_; }
   double largest_other() const { return largest_other_; }
   bool is_at_border() const { return is_at_border_; }
+  bool has_own_normals() const { return has_normal_rows_; }
   // of a vertex, which is at place 0; 0 about faces
   std::size_t number_of_neighbors() const { return number_of_neighbors_; }
 
@@ -245,17 +247,17 @@ public:
   {
     for (unsigned r = 0; r < rounds(); ++r) {
       if (r != 0) std::copy(next, next + largest_size_ * copies_, rings);
-      average(points_.rows[r], has_normal_rows ? &normals_.rows[r] : nullptr, rings, next);
+      average(points_.rows[r], has_normal_rows_ ? &normals_.rows[r] : nullptr, rings, next);
     }
   }
   // the averages of the limit mask, one a ring
   void limit(const Stored_value* rings, Value* result) const
   {
-    average(points_.limit, has_normal_rows ? &normals_.limit : nullptr, rings, result);
+    average(points_.limit, has_normal_rows_ ? &normals_.limit : nullptr, rings, result);
   }
 
 private:
-  static constexpr bool has_normal_rows = Has_normal_mask<Scheme>::value;
+  static constexpr bool may_have_normal_rows = Has_normal_mask<Scheme>::value;
 
   // of points, or of normals
   struct Rules
@@ -299,23 +301,30 @@ private:
     return result;
   }
 
-  void average(const Ring_rows<FT>& rows, [[maybe_unused]] const Ring_rows<FT>* normal_rows,
-               const Stored_value* old, Value* result) const
+  void average(const Ring_rows<FT>& rows, const Ring_rows<FT>* normal_rows, const Stored_value* old,
+               Value* result) const
   {
     for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
       const Stencil_block<FT>& part = rows.blocks()[b];
-      if constexpr (has_normal_rows)
-        block_(part, normal_rows->blocks()[b], old, result);
-      else
-        block_(part, old, result);
+      average_part(part, normal_rows == nullptr ? nullptr : &normal_rows->blocks()[b], old, result);
       result += part.number_of_rows();
     }
+  }
+
+  void average_part(const Stencil_block<FT>& rows,
+                    [[maybe_unused]] const Stencil_block<FT>* normal_rows, const Stored_value* old,
+                    Value* result) const
+  {
+    if constexpr (may_have_normal_rows)
+      if (normal_rows != nullptr) return block_(rows, *normal_rows, old, result);
+    block_(rows, old, result);
   }
 
   Block block_;
   double roundness_; // of values that have none of their own
   std::size_t size_, largest_size_ = 0, copies_ = 1, number_of_neighbors_ = 0;
   bool is_valid_ = false, is_interpolating_ = false, is_at_border_ = false;
+  bool has_normal_rows_ = false; // otherwise the normals are refined by the rows of the points
   Rules points_, normals_;
   std::array<std::vector<double>, 2> tangents_;
   double lambda_ = 0, normal_ratio_ = 0, largest_other_ = 0;

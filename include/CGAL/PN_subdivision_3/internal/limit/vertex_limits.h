@@ -170,8 +170,8 @@ Limit_report vertex_limits(const Access& access, const Scheme& scheme, Point_map
     of_mesh.read_tangents(creases);
     level.values = of_mesh.values(level.level, points, normals, creases);
     const Limit_demand demand = limit_demand<FT>(options, box_size(level));
-    auto results =
-      limits_at_slots<FT>(scheme, demand, for_chunks, level, creases, options.rounds_done + 1);
+    auto results = limits_at_slots<FT>(rules_of(scheme), demand, for_chunks, level, creases,
+                                       options.rounds_done + 1);
     decltype(level.values)().swap(level.values);
     check_limits<FT>(results, [&](std::size_t v) {
       return access.vertex_name(static_cast<Level_connectivity::Index>(v));

@@ -191,9 +191,8 @@ private:
 template <class Scheme>
 bool has_proven_bound(const Scheme& scheme)
 {
-  if constexpr (Is_with_normals<Scheme>::value)
-    return false;
-  else if constexpr (Is_adaptor<Scheme>::value)
+  if (has_normal_mask(scheme)) return false;
+  if constexpr (Is_adaptor<Scheme>::value)
     return has_proven_bound(scheme.scheme);
   else
     return name_in_message(scheme) == name_in_message(CatmullClark_scheme()) ||

@@ -47,7 +47,8 @@ class Mesh_subdivision
   using Host = typename Scheme::Host;
   using Average = Average_of_scheme<Scheme, FT>;
   using Value = typename Average::Value;
-  using One_round = Round<Scheme, Average>;
+  using Rules = Rules_of<Scheme>;
+  using One_round = Round<Rules, Average>;
   using Transfers = typename One_round::Transfers;
   using Rows_sink = typename One_round::Rows_sink;
 
@@ -188,15 +189,15 @@ private:
     Carried_through<FT, Host, Carry> carried(
       carry, access, level, vertices_of_extra_slots(creases, level.number_of_vertices()),
       Carry::is_empty ? Control_sharpness() : of_mesh.sharpness(level), for_chunks_);
-    Level_refiner<Scheme, Average, decltype(creases)> refiner(
-      scheme_, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
+    const Rules& rules = rules_of(scheme_);
+    Level_refiner<Rules, Average, decltype(creases)> refiner(
+      rules, std::move(level), std::move(creases), {values.begin(), values.end()}, for_chunks_);
     std::vector<Value>().swap(values);
 
-    grow_and_refine<Writer>(access, size, refiner, rounds,
-                            [&] { carried.refine(scheme_, refiner); });
+    grow_and_refine<Writer>(access, size, refiner, rounds, [&] { carried.refine(rules, refiner); });
     carried.before_cut(refiner);
     auto last = refiner.next_round();
-    carried.begin_round(scheme_, refiner, last, Kind_of_round::last_put_at_once);
+    carried.begin_round(rules, refiner, last, Kind_of_round::last_put_at_once);
     put_last_round(access, size, refiner, last, writer, corners, carried.rows());
     carried.put(refiner, last.round());
     of_mesh.put_sharpness(last.refined_creases(), size, rounds);

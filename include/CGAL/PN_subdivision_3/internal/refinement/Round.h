@@ -17,6 +17,7 @@
 #include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Transferred_normals.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_facts.h>
 #include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -65,6 +66,7 @@ public:
     , size_(Host::refined_size(level.size(), number))
     , mask_((cut(), scheme.template mask<FT>(level, number)))
     , normal_mask_(make_normal_mask(scheme, level, number))
+    , has_own_normals_(internal::has_normal_mask(scheme))
     , average_(average_of<Average>(scheme))
     , number_of_old_vertices_(level.number_of_vertices())
     , number_(number)
@@ -73,6 +75,8 @@ public:
   const Level_size& refined_size() const { return size_; }
   const Host& host() const { return host_; }
   const auto& mask() const { return mask_; }
+  // where the normals have one of their own
+  bool has_own_normals() const { return has_own_normals_; }
   const auto& normal_mask() const { return normal_mask_; }
   const Average& average() const { return average_; }
   unsigned number() const { return number_; }
@@ -84,44 +88,16 @@ public:
   // What stands in place of the normals of the rows, where the scheme transfers curvature; found from
   // the old values, before the round is evaluated.
   using Transfers = std::conditional_t<has_transfers, Transferred_normals<FT, Value>, No_transfers>;
-  Transfers transfers(const Stored_value* old, [[maybe_unused]] const For_chunks& for_chunks) const
-  {
-    if constexpr (has_transfers)
-      return Transferred_normals<FT, Value>(
-        mask_level_, host_, mask_.separated_vertices(), Host::refined_degree, for_chunks,
-        [&](const Index* vertices, Index number, Value* values) {
-          evaluate(vertices, vertices + number, old,
-                   [&](const Index* first, const Value* v, Index n) {
-                     std::copy(v, v + n, values + (first - vertices));
-                   });
-        });
-    else {
-      (void)old;
-      return {};
-    }
-  }
+  Transfers transfers(const Stored_value* old, const For_chunks& for_chunks) const;
 
   // Computes the new vertices [begin, end) from the old values, and hands them to the sink block by
   // block. Whoever averages something else, too, gets the rows of the blocks.
   void evaluate(Index begin, Index end, const Stored_value* old, const Transfers& transfers,
-                Sink sink, const Rows_sink* rows_sink = nullptr) const
-  {
-    evaluate_blocks(
-      begin, end, old, [](Index i) { return i; },
-      [&](Index first, Value* values, Index n) {
-        transfers.put(first, n, values);
-        sink(first, values, n);
-      },
-      rows_sink);
-  }
+                Sink sink, const Rows_sink* rows_sink = nullptr) const;
 
   // the new vertices that are listed, to the same bits; as the rows have them, without transfers
-  void evaluate(const Index* begin, const Index* end, const Stored_value* old, List_sink sink) const
-  {
-    evaluate_blocks(
-      0, static_cast<Index>(end - begin), old, [&](Index i) { return begin[i]; },
-      [&](Index first, const Value* values, Index n) { sink(begin + first, values, n); });
-  }
+  void evaluate(const Index* begin, const Index* end, const Stored_value* old,
+                List_sink sink) const;
 
   // calls f(vertex) for every entry of the rows of a new vertex
   template <class Function>
@@ -134,7 +110,8 @@ public:
       for (const auto* e = buffer.begin(0); e != buffer.end(0); ++e) f(e->vertex);
     };
     call(mask_);
-    if constexpr (has_normal_mask) call(normal_mask_);
+    if constexpr (has_normal_mask)
+      if (has_own_normals_) call(normal_mask_);
   }
 
 private:
@@ -217,11 +194,13 @@ private:
     const auto averages = [&](Index begin, Index number, Value* values) {
       const Block block(average_);
       emit(mask_, begin, number, vertex, rows);
-      if constexpr (has_normal_mask) {
-        emit(normal_mask_, begin, number, vertex, normal_rows);
-        block(rows, normal_rows, old, values);
-      } else
-        block(rows, old, values);
+      if constexpr (has_normal_mask)
+        if (has_own_normals_) {
+          emit(normal_mask_, begin, number, vertex, normal_rows);
+          block(rows, normal_rows, old, values);
+          return;
+        }
+      block(rows, old, values);
     };
     if constexpr (std::is_floating_point_v<FT>)
       averages(first, n, result);
@@ -258,11 +237,57 @@ private:
   Level_size size_;
   Mask mask_;
   Normal_mask normal_mask_;
+  bool has_own_normals_;
   Average average_;
   Index number_of_old_vertices_;
   unsigned number_;
   std::vector<Index> of_others_;
 };
+
+// What is not defined in the class can be left to a library, see compiled_in_double.h.
+
+template <class Scheme, class Average>
+auto Round<Scheme, Average>::transfers(const Stored_value* old,
+                                       [[maybe_unused]] const For_chunks& for_chunks) const
+  -> Transfers
+{
+  if constexpr (has_transfers)
+    return Transferred_normals<FT, Value>(
+      mask_level_, host_, mask_.separated_vertices(), Host::refined_degree, for_chunks,
+      [&](const Index* vertices, Index number, Value* values) {
+        evaluate(vertices, vertices + number, old,
+                 [&](const Index* first, const Value* v, Index n) {
+                   std::copy(v, v + n, values + (first - vertices));
+                 });
+      });
+  else {
+    (void)old;
+    return {};
+  }
+}
+
+template <class Scheme, class Average>
+void Round<Scheme, Average>::evaluate(Index begin, Index end, const Stored_value* old,
+                                      const Transfers& transfers, Sink sink,
+                                      const Rows_sink* rows_sink) const
+{
+  evaluate_blocks(
+    begin, end, old, [](Index i) { return i; },
+    [&](Index first, Value* values, Index n) {
+      transfers.put(first, n, values);
+      sink(first, values, n);
+    },
+    rows_sink);
+}
+
+template <class Scheme, class Average>
+void Round<Scheme, Average>::evaluate(const Index* begin, const Index* end, const Stored_value* old,
+                                      List_sink sink) const
+{
+  evaluate_blocks(
+    0, static_cast<Index>(end - begin), old, [&](Index i) { return begin[i]; },
+    [&](Index first, const Value* values, Index n) { sink(begin + first, values, n); });
+}
 
 // The new vertices [begin, end) of a round, by chunks. The sink gets a few neighboring ones with every call, which come from
 // several threads if for_chunks does.

@@ -25,24 +25,24 @@ namespace internal {
 template <class Signature>
 class Function_ref;
 
-template <class... Arguments>
-class Function_ref<void(Arguments...)>
+template <class Result, class... Arguments>
+class Function_ref<Result(Arguments...)>
 {
 public:
   template <class Function,
             class = std::enable_if_t<!std::is_same_v<std::decay_t<Function>, Function_ref>>>
   Function_ref(const Function& f)
     : function_(&f)
-    , call_([](const void* function, Arguments... arguments) {
-      (*static_cast<const Function*>(function))(arguments...);
+    , call_([](const void* function, Arguments... arguments) -> Result {
+      return static_cast<Result>((*static_cast<const Function*>(function))(arguments...));
     })
   {}
 
-  void operator()(Arguments... arguments) const { call_(function_, arguments...); }
+  Result operator()(Arguments... arguments) const { return call_(function_, arguments...); }
 
 private:
   const void* function_;
-  void (*call_)(const void*, Arguments...);
+  Result (*call_)(const void*, Arguments...);
 };
 
 } // namespace internal

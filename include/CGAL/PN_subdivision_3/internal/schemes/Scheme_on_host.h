@@ -20,6 +20,7 @@
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/internal/schemes/scheme_traits.h>
 #include <CGAL/PN_subdivision_3/schemes/Stencil.h>
+#include <CGAL/PN_subdivision_3/schemes/scheme_adaptors.h>
 
 #include <functional>
 #include <memory>
@@ -57,16 +58,19 @@ public:
   virtual std::vector<Index> separated_vertices() const = 0;
 };
 
-template <class Mask, class Scheme, class FT>
+// Mask_of::make() makes the mask of a scheme
+template <class Mask_of, class Scheme, class FT>
 class Erased_mask_of final : public Erased_mask<FT>
 {
   using Host = typename Scheme::Host;
+  using Mask = decltype(Mask_of::template make<FT>(std::declval<const Scheme&>(),
+                                                   std::declval<const Level_connectivity&>(), 1u));
 
 public:
   using typename Erased_mask<FT>::Index;
 
   Erased_mask_of(const Scheme& scheme, const Level_connectivity& level, unsigned round)
-    : mask_(scheme.template mask<FT>(level, round))
+    : mask_(Mask_of::template make<FT>(scheme, level, round))
   {}
 
   void write(Row_kind kind, Index i, Index ordinal, Stencil<FT>& row) const override
@@ -195,23 +199,68 @@ struct Scheme_facts
   std::function<double(const Level_connectivity&, unsigned)> dense_row_entries;
   std::function<void(const Level_connectivity&, const Element_names&)> check;
   // in the number type of the points, and in those in which limits are found and interpolated
-  Make_mask<FT> mask;
-  Make_mask<double> double_mask;
-  Make_mask<long double> long_double_mask;
+  struct Masks
+  {
+    template <class Number>
+    const Make_mask<Number>& of() const
+    {
+      if constexpr (std::is_same_v<Number, FT>)
+        return in_ft;
+      else if constexpr (std::is_same_v<Number, double>)
+        return in_double;
+      else {
+        static_assert(std::is_same_v<Number, long double>,
+                      "PN_subdivision_3: an Any_scheme has weights of its own number type only");
+        return in_long_double;
+      }
+    }
+
+    Make_mask<FT> in_ft;
+    Make_mask<double> in_double;
+    Make_mask<long double> in_long_double;
+  };
+  Masks masks;
+  Masks normal_masks; // empty unless the normals have masks of their own
+
+  bool has_normal_mask() const { return bool(normal_masks.in_ft); }
 };
 
-template <class Number, class Scheme>
+struct Mask_of_points
+{
+  template <class Number, class Scheme>
+  static auto make(const Scheme& scheme, const Level_connectivity& level, unsigned round)
+  {
+    return scheme.template mask<Number>(level, round);
+  }
+};
+struct Mask_of_normals
+{
+  template <class Number, class Scheme>
+  static auto make(const Scheme& scheme, const Level_connectivity& level, unsigned round)
+  {
+    return scheme.template normal_mask<Number>(level, round);
+  }
+};
+
+template <class Number, class Mask_of, class Scheme>
 auto mask_maker(const Scheme& scheme)
 {
   return [scheme](const Level_connectivity& level,
                   unsigned round) -> std::shared_ptr<const Erased_mask<Number>> {
-    using Mask = decltype(scheme.template mask<Number>(level, round));
-    return std::make_shared<Erased_mask_of<Mask, Scheme, Number>>(scheme, level, round);
+    return std::make_shared<Erased_mask_of<Mask_of, Scheme, Number>>(scheme, level, round);
   };
 }
 
+template <class FT, class Mask_of, class Scheme>
+typename Scheme_facts<FT>::Masks erased_masks(const Scheme& scheme)
+{
+  return {mask_maker<FT, Mask_of>(scheme), mask_maker<double, Mask_of>(scheme),
+          mask_maker<long double, Mask_of>(scheme)};
+}
+
+// without the masks
 template <class FT, class Scheme>
-Scheme_facts<FT> facts_of(const Scheme& scheme)
+Scheme_facts<FT> stated_facts(const Scheme& scheme)
 {
   Scheme_facts<FT> facts;
   if constexpr (Has_name<Scheme>::value) facts.name = scheme.name();
@@ -227,9 +276,16 @@ Scheme_facts<FT> facts_of(const Scheme& scheme)
   facts.check = [scheme](const Level_connectivity& level, const Element_names& names) {
     check_scheme(scheme, level, names);
   };
-  facts.mask = mask_maker<FT>(scheme);
-  facts.double_mask = mask_maker<double>(scheme);
-  facts.long_double_mask = mask_maker<long double>(scheme);
+  return facts;
+}
+
+template <class FT, class Scheme>
+Scheme_facts<FT> facts_of(const Scheme& scheme)
+{
+  Scheme_facts<FT> facts = stated_facts<FT>(scheme);
+  facts.masks = erased_masks<FT, Mask_of_points>(scheme);
+  if constexpr (Has_normal_mask<Scheme>::value)
+    facts.normal_masks = erased_masks<FT, Mask_of_normals>(scheme);
   return facts;
 }
 
@@ -248,11 +304,21 @@ public:
   static constexpr unsigned ghost_rings = 1;
   static constexpr bool has_crease_rules = may_be_creased;
   static constexpr bool transfers_curvature = may_be_creased;
+  static constexpr bool has_normal_mask = true;
 
   template <class Scheme>
   explicit Scheme_on_host(const Scheme& scheme)
     : facts_(std::make_shared<const Scheme_facts<FT>>(facts_of<FT>(scheme)))
   {}
+
+  // it refines normals as another one does
+  Scheme_on_host with_normals_of(const Scheme_on_host& normals) const
+  {
+    Scheme_facts<FT> facts = stated_facts<FT>(with_normal_scheme(*this, normals));
+    facts.masks = facts_->masks;
+    facts.normal_masks = normals.facts_->masks;
+    return Scheme_on_host(std::make_shared<const Scheme_facts<FT>>(std::move(facts)));
+  }
 
   const Scheme_facts<FT>& facts() const { return *facts_; }
 
@@ -267,18 +333,28 @@ public:
   template <class Number>
   Any_mask<Number> mask(const Level_connectivity& level, unsigned round) const
   {
-    if constexpr (std::is_same_v<Number, FT>)
-      return Any_mask<Number>(facts_->mask(level, round));
-    else if constexpr (std::is_same_v<Number, double>)
-      return Any_mask<Number>(facts_->double_mask(level, round));
-    else {
-      static_assert(std::is_same_v<Number, long double>,
-                    "PN_subdivision_3: an Any_scheme has weights of its own number type only");
-      return Any_mask<Number>(facts_->long_double_mask(level, round));
-    }
+    return made<Number>(facts_->masks, level, round);
+  }
+  // not to be asked if the normals have no mask of their own
+  template <class Number>
+  Any_mask<Number> normal_mask(const Level_connectivity& level, unsigned round) const
+  {
+    return facts_->has_normal_mask() ? made<Number>(facts_->normal_masks, level, round)
+                                     : Any_mask<Number>(nullptr);
   }
 
 private:
+  explicit Scheme_on_host(std::shared_ptr<const Scheme_facts<FT>> facts)
+    : facts_(std::move(facts))
+  {}
+
+  template <class Number>
+  static Any_mask<Number> made(const typename Scheme_facts<FT>::Masks& masks,
+                               const Level_connectivity& level, unsigned round)
+  {
+    return Any_mask<Number>(masks.template of<Number>()(level, round));
+  }
+
   std::shared_ptr<const Scheme_facts<FT>> facts_;
 };
 

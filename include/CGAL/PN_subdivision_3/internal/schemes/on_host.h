@@ -88,7 +88,7 @@ Result with_host(const Scheme& scheme, const Function& f)
                                         "other scheme of normals");
           if constexpr (std::is_same_v<typename std::decay_t<decltype(points)>::Host,
                                        typename std::decay_t<decltype(normals)>::Host>)
-            return f(with_normal_scheme(points, normals));
+            return f(points.with_normals_of(normals));
           else
             throw std::invalid_argument("PN_subdivision_3: " + name_in_message(points) +
                                         " does not go with " + name_in_message(normals) +

@@ -59,6 +59,19 @@ bool transfers_curvature([[maybe_unused]] const Scheme& scheme)
     return transfers_curvature(scheme.scheme);
 }
 
+// whether the normals have a mask of their own
+template <class Scheme>
+bool has_normal_mask([[maybe_unused]] const Scheme& scheme)
+{
+  if constexpr (!is_chosen_at_run_time<Scheme>() || !Has_normal_mask<Scheme>::value ||
+                Is_with_normals<Scheme>::value)
+    return Has_normal_mask<Scheme>::value;
+  else if constexpr (Is_on_host<Scheme>::value)
+    return scheme.facts().has_normal_mask();
+  else
+    return has_normal_mask(scheme.scheme);
+}
+
 // how many rings of faces around its own a piece needs to be refined without the rest, 0 if the scheme
 // does not tell
 template <class Scheme>

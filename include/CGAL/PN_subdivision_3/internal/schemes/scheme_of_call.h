@@ -66,6 +66,20 @@ Scheme_with_normal_estimate<Scheme> with_normal_estimate(const Scheme& scheme,
   return {{scheme}, estimate};
 }
 
+// whether it is one of these adaptors
+template <class Scheme>
+struct Is_said_by_call : std::false_type
+{};
+template <class Scheme>
+struct Is_said_by_call<Scheme_with_border<Scheme>> : std::true_type
+{};
+template <class Scheme, class Map>
+struct Is_said_by_call<Scheme_with_crease_tangents<Scheme, Map>> : std::true_type
+{};
+template <class Scheme>
+struct Is_said_by_call<Scheme_with_normal_estimate<Scheme>> : std::true_type
+{};
+
 // The border of a scheme and of the adaptors around it.
 template <class Scheme>
 struct Border_of
@@ -241,6 +255,25 @@ struct Is_with_varying_roundness : std::false_type
 template <class Scheme, class FT>
 struct Is_with_varying_roundness<With_roundness<Scheme, FT, true>> : std::true_type
 {};
+
+// What rounds and limits ask of a scheme. What a call says of the border, the tangents of creases and the estimate of normals is
+// known when the mesh has been read, and all such calls share the code that follows.
+template <class Scheme>
+decltype(auto) rules_of(const Scheme& scheme)
+{
+  if constexpr (Is_said_by_call<Scheme>::value)
+    return rules_of(scheme.scheme);
+  else
+    return (scheme);
+}
+template <class Scheme, class FT, bool varies>
+auto rules_of(const With_roundness<Scheme, FT, varies>& scheme)
+{
+  using Rules = std::decay_t<decltype(rules_of(scheme.scheme))>;
+  return With_roundness<Rules, FT, varies>{{rules_of(scheme.scheme)}, scheme.given};
+}
+template <class Scheme>
+using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
 
 // whether values of the scheme have a roundness of their own
 template <class Scheme>

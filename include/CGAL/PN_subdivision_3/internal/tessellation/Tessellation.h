@@ -125,7 +125,8 @@ public:
     Report report;
     with_roundness_of_call<Parameters>(access, scheme, np_, [&](const auto& s) {
       read(access, s, Parameters::const_point_map(control, np_), [&](auto&& data) {
-        auto refinement = data.refinement(s, for_chunks_);
+        const auto& rules = rules_of(s);
+        auto refinement = data.refinement(rules, for_chunks_);
         refinement(std::move(data.control), std::move(data.creases), data.attributes);
         const Leaf_triangles<FT> triangles = triangles_of_leaves<FT>(
           refinement, table_.dimension_of_corners(), [](const Tessellation_leaf&) { return true; });
@@ -177,9 +178,9 @@ public:
         is_given_v<proven_bound_t, NamedParameters> && std::is_same_v<FT, double>;
       if constexpr (may_be_proven)
         if (demand.is_proven)
-          require_proof_of_all(Limit_cells<Scheme, decltype(creases)>(
-            scheme, decltype(control)(control), decltype(creases)(creases)));
-      using Data = Tessellation_data<Scheme, FT, decltype(creases), may_be_proven>;
+          require_proof_of_all(Limit_cells<Rules_of<Scheme>, decltype(creases)>(
+            rules_of(scheme), decltype(control)(control), decltype(creases)(creases)));
+      using Data = Tessellation_data<Rules_of<Scheme>, FT, decltype(creases), may_be_proven>;
       auto attributes = table_.template read<typename Data::Attributes>(control.level);
       sink(Data{demand, std::move(control), std::move(creases), std::move(attributes)});
     }

@@ -83,7 +83,7 @@ tessellate_in_pieces(const FaceGraph& control, const Scheme& scheme, double chor
           chord_error, np, attribute_table(np));
         with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
           tessellation.read(access, s, Parameters::const_point_map(control, np), [&](auto&& data) {
-            result = kept_tessellation(s, std::move(data), tessellation.table().shape(),
+            result = kept_tessellation(rules_of(s), std::move(data), tessellation.table().shape(),
                                        tessellation.for_chunks());
           });
         });
