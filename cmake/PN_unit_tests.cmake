@@ -80,6 +80,11 @@ endif()
 pn_precompile(pn_test_headers ${pn_headers_of_tests})
 pn_test_settings(pn_test_headers)
 
+if(NOT PN_TEST_PART STREQUAL "others")
+  pn_own_target(PN_subdivision_3_double)
+  target_compile_options(PN_subdivision_3_double PRIVATE ${PN_TEST_OPTIMIZATION})
+endif()
+
 # What of the reference implementations takes long to compile.
 file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
 if(TARGET CGAL::PN_subdivision_3_Eigen AND NOT PN_TEST_PART STREQUAL "others")
@@ -110,7 +115,9 @@ function(pn_add_test name)
   if(TARGET pn_test_references)
     target_link_libraries(${name} PRIVATE pn_test_references)
   endif()
-  if(pn_mpfi_found AND name IN_LIST pn_mpfi_tests)
+  if(name STREQUAL "test_compiled_calls") # sees other headers than those that are precompiled
+    target_link_libraries(${name} PRIVATE PN_subdivision_3_double)
+  elseif(pn_mpfi_found AND name IN_LIST pn_mpfi_tests)
     target_compile_definitions(${name} PRIVATE CGAL_USE_MPFI)
     target_include_directories(${name} SYSTEM PRIVATE ${PN_MPFI_INCLUDE_DIR})
     target_link_libraries(${name} PRIVATE ${PN_MPFI_LIBRARY})

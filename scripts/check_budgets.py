@@ -27,7 +27,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 BUDGETS = ROOT / "scripts" / "budgets.tsv"
 HEADERS = ROOT / "include" / "CGAL"
-COMMAND = ROOT / "src" / "pn_subdivide"
+SOURCES = ROOT / "src"  # of the command, and of the library
 LONG = 100  # lines of a header that should be touched by a wrong change
 INTRODUCTION = """\
 # The most that a folder may have; checked by scripts/check_budgets.py, which also lowers and raises it.
@@ -86,7 +86,7 @@ def umbrellas() -> dict[str, tuple[int, int]]:
 def counted() -> dict[str, tuple[int, int]]:
     """Files and lines of each folder and behind each umbrella header, and the counts of the whole, which have no lines."""
     headers = sorted(HEADERS.rglob("*.h"))
-    sources = [path for path in COMMAND.rglob("*") if path.suffix in (".h", ".cpp")]
+    sources = [path for path in SOURCES.rglob("*") if path.suffix in (".h", ".cpp")]
     counts: dict[str, tuple[int, int]] = {}
     for path in headers + sources:
         folder = str(path.parent.relative_to(ROOT))
@@ -126,7 +126,7 @@ def excesses(counts: dict[str, tuple[int, int]], budgets: dict[str, tuple[int, i
 
 def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
     result = []
-    for title, beginning in (("headers", "include/"), ("command", "src/")):
+    for title, beginning in (("headers", "include/"), ("command", "src/pn_subdivide")):
         part = [count for folder, count in counts.items() if folder.startswith(beginning)]
         result.append(f"{title}: {sum(c[0] for c in part)} files, {sum(c[1] for c in part)} lines")
     result += [f"{name.strip('()')}: {lines} lines" for name, (_, lines) in umbrellas().items()]

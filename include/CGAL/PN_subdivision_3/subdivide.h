@@ -12,6 +12,7 @@
 #include <CGAL/PN_subdivision_3/attributes.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Carrier.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_subdivision.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/compiled_call.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/concept_checks.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/with_mesh_access.h>
@@ -233,18 +234,24 @@ void subdivide(PolygonMesh& mesh, const Scheme& scheme,
     if constexpr (!internal::check_visitor<Visitor, PolygonMesh>()) return;
     auto attributes = Parameters::attributes(np);
     auto& carried = internal::unwrapped(attributes);
-    const internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>> carry{
-      unwrapped, carried};
-    internal::with_mesh_access(mesh, [&](auto& access) {
-      internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
-        using Scheme_of_call = std::decay_t<decltype(s)>;
-        const internal::Mesh_subdivision<Concurrency_tag, Scheme_of_call, typename Parameters::FT>
-          subdivision(s, iterations, round_done);
-        subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
-                    Parameters::roundness_map(np), Parameters::edge_constraint_map(np),
-                    Parameters::vertex_constraint_map(np), carry);
+    using Carry =
+      internal::Carrier<PolygonMesh, Visitor, std::remove_reference_t<decltype(carried)>>;
+    if constexpr (internal::is_compiled_call<Concurrency_tag, PolygonMesh, Scheme, Parameters,
+                                             Carry>())
+      internal::compiled_call(mesh, scheme, iterations, round_done, Parameters::point_map(mesh, np),
+                              Parameters::normal_map(np), Parameters::edge_constraint_map(np));
+    else
+      internal::with_mesh_access(mesh, [&](auto& access) {
+        const Carry carry{unwrapped, carried};
+        internal::with_roundness_of_call<Parameters>(access, scheme, np, [&](const auto& s) {
+          using Scheme_of_call = std::decay_t<decltype(s)>;
+          const internal::Mesh_subdivision<Concurrency_tag, Scheme_of_call, typename Parameters::FT>
+            subdivision(s, iterations, round_done);
+          subdivision(access, Parameters::point_map(mesh, np), Parameters::normal_map(np),
+                      Parameters::roundness_map(np), Parameters::edge_constraint_map(np),
+                      Parameters::vertex_constraint_map(np), carry);
+        });
       });
-    });
   }
 }
 

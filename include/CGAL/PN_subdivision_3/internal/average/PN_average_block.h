@@ -154,32 +154,13 @@ public:
     if (rows.uniform_length() == 1) return copy(rows, old, result);
     if constexpr (Wide::maximum_length != 0)
       if (Wide::is_available()) return wide(rows, old, result);
-    switch (rows.uniform_length()) { // the lengths that regular meshes have
-    case 2:
-      return staged(Row<2>(rows), Row<2>(rows), old, result);
-    case 3:
-      return staged(Row<3>(rows), Row<3>(rows), old, result);
-    case 4:
-      return staged(Row<4>(rows), Row<4>(rows), old, result);
-    case 6:
-      return staged(Row<6>(rows), Row<6>(rows), old, result);
-    case 7:
-      return staged(Row<7>(rows), Row<7>(rows), old, result);
-    case 8:
-      return staged(Row<8>(rows), Row<8>(rows), old, result);
-    case 9:
-      return staged(Row<9>(rows), Row<9>(rows), old, result);
-    case 16:
-      return staged(Row<16>(rows), Row<16>(rows), old, result);
-    default:
-      return staged(Row<0>(rows), Row<0>(rows), old, result);
-    }
+    staged(rows, rows, 0, rows.number_of_rows(), old, result);
   }
 
   void operator()(const Stencil_block<FT>& rows, const Stencil_block<FT>& normal_rows,
                   const Stored_value* old, Value* result) const
   {
-    staged(Row<0>(rows), Row<0>(normal_rows), old, result);
+    staged(rows, normal_rows, 0, rows.number_of_rows(), old, result);
   }
 
 private:
@@ -187,32 +168,12 @@ private:
   using Vector = Coordinates<FT, dimension>;
   using Entry = typename Stencil_block<FT>::Entry;
 
-  // The rows of a block; their length is known at compile time unless it is 0.
-  template <std::size_t uniform_length>
-  struct Row
+  using Rows = Stencil_block<FT>;
+
+  static std::size_t length(const Rows& rows, std::size_t r)
   {
-    explicit Row(const Stencil_block<FT>& s)
-      : rows(s)
-      , first(s.begin(0))
-    {}
-    const Entry* begin(std::size_t r) const
-    {
-      if constexpr (uniform_length == 0)
-        return rows.begin(r);
-      else
-        return first + r * uniform_length;
-    }
-    std::size_t length(std::size_t r) const
-    {
-      if constexpr (uniform_length == 0)
-        return static_cast<std::size_t>(rows.end(r) - rows.begin(r));
-      else
-        return uniform_length;
-    }
-    const Entry* end(std::size_t r) const { return begin(r) + length(r); }
-    const Stencil_block<FT>& rows;
-    const Entry* first;
-  };
+    return static_cast<std::size_t>(rows.end(r) - rows.begin(r));
+  }
 
   static void copy(const Stencil_block<FT>& rows, const Stored_value* old, Value* result)
   {
@@ -221,41 +182,32 @@ private:
 
   void wide(const Stencil_block<FT>& rows, const Stored_value* old, Value* result) const
   {
-    const Row<0> any(rows);
     for (std::size_t first = 0, end; first < rows.number_of_rows(); first = end) {
-      const std::size_t length = any.length(first);
-      end = end_of_run(any, first);
+      const std::size_t n = length(rows, first);
+      end = end_of_run(rows, first);
       // one or two rows fill too little of the registers
-      if (end - first < 3 || length == 1 || length > Wide::maximum_length) {
-        staged(any, any, first, end, old, result);
+      if (end - first < 3 || n == 1 || n > Wide::maximum_length) {
+        staged(rows, rows, first, end, old, result);
         continue;
       }
-      std::uint32_t fails = Wide::average(rows.begin(first), length, end - first, old,
-                                          average_.roundness, result + first);
+      std::uint32_t fails =
+        Wide::average(rows.begin(first), n, end - first, old, average_.roundness, result + first);
       for (std::size_t r = first; r < end && fails != 0; ++r, fails >>= 1)
-        if ((fails & 1) != 0) result[r] = careful_row(any, any, r, old);
+        if ((fails & 1) != 0) result[r] = careful_row(rows, rows, r, old);
     }
   }
 
   // the end of the rows from `first` on that have the same length and are averaged together
-  static std::size_t end_of_run(const Row<0>& rows, std::size_t first)
+  static std::size_t end_of_run(const Rows& rows, std::size_t first)
   {
     const std::size_t most =
-      (std::min)(rows.rows.number_of_rows(), first + Wide::maximum_number_of_rows);
+      (std::min)(rows.number_of_rows(), first + Wide::maximum_number_of_rows);
     std::size_t end = first + 1;
-    while (end < most && rows.length(end) == rows.length(first)) ++end;
+    while (end < most && length(rows, end) == length(rows, first)) ++end;
     return end;
   }
 
-  template <class Rows, class Normal_rows>
-  void staged(const Rows& rows, const Normal_rows& normal_rows, const Stored_value* old,
-              Value* result) const
-  {
-    staged(rows, normal_rows, 0, rows.rows.number_of_rows(), old, result);
-  }
-
-  template <class Rows, class Normal_rows>
-  void staged(const Rows& rows, const Normal_rows& normal_rows, std::size_t begin, std::size_t end,
+  void staged(const Rows& rows, const Rows& normal_rows, std::size_t begin, std::size_t end,
               const Stored_value* old, Value* result) const
   {
     FT scale[capacity];
@@ -276,20 +228,18 @@ private:
         h *= average_.roundness;
       add_multiple<FT, dimension>(result[r].point, h, result[r].normal);
       if (!(least_denominator >= fade_begin<FT>() && scale[r] < greatest_scale<FT>()) ||
-          rows.length(r) == 1 || normal_rows.length(r) == 1)
+          length(rows, r) == 1 || length(normal_rows, r) == 1)
         result[r] = careful_row(rows, normal_rows, r, old);
     }
   }
 
-  template <class Rows, class Normal_rows>
-  static Value sums(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
+  static Value sums(const Rows& rows, const Rows& normal_rows, std::size_t r,
                     const Stored_value* old)
   {
     const Entry* const e = rows.begin(r);
-    const std::size_t length = rows.length(r);
-    Value result = sum(e, length, old);
-    if (&rows.rows != &normal_rows.rows)
-      result.normal = sum(normal_rows.begin(r), normal_rows.length(r), old).normal;
+    Value result = sum(e, length(rows, r), old);
+    if (&rows != &normal_rows)
+      result.normal = sum(normal_rows.begin(r), length(normal_rows, r), old).normal;
     return result;
   }
 
@@ -312,7 +262,6 @@ private:
   }
 
   // Two entries at a time; the order of the sums depends on nothing but the row.
-  template <class Rows>
   static FT height(const Rows& rows, std::size_t r, const Stored_value* old, const Value& result,
                    FT& least_denominator)
   {
@@ -324,7 +273,7 @@ private:
     }
     Two sum = Two::both(0), least = Two::both(2);
     const Entry* const e = rows.begin(r);
-    const std::size_t length = rows.length(r);
+    const std::size_t length = Staged_PN_average_block::length(rows, r);
     for (std::size_t j = 0; j + 1 < length; j += 2) {
       const Stored_value& v0 = old[e[j].vertex];
       const Stored_value& v1 = old[e[j + 1].vertex];
@@ -352,12 +301,11 @@ private:
     return sum[0] + sum[1] + last;
   }
 
-  template <class Rows, class Normal_rows>
-  BOOST_NOINLINE Value careful_row(const Rows& rows, const Normal_rows& normal_rows, std::size_t r,
+  BOOST_NOINLINE Value careful_row(const Rows& rows, const Rows& normal_rows, std::size_t r,
                                    const Stored_value* old) const
   {
     const Old_values values{old};
-    if (&rows.rows == &normal_rows.rows) return average_(rows.begin(r), rows.end(r), values);
+    if (&rows == &normal_rows) return average_(rows.begin(r), rows.end(r), values);
     return average_(rows.begin(r), rows.end(r), normal_rows.begin(r), normal_rows.end(r), values);
   }
 

@@ -1,0 +1,97 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+#ifndef CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_COMPILED_CALL_H
+#define CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_COMPILED_CALL_H
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/PN_subdivision_3/internal/meshes/named_parameters.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/for_chunks.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+
+// declared, not included: a program that uses them has them
+template <typename Point>
+class Surface_mesh;
+template <typename FT>
+struct Simple_cartesian;
+class Epick;
+class SM_Vertex_index;
+class SM_Edge_index;
+
+namespace PN_subdivision_3 {
+struct CatmullClark_scheme;
+struct DooSabin_scheme;
+struct Loop_scheme;
+struct Sqrt3_scheme;
+namespace internal {
+
+// The usual calls of subdivide() are compiled once, in the library PN_subdivision_3_double
+// (src/PN_subdivision_3_double). What is linked to it has this macro, and leaves them to it; all others are compiled
+// where they are, and so is what is linked to TBB: the library is without it, and its classes are others.
+#if defined(CGAL_PN_SUBDIVISION_3_DOUBLE) && !defined(CGAL_LINKED_WITH_TBB)
+constexpr bool has_compiled_calls = true;
+#else
+constexpr bool has_compiled_calls = false;
+#endif
+
+template <class T, class... Others>
+constexpr bool is_one_of_v = (std::is_same_v<T, Others> || ...);
+
+template <class Mesh>
+constexpr bool is_usual_mesh_v = false;
+template <class Point>
+constexpr bool is_usual_mesh_v<Surface_mesh<Point>> =
+  is_one_of_v<typename Kernel_traits<Point>::type, Simple_cartesian<double>, Epick>;
+
+template <class Mesh>
+using Usual_normal_map = typename Mesh::template Property_map<
+  SM_Vertex_index, typename Kernel_traits<typename Mesh::Point>::type::Vector_3>;
+template <class Mesh>
+using Usual_edge_map = typename Mesh::template Property_map<SM_Edge_index, bool>;
+
+// A scheme of CGAL's own functions, one thread, the mesh's own points, given normals or estimated ones, edges that are
+// sharp for ever or none, and nothing else.
+template <class Concurrency_tag, class Mesh, class Scheme, class Parameters, class Carry>
+constexpr bool is_compiled_call()
+{
+  if constexpr (!has_compiled_calls || is_parallel_v<Concurrency_tag> || !Carry::is_empty ||
+                !is_usual_mesh_v<Mesh>)
+    return false;
+  else {
+    constexpr bool is_creased =
+      !std::is_same_v<typename Parameters::Edge_constraint_map, No_constraint_map>;
+    return (is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme> ||
+            (is_one_of_v<Scheme, DooSabin_scheme, Sqrt3_scheme> && !is_creased)) &&
+           std::is_same_v<typename Parameters::FT, double> &&
+           std::is_same_v<typename Parameters::Point_map,
+                          typename boost::property_map<Mesh, vertex_point_t>::type> &&
+           is_one_of_v<typename Parameters::Normal_map, No_normal_map, Usual_normal_map<Mesh>> &&
+           (!is_creased ||
+            std::is_same_v<typename Parameters::Edge_constraint_map, Usual_edge_map<Mesh>>)&&std::
+             is_same_v<typename Parameters::Vertex_constraint_map, No_constraint_map> &&
+           !is_given_roundness_v<typename Parameters::Roundness> &&
+           !is_given_roundness_v<typename Parameters::Roundness_map>;
+  }
+}
+
+// in the library
+template <class Mesh, class Scheme, class Point_map, class Normal_map, class Edge_map>
+void compiled_call(Mesh& mesh, const Scheme& scheme, unsigned rounds,
+                   Function_ref<void(unsigned, std::size_t)> round_done, Point_map points,
+                   Normal_map normals, Edge_map edges);
+
+} // namespace internal
+} // namespace PN_subdivision_3
+} // namespace CGAL
+
+#endif // CGAL_PN_SUBDIVISION_3_INTERNAL_MESHES_COMPILED_CALL_H

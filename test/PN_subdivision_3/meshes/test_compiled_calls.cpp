@@ -1,0 +1,239 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// What the library PN_subdivision_3_double has the code of gives the same bits as the headers, throws the same, and all other
+// calls are compiled from these.
+
+#include "Mesh_cases.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/Default_visitor.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace params = CGAL::parameters;
+
+namespace {
+
+// asks for what the library does not have, and so is compiled from the headers
+struct Of_headers : PN::Default_visitor
+{
+  template <class Vertex, class Element>
+  void vertex_created(Vertex, const Element&)
+  {
+    ++vertices;
+  }
+  std::size_t vertices = 0;
+};
+
+// whether a call is left to the library, as subdivide() finds it
+template <class Scheme, class Mesh, class NamedParameters,
+          class Concurrency_tag = CGAL::Sequential_tag>
+constexpr bool is_compiled()
+{
+  using Parameters = PN::internal::Surface_parameters<Mesh, NamedParameters>;
+  using Visitor = decltype(Parameters::visitor(std::declval<const NamedParameters&>()));
+  using Unwrapped =
+    std::remove_reference_t<decltype(PN::internal::unwrapped(std::declval<Visitor&>()))>;
+  using Attributes = decltype(Parameters::attributes(std::declval<const NamedParameters&>()));
+  return PN::internal::is_compiled_call<Concurrency_tag, Mesh, Scheme, Parameters,
+                                        PN::internal::Carrier<Mesh, Unwrapped, Attributes>>();
+}
+
+template <class Mesh>
+std::vector<double> numbers(const Mesh& mesh)
+{
+  std::vector<double> result;
+  for (const auto v : mesh.vertices())
+    for (int i = 0; i < 3; ++i) result.push_back(mesh.point(v)[i]);
+  for (const auto h : mesh.halfedges()) {
+    result.push_back(double(mesh.target(h)));
+    result.push_back(double(mesh.next(h)));
+  }
+  return result;
+}
+
+template <class Scheme>
+constexpr bool takes_triangles_v = std::is_same_v<typename Scheme::Host, PN::PTQ_host> ||
+                                   std::is_same_v<typename Scheme::Host, PN::Sqrt3_host>;
+
+template <class Kernel_, class Scheme_>
+struct Case
+{
+  using Kernel = Kernel_;
+  using Scheme = Scheme_;
+};
+using Cartesian = CGAL::Simple_cartesian<double>;
+using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+template <class Case>
+class Compiled_calls : public testing::Test
+{
+protected:
+  using Kernel = typename Case::Kernel;
+  using Scheme = typename Case::Scheme;
+  using Mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
+  using Vector = typename Kernel::Vector_3;
+
+  // what call(mesh, normals, sharp edges) makes of a mesh with a removed vertex, or the message
+  template <class Call>
+  static std::vector<double> result(const Call& call, std::string& message)
+  {
+    Mesh mesh;
+    mesh.add_vertex({9, 9, 9});
+    mesh_cases::build(
+      takes_triangles_v<Scheme> ? mesh_cases::triangles_with_border() : mesh_cases::cube(), mesh);
+    mesh.remove_vertex(typename Mesh::Vertex_index(0));
+    auto normals =
+      mesh.template add_property_map<CGAL::SM_Vertex_index, Vector>("v:n", Vector(0, 0, 0)).first;
+    PN::estimate_control_normals(mesh, normals);
+    auto edges = mesh.template add_property_map<CGAL::SM_Edge_index, bool>("e:sharp", false).first;
+    edges[*mesh.edges().begin()] = true;
+    try {
+      call(mesh, normals, edges);
+    } catch (const std::exception& e) {
+      message = e.what();
+    }
+    std::vector<double> all = numbers(mesh);
+    for (const auto v : mesh.vertices())
+      for (int i = 0; i < 3; ++i) all.push_back(normals[v][i]);
+    for (const auto e : mesh.edges()) all.push_back(edges[e]);
+    return all;
+  }
+
+  // parameters(normals, sharp edges) of a call that the library has
+  template <class Make>
+  static void expect_same(const Make& parameters, const char* expected_message = "")
+  {
+    std::string of_library, of_headers;
+    const auto compiled = result(
+      [&](Mesh& mesh, auto normals, auto edges) {
+        const auto np = parameters(normals, edges);
+        static_assert(is_compiled<Scheme, Mesh, std::decay_t<decltype(np)>>());
+        PN::subdivide(mesh, Scheme(), np);
+      },
+      of_library);
+    Of_headers visitor;
+    const auto expected = result(
+      [&](Mesh& mesh, auto normals, auto edges) {
+        const auto np = parameters(normals, edges).visitor(std::ref(visitor));
+        static_assert(!is_compiled<Scheme, Mesh, std::decay_t<decltype(np)>>());
+        PN::subdivide(mesh, Scheme(), np);
+      },
+      of_headers);
+    EXPECT_EQ(compiled, expected);
+    EXPECT_EQ(of_library, of_headers);
+    EXPECT_NE(of_library.find(expected_message), std::string::npos) << of_library;
+    EXPECT_EQ(visitor.vertices > 0, of_headers.empty());
+  }
+};
+
+using Cases =
+  testing::Types<Case<Cartesian, PN::CatmullClark_scheme>, Case<Cartesian, PN::Loop_scheme>,
+                 Case<Cartesian, PN::DooSabin_scheme>, Case<Cartesian, PN::Sqrt3_scheme>,
+                 Case<Inexact, PN::CatmullClark_scheme>, Case<Inexact, PN::Loop_scheme>,
+                 Case<Inexact, PN::DooSabin_scheme>, Case<Inexact, PN::Sqrt3_scheme>>;
+TYPED_TEST_SUITE(Compiled_calls, Cases);
+
+TYPED_TEST(Compiled_calls, GiveTheSameBits)
+{
+  this->expect_same(
+    [](auto normals, auto) { return params::vertex_normal_map(normals).number_of_iterations(3); });
+  this->expect_same([](auto, auto) { return params::number_of_iterations(2); });
+  if constexpr (PN::internal::Has_crease_rules<typename TypeParam::Scheme>::value) {
+    this->expect_same([](auto normals, auto edges) {
+      return params::edge_is_constrained_map(edges).vertex_normal_map(normals).number_of_iterations(
+        3);
+    });
+    this->expect_same([](auto, auto edges) {
+      return params::edge_is_constrained_map(edges).number_of_iterations(2);
+    });
+  }
+}
+
+TYPED_TEST(Compiled_calls, ThrowTheSame)
+{
+  this->expect_same(
+    [](auto normals, auto) {
+      normals[CGAL::SM_Vertex_index(3)] = typename TestFixture::Vector(HUGE_VAL, 0, 0);
+      return params::vertex_normal_map(normals);
+    },
+    "is not finite");
+}
+
+TYPED_TEST(Compiled_calls, CallTheVisitorForRounds)
+{
+  std::vector<std::pair<unsigned, std::size_t>> rounds;
+  struct Visitor : PN::Default_visitor
+  {
+    void round_done(unsigned round, std::size_t faces) const { done->emplace_back(round, faces); }
+    std::vector<std::pair<unsigned, std::size_t>>* done;
+  } visitor;
+  visitor.done = &rounds;
+  using Mesh = typename TestFixture::Mesh;
+  const auto np = params::number_of_iterations(2).visitor(visitor);
+  static_assert(is_compiled<typename TypeParam::Scheme, Mesh, std::decay_t<decltype(np)>>());
+  std::string message;
+  std::size_t faces = 0;
+  this->result(
+    [&](Mesh& mesh, auto, auto) {
+      PN::subdivide(mesh, typename TypeParam::Scheme(), np);
+      faces = mesh.number_of_faces();
+    },
+    message);
+  ASSERT_EQ(rounds.size(), 2u) << message;
+  EXPECT_EQ(rounds[0].first, 1u);
+  EXPECT_EQ(rounds[1], std::make_pair(2u, faces));
+}
+
+// what the library does not have
+TEST(Compiled_call, IsOfUsualTypesOnly)
+{
+  using Mesh = CGAL::Surface_mesh<Cartesian::Point_3>;
+  using PN::CatmullClark_scheme;
+  Mesh mesh;
+  const auto np = params::number_of_iterations(2);
+  using Plain = std::decay_t<decltype(np)>;
+  EXPECT_TRUE((is_compiled<CatmullClark_scheme, Mesh, Plain>()));
+  EXPECT_FALSE((is_compiled<CatmullClark_scheme, Mesh, Plain, CGAL::Parallel_tag>()));
+  EXPECT_FALSE((is_compiled<PN::Kobbelt_scheme, Mesh, Plain>()));
+  EXPECT_FALSE((is_compiled<PN::Linear_scheme<CatmullClark_scheme>, Mesh, Plain>()));
+  EXPECT_FALSE((is_compiled<CatmullClark_scheme, CGAL::Polyhedron_3<Cartesian>, Plain>()));
+  EXPECT_FALSE((is_compiled<CatmullClark_scheme,
+                            CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>, Plain>()));
+  const auto with = [](const auto& parameters) {
+    return is_compiled<CatmullClark_scheme, Mesh, std::decay_t<decltype(parameters)>>();
+  };
+  EXPECT_FALSE(with(PN::parameters::roundness(1)));
+  EXPECT_FALSE(with(params::geom_traits(CGAL::Simple_cartesian<float>())));
+  auto sharpness = mesh.add_property_map<CGAL::SM_Edge_index, double>("e:s", 0).first;
+  EXPECT_FALSE(with(params::edge_is_constrained_map(sharpness)));
+  auto corners = mesh.add_property_map<CGAL::SM_Vertex_index, bool>("v:c", false).first;
+  EXPECT_FALSE(with(params::vertex_is_constrained_map(corners)));
+  auto of_corners =
+    mesh.add_property_map<CGAL::SM_Halfedge_index, Cartesian::Vector_3>("h:n", {0, 0, 0}).first;
+  EXPECT_FALSE(with(params::vertex_normal_map(of_corners)));
+  const auto edges = mesh.add_property_map<CGAL::SM_Edge_index, bool>("e:b", false).first;
+  using Creased = std::decay_t<decltype(params::edge_is_constrained_map(edges))>;
+  EXPECT_TRUE((is_compiled<CatmullClark_scheme, Mesh, Creased>()));
+  EXPECT_FALSE((is_compiled<PN::DooSabin_scheme, Mesh, Creased>()));
+}
+
+} // namespace
