@@ -37,6 +37,7 @@ TESTS = ROOT / "test" / "PN_subdivision_3"
 HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
 RESULTS = ROOT / "scripts" / "mutation_results.tsv"
 WORK = ROOT / "build" / "mutate"
+OPENSUBDIV = pathlib.Path("/usr/include/opensubdiv")  # whose tests are run where it is
 TIME_LIMIT = 1800  # seconds of one change, after which there is no verdict
 PROCESSOR_LIMIT = 240  # seconds of one test; far beyond what any takes
 MEMORY_LIMIT = 4 << 30  # bytes of one test
@@ -47,6 +48,7 @@ OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", "-isystem
 # precompiled once: no change alters them
 THIRD_PARTY = ["gtest/gtest.h", "CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Polyhedron_3.h",
                "CGAL/Simple_cartesian.h", "CGAL/Surface_mesh.h", "CGAL/subdivision_method_3.h", "Eigen/Dense"]
+STATIC = "a static_assert of the test: "
 LONG = 100  # lines of a header that should have a change
 COLUMNS = ["name", "verdict", "test", "what failed", "seconds"]
 printing = threading.Lock()
@@ -130,16 +132,20 @@ def compile_test(test, folder, deadline):
     options = [*OPTIONS, f"-I{TESTS}", f"-I{TESTS}/support", f"-I{folder}/include",
                f'-DPN_DATA_DIR="{ROOT}/data/meshes"', f'-DPN_TEST_REAL_MESH_DIR="{WORK}"',
                '-DPN_TEST_EXTRA_MESH_DIR=""']
+    libraries = ["-lgtest", "-lgtest_main", "-lmpfr", "-lgmp", "-lpthread"]
     if IS_CLANG:
         options += ["-include-pch", str(WORK / "third_party.pch")]
+    if "opensubdiv" in test and OPENSUBDIV.exists():
+        options.append("-DPN_TEST_WITH_OPENSUBDIV")
+        libraries.append("-losdCPU")
     objects = [str(folder / (source.stem + ".o")) for source in sources(test)]
-    link = [*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest", "-lgtest_main", "-lmpfr",
-            "-lgmp", "-lpthread"]
+    link = [*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), *libraries]
     for command in [[*COMPILER, *options, "-c", str(s), "-o", o] for s, o in zip(sources(test), objects)] + [link]:
         done = subprocess.run(command, capture_output=True, text=True, timeout=deadline - time.monotonic())
         if done.returncode != 0:
             errors = [line for line in done.stderr.splitlines() if "error" in line]
-            return None, "does not compile: " + (errors[0] if errors else done.stderr[:200])
+            failed = next((line for line in errors if line.startswith(str(TESTS)) and "static" in line and "assert" in line), None)
+            return None, f"{STATIC}{failed}" if failed else "does not compile: " + (errors[0] if errors else done.stderr[:200])
     return program, ""
 
 
@@ -166,6 +172,8 @@ def first_failure(tests, folder):
             failure = run_test(program, deadline) if program else None
         except subprocess.TimeoutExpired:  # on a busy machine this says nothing of the change
             return "INVALID", test, "takes too long"
+        if program is None and error.startswith(STATIC):
+            return "caught", test, "static_assert in line " + error.removeprefix(STATIC).split(":")[1]
         if program is None:
             return "INVALID", test, error
         if failure is not None:
@@ -214,7 +222,7 @@ namespace CGAL {{
 A test suite is worth the errors it finds. `scripts/mutate.py` puts small defects into the headers, one at a time: a
 weight, a sign, a border rule, an index that is off by one, a check left out. At least one of the tests named for the change must fail
 that passes without it (`scripts/mutations.toml` lists changes and tests). A test that ends by a failed assertion, a signal or its
-limit of processor time has failed, too; a change that does not compile has no verdict. Verdicts, with the test that failed first, are
+limit of processor time has failed, too, and so has one whose `static_assert` fails; any other change that does not compile has no verdict. Verdicts, with the test that failed first, are
 in `scripts/mutation_results.tsv`; run the script again to get missing ones.
 
 \\section PN_subdivision_3_mutations_numbers Numbers

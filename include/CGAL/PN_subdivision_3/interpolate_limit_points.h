@@ -198,7 +198,9 @@ interpolate_limit_points(PolygonMesh& mesh, const Scheme& scheme,
         data.max_depth = (std::max)(1u, options.max_depth); // the estimate of the error needs one
         data.max_steps = options.max_steps;
         const internal::Vectors<3> old_normals = data.normals;
-        internal::Mesh_limit_functionals<Scheme> source(scheme, level, for_chunks);
+        const internal::Rules_of<Scheme>& rules = internal::rules_of(scheme);
+        internal::Mesh_limit_functionals<internal::Rules_of<Scheme>> source(rules, level,
+                                                                            for_chunks);
         if (estimates && options.free == Limit_interpolation::Free::smooth)
           throw std::invalid_argument(
             "PN_subdivision_3: without normals control points move where they "

@@ -233,8 +233,9 @@ Limit_interpolation prescribe_limit_data(PolygonMesh& mesh, const Scheme& scheme
       data.tolerance = options.tolerance * internal::box_size(data.points);
       data.max_depth = (std::max)(1u, options.max_depth);
       data.max_steps = (std::numeric_limits<unsigned>::max)();
-      internal::Mesh_limit_functionals<Scheme> source(
-        scheme, level, internal::For_chunks::with(Concurrency_tag()));
+      const internal::Rules_of<Scheme>& rules = internal::rules_of(scheme);
+      internal::Mesh_limit_functionals<internal::Rules_of<Scheme>> source(
+        rules, level, internal::For_chunks::with(Concurrency_tag()));
       auto result = internal::prescribe(
         access, level, data, source,
         internal::read_prescribed(access, level, points, normals, data.exponent), curvatures,

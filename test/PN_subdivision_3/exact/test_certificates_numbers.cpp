@@ -111,6 +111,8 @@ TEST(Certificates_beyond_the_range_of_double, TakeCoordinatesAsTheyAre)
   EXPECT_TRUE(certainly_not(PN::is_on(K::Point_3(1, tiny, 0), sphere)));
   const K::Sphere_3 small(K::Point_3(0, 0, 0), CGAL::Gmpfr(tiny * tiny));
   EXPECT_TRUE(certainly(PN::is_on(K::Point_3(0, tiny, 0), small)));
+  EXPECT_LE(PN::distance_interval(K::Point_3(0, tiny * 2, 0), small).sup(),
+            4 * std::numeric_limits<double>::denorm_min()); // 2^-1300
   CGAL::Gmpfr::set_default_precision(old);
 }
 

@@ -10,6 +10,7 @@
 #include "Feature_matrix.h"
 #include "Pieces_cases.h"
 
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
 #include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
@@ -279,6 +280,46 @@ TEST(Matrix_of_features, PiecesOfALargerSurfaceAtTheLimit)
       compare_pieces(scheme, scheme == "sqrt3" ? Crease_kind::none : Crease_kind::edges,
                      Of_vertices(), limits, soup, 20);
     compare_pieces(scheme, Crease_kind::none, Linear(), {true, true}, soup, 20);
+  }
+}
+
+// Irregular vertices side by side, whose limits are sought some rounds further, and the rings around pieces: with fewer faces around
+// pieces they would be others.
+TEST(Matrix_of_features, LimitsInPiecesReachAsFarAsTheyAreSought)
+{
+  for (const std::string name :
+       {"catmull-clark", "modified-loop", "kobbelt", "butterfly", "sqrt3"}) {
+    SCOPED_TRACE(name);
+    const auto scheme = PN::any_scheme(name);
+    const bool is_of_triangles = scheme.needs_triangles();
+    const auto torus = pieces_cases::torus_with_turned_edges(
+      is_of_triangles ? random_meshes::Kind::triangles : random_meshes::Kind::polygons, 5);
+    Mesh mesh;
+    mesh_cases::Soup soup{torus.points, {}};
+    for (const auto& f : torus.faces) soup.faces.emplace_back(f.begin(), f.end());
+    mesh_cases::build(soup, mesh);
+    if (name == "kobbelt") PN::subdivide(mesh, PN::CatmullClark_scheme()); // quads
+    auto normals =
+      mesh.add_property_map<CGAL::SM_Vertex_index, Vector>("v:n", Vector(0, 0, 0)).first;
+    PN::estimate_control_normals(mesh, normals);
+    const auto all = PN::parameters::surface_normals(true)
+                       .number_of_iterations(name == "sqrt3" ? 1u : 0u)
+                       .vertex_normal_map(normals);
+    const PN::Surface_pieces pieces(
+      mesh, scheme, PN::parameters::join(PN::parameters::number_of_pieces(20).to_limit(true), all));
+    std::size_t different = 0, known = 0;
+    PN::subdivide_to_limit(mesh, scheme, all);
+    for (std::size_t i = 0; i < pieces.number_of_pieces(); ++i) {
+      const auto piece = pieces.piece(i, 1);
+      for (unsigned v = 0; v < piece.number_of_vertices(); ++v) {
+        const Mesh::Vertex_index of_whole(piece.vertex_number(v));
+        ++known;
+        if (piece.points()[v] != mesh.point(of_whole) || piece.normals()[v] != normals[of_whole])
+          ++different;
+      }
+    }
+    EXPECT_GT(known, mesh.number_of_vertices());
+    EXPECT_EQ(different, 0u);
   }
 }
 

@@ -160,7 +160,8 @@ void put_natural_normals(const Scheme& scheme, const Level_connectivity& level,
   for (Level_connectivity::Index v = 0; v < n; ++v)
     if (!data.normals[v].isZero(0)) data.vertices.push_back(v);
   data.tolerance = 1e-9 * box_size(data.points);
-  Mesh_limit_functionals<Scheme> source(scheme, level, for_chunks);
+  const Rules_of<Scheme>& rules = rules_of(scheme);
+  Mesh_limit_functionals<Rules_of<Scheme>> source(rules, level, for_chunks);
   Natural_normals natural(data, source);
   natural();
   for (Level_connectivity::Index v = 0; v < n; ++v)

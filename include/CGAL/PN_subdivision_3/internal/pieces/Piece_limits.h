@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  using Scheme_of_limits = With_roundness<Scheme, FT>;
+  using Scheme_of_limits = Rules_of<With_roundness<Scheme, FT>>;
 
   // one about the vertices that are kept, whose limits tell on which side their normals are; one more that is kept, and
   // one that where a limit is sought by itself the rim of the piece is not that of the part about it
@@ -121,7 +121,7 @@ private:
     return limit_report(owned, demand);
   }
 
-  const Scheme_of_limits with_roundness_{{this->scheme()}};
+  const Scheme_of_limits with_roundness_ = rules_of(With_roundness<Scheme, FT>{{this->scheme()}});
   // for all pieces: those of large valences take long to make
   const std::shared_ptr<Limit_classes<Scheme_of_limits, FT>> classes_ =
     std::make_shared<Limit_classes<Scheme_of_limits, FT>>(with_roundness_);

@@ -270,7 +270,10 @@ template <class Scheme, class FT, bool varies>
 auto rules_of(const With_roundness<Scheme, FT, varies>& scheme)
 {
   using Rules = std::decay_t<decltype(rules_of(scheme.scheme))>;
-  return With_roundness<Rules, FT, varies>{{rules_of(scheme.scheme)}, scheme.given};
+  if constexpr (Is_linear<Rules>::value)
+    return rules_of(scheme.scheme);
+  else
+    return With_roundness<Rules, FT, varies>{{rules_of(scheme.scheme)}, scheme.given};
 }
 template <class Scheme>
 using Rules_of = std::decay_t<decltype(rules_of(std::declval<const Scheme&>()))>;
