@@ -37,7 +37,6 @@ TESTS = ROOT / "test" / "PN_subdivision_3"
 HEADERS = pathlib.Path("CGAL") / "PN_subdivision_3"
 RESULTS = ROOT / "scripts" / "mutation_results.tsv"
 WORK = ROOT / "build" / "mutate"
-OPENSUBDIV = pathlib.Path("/usr/include/opensubdiv")  # whose tests are run where it is
 TIME_LIMIT = 1800  # seconds of one change, after which there is no verdict
 PROCESSOR_LIMIT = 240  # seconds of one test; far beyond what any takes
 MEMORY_LIMIT = 4 << 30  # bytes of one test
@@ -49,6 +48,12 @@ OPTIONS = ["-std=c++17", "-O0", "-w", "-DNOMINMAX", "-frounding-math", "-isystem
 THIRD_PARTY = ["gtest/gtest.h", "CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Polyhedron_3.h",
                "CGAL/Simple_cartesian.h", "CGAL/Surface_mesh.h", "CGAL/subdivision_method_3.h", "Eigen/Dense"]
 STATIC = "a static_assert of the test: "
+# what the build has where it finds libraries; the TBB is that of the thread sanitizer
+OPTIONS_OF_TESTS = {"kernels/test_enclose": ["-DCGAL_USE_MPFI", "-lmpfi"],
+                    "kernels/test_kernels_parallel": ["-DCGAL_LINKED_WITH_TBB", f"-I{TESTS}/threads"]}
+if pathlib.Path("/usr/include/opensubdiv").exists():
+    for peer in ("attributes/test_texture_opensubdiv", "creases/test_creases_opensubdiv"):
+        OPTIONS_OF_TESTS[peer] = ["-DPN_TEST_WITH_OPENSUBDIV", "-losdCPU"]
 LONG = 100  # lines of a header that should have a change
 COLUMNS = ["name", "verdict", "test", "what failed", "seconds"]
 printing = threading.Lock()
@@ -131,15 +136,12 @@ def compile_test(test, folder, deadline):
     program.unlink(missing_ok=True)
     options = [*OPTIONS, f"-I{TESTS}", f"-I{TESTS}/support", f"-I{folder}/include",
                f'-DPN_DATA_DIR="{ROOT}/data/meshes"', f'-DPN_TEST_REAL_MESH_DIR="{WORK}"',
-               '-DPN_TEST_EXTRA_MESH_DIR=""']
-    libraries = ["-lgtest", "-lgtest_main", "-lmpfr", "-lgmp", "-lpthread"]
+               '-DPN_TEST_EXTRA_MESH_DIR=""', *OPTIONS_OF_TESTS.get(test, [])]
     if IS_CLANG:
         options += ["-include-pch", str(WORK / "third_party.pch")]
-    if "opensubdiv" in test and OPENSUBDIV.exists():
-        options.append("-DPN_TEST_WITH_OPENSUBDIV")
-        libraries.append("-losdCPU")
     objects = [str(folder / (source.stem + ".o")) for source in sources(test)]
-    link = [*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), *libraries]
+    link = [*COMPILER, *objects, *map(str, WORK.glob("*.o")), "-o", str(program), "-lgtest", "-lgtest_main",
+            *OPTIONS_OF_TESTS.get(test, []), "-lmpfr", "-lgmp", "-lpthread"]
     for command in [[*COMPILER, *options, "-c", str(s), "-o", o] for s, o in zip(sources(test), objects)] + [link]:
         done = subprocess.run(command, capture_output=True, text=True, timeout=deadline - time.monotonic())
         if done.returncode != 0:

@@ -201,12 +201,14 @@ struct Estimation
   in::Face_neighbors faces;
 };
 
-// random quadrilaterals, triangles and others over a torus and a square, with flat and with steep parts
+// Random quadrilaterals, triangles and others over a torus and a square, with flat and with steep parts. About the tube
+// of the coarse torus two rings reach vertices that face the other way.
 std::vector<Sampled_surface> surfaces()
 {
   std::vector<Sampled_surface> result;
   for (const Faces kind : {Faces::quads, Faces::triangles, Faces::mixed}) {
     result.push_back(lay(torus_grid(24, kind), torus));
+    result.push_back(lay(torus_grid(5, kind), torus));
     result.push_back(lay(square(24, kind, 0.3), waves));
   }
   for (const int n : {3, 5, 9, 12}) result.push_back(lay(star(n, Faces::quads, 0.1), saddle));

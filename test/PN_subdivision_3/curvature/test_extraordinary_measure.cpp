@@ -246,6 +246,23 @@ TEST(Extraordinary_zoom, PredictsFromTheSlopes)
   });
 }
 
+// Points of a plane that is not perpendicular to the control normal: the curvatures are those of the graph of
+// x + y/2 + (x, y) sym (x, y) / 2 at the origin.
+TEST(Extraordinary_zoom, PredictsAcrossSlopes)
+{
+  const auto twisted = [](double x, double y) -> std::array<double, 2> {
+    return {.8 * x + .7 * y, -.1 * x + .2 * y}; // sym = (.8, .3; .3, .2)
+  };
+  const data::Graph slope = [](double x, double y) -> data::Height { return {x + y / 2, 1, .5}; };
+  for_plain_schemes({3, 5, 8}, [&](const auto& scheme, Index n) {
+    const Extraordinary_vertex_zoom<std::decay_t<decltype(scheme)>> zoom(scheme, n);
+    const auto limit = zoom.limit(data::turned(data::with_slopes(zoom.net(), slope, twisted)));
+    const double s = 1 + 1 + .25;
+    EXPECT_NEAR(limit.gaussian, (.8 * .2 - .3 * .3) / (s * s), 3e-3);
+    EXPECT_NEAR(limit.mean, -(1.25 * .8 - 2 * .5 * .3 + 2 * .2) / (2 * s * std::sqrt(s)), 1e-2);
+  });
+}
+
 TEST(Extraordinary_zoom, HasLeftEigenvectors)
 {
   for_plain_schemes({3, 4, 5, 6, 7, 12}, [](const auto& s, Index n) {

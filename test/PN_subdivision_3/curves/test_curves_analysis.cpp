@@ -241,6 +241,22 @@ TEST(CurveCorners, GivenNormalsServeBothSides)
   EXPECT_EQ(PN::join_at_corners(parts, Curve_end::reflect), polygon);
 }
 
+// The sides of a square have one normal each: a corner gets the direction of its diagonal, wherever it is joined.
+TEST(CurveCorners, SharedPointsGetTheMeanOfBothNormals)
+{
+  const Points square = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+  const auto parts = PN::split_at_corners(square, Curve_end::closed, {0, 1, 2, 3});
+  const auto curve = PN::join_at_corners(parts, Curve_end::closed);
+  ASSERT_EQ(curve.size(), 4u);
+  for (const auto& [p, n] : curve) {
+    EXPECT_NEAR(n.x(), p.x() * std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(n.y(), p.y() * std::sqrt(0.5), 1e-15);
+  }
+  auto turned = parts; // opposite normals have no mean
+  turned[3].back().second = -parts[0].front().second;
+  EXPECT_EQ(PN::join_at_corners(turned, Curve_end::closed)[0].second, Vector(0, 0));
+}
+
 TEST(CurveCorners, WhatCannotBeSplit)
 {
   const Points square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

@@ -33,6 +33,33 @@ inline Part zone_of_a_sphere(int n, bool are_triangles)
   return turned_part("zone of a sphere", profile, n, are_triangles);
 }
 
+// An octahedron whose triangles are split into four, all vertices on a sphere.
+inline Part geodesic_ball(int splits)
+{
+  Part part;
+  part.name = "geodesic ball";
+  part.surfaces = {{Kind::sphere, {}, {}, 1, 0, 0}};
+  part.points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  part.faces = {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2},
+                {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}};
+  for (; splits > 0; --splits) {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+    const auto middle = [&](std::size_t a, std::size_t b) {
+      const auto [it, is_new] = middles.try_emplace(std::minmax(a, b), part.points.size());
+      if (is_new) part.points.push_back(unit(part.points[a] + part.points[b]));
+      return it->second;
+    };
+    std::vector<std::vector<std::size_t>> faces;
+    for (const auto& f : part.faces) {
+      const std::size_t p = middle(f[0], f[1]), q = middle(f[1], f[2]), r = middle(f[2], f[0]);
+      faces.insert(faces.end(), {{f[0], p, r}, {p, f[1], q}, {r, q, f[2]}, {p, q, r}});
+    }
+    part.faces = faces;
+  }
+  part.surface_of_face.assign(part.faces.size(), 0);
+  return part;
+}
+
 // `flat`: length of the face between two fillets of three facets each
 inline Part narrow_plate(double flat, int facets)
 {

@@ -12,6 +12,7 @@
 #include "Part_marks.h"
 
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
+#include <CGAL/PN_subdivision_3/internal/recognition/linear_algebra.h>
 
 #include <gtest/gtest.h>
 
@@ -195,6 +196,16 @@ TEST(Recognize_surfaces, rounding_of_files)
   EXPECT_NEAR(file_rounding(singles) / std::ldexp(largest, -24), 1, 1e-3);
   singles.push_back(-64); // the largest counts, whatever its sign
   EXPECT_EQ(file_rounding(singles), std::ldexp(64., -24));
+}
+
+// Rows that are multiples of each other determine one unknown; the other is left at zero, whatever rounding is left.
+TEST(Recognize_surfaces, unknowns_that_rows_do_not_determine)
+{
+  CGAL::PN_subdivision_3::internal::recognition::Least_squares system(2);
+  for (int k = 1; k < 20; ++k) system.add({0.1 * k, 0.3 * k}, 2 * k);
+  const auto x = system.solve();
+  EXPECT_NEAR(x[0], 20, 1e-12);
+  EXPECT_EQ(x[1], 0);
 }
 
 // A file of floats is taken at its word, too: what is off by more than its rounding allows is no cylinder.

@@ -54,6 +54,12 @@ TEST(Recognize_traps, plane_section_of_a_sphere)
   for (const bool are_triangles : {false, true}) expect_right(zone_of_a_sphere(32, are_triangles));
 }
 
+// No two joints of a triangle are without a vertex in common: no facets are in a row.
+TEST(Recognize_traps, sphere_of_triangles_in_no_rows)
+{
+  for (int splits : {2, 3}) expect_right(geodesic_ball(splits));
+}
+
 TEST(Recognize_traps, frustum_whose_corners_are_on_a_sphere)
 {
   for (double top : {0.3, 0.6, 0.9}) expect_right(regular_prism(6, top));
