@@ -86,6 +86,21 @@ std::unique_ptr<Tessellated> tessellated(Surface_mesh control, const Scheme& sch
 
 // \name Spheres
 
+// A corner of a face is at the target of its half-edge, so that the normal is that of this vertex of the sphere.
+TEST(Tessellate, CornersHaveTheNormalsOfTheirVertices)
+{
+  Surface_mesh control = to_surface_mesh(on_unit_sphere(named_shapes::cube())), out;
+  auto normals = out.add_property_map<Surface_mesh::Halfedge_index, Vector>("h:normal").first;
+  PN::tessellate(control, PN::CatmullClark_scheme(), 0.1, out,
+                 params::vertex_normal_map(normal_map(control)),
+                 params::vertex_normal_map(normals));
+  EXPECT_GT(out.number_of_faces(), 12u);
+  for (auto h : out.halfedges()) {
+    const Vector p = out.point(out.target(h)) - CGAL::ORIGIN;
+    EXPECT_LE((normals[h] - p).squared_length(), 1e-8);
+  }
+}
+
 template <class Scheme>
 void expect_sphere(const Control_mesh& shape, const Scheme& scheme)
 {
