@@ -3,7 +3,7 @@ option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, o
 set(PN_TESTS_IN_A_SOURCE 7) # so that none takes more than a minute or two and 1.5 GB
 # with settings or an operator new of their own, or with names that headers of others have, too
 set(pn_tests_apart
-    test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_compiled_calls test_enclose test_estimate_control_normals test_failures
+    test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
     test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_normal_guards
     test_reciprocal_normals test_strong_guarantee)
 # several sources of one test, with names that are not the same in all of them

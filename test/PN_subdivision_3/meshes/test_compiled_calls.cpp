@@ -150,7 +150,7 @@ using Cases =
                  Case<Cartesian, PN::DooSabin_scheme>, Case<Cartesian, PN::Sqrt3_scheme>,
                  Case<Inexact, PN::CatmullClark_scheme>, Case<Inexact, PN::Loop_scheme>,
                  Case<Inexact, PN::DooSabin_scheme>, Case<Inexact, PN::Sqrt3_scheme>>;
-TYPED_TEST_SUITE(Compiled_calls, Cases);
+TYPED_TEST_SUITE(Compiled_calls, Cases, );
 
 TYPED_TEST(Compiled_calls, GiveTheSameBits)
 {
