@@ -126,7 +126,7 @@ def excesses(counts: dict[str, tuple[int, int]], budgets: dict[str, tuple[int, i
 
 def totals(counts: dict[str, tuple[int, int]]) -> list[str]:
     result = []
-    for title, beginning in (("headers", "include/"), ("command", "src/pn_subdivide")):
+    for title, beginning in (("headers", "include/"), ("command", "src/pn_subdivide"), ("library", "src/PN_subdivision_3_double")):
         part = [count for folder, count in counts.items() if folder.startswith(beginning)]
         result.append(f"{title}: {sum(c[0] for c in part)} files, {sum(c[1] for c in part)} lines")
     result += [f"{name.strip('()')}: {lines} lines" for name, (_, lines) in umbrellas().items()]

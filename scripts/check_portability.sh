@@ -97,7 +97,7 @@ everything_with_cgal6()
   local check=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
                "-DCMAKE_CXX_COMPILER_LAUNCHER=$PWD/cmake/PN_check_only.sh"
                "-DCMAKE_CXX_LINK_EXECUTABLE=<CMAKE_COMMAND> -E touch <TARGET>") # tests wait for the command
-  cmake -S . -B "$build" "${check[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON "-DPN_TEST_JOINED=$joined" \
+  cmake -S . -B "$build" "${check[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON "-DPN_TEST_JOINED=$joined" -DCMAKE_UNITY_BUILD=OFF \
     -DPN_SUBDIVISION_3_FUZZ=ON -DPN_SUBDIVISION_3_INSTALL=OFF -DPN_SUBDIVISION_3_WITH_MPI=AUTO >"$build.txt" || return 1
   cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${check[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
     "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1

@@ -194,7 +194,9 @@ void expect_same_of_two(const Scheme& points, const Normal_scheme& normals, cons
     EXPECT_EQ(with(PN::with_normal_scheme(PN::Any_scheme<>(points), PN::Any_scheme<>(normals))),
               expected);
     EXPECT_EQ(with(PN::Any_scheme<>(Of_two<Scheme, Normal_scheme>{points, normals})), expected);
-    if (creased == 0) EXPECT_FALSE(with(points) == expected);
+    if (creased == 0) {
+      EXPECT_FALSE(with(points) == expected);
+    }
   }
 }
 
@@ -207,6 +209,21 @@ TEST(Any_scheme, TwoSchemes)
   };
   expect_same_of_two(PN::CatmullClark_scheme(), PN::CatmullClark_scheme::Tuned(), subdivide);
   expect_same_of_two(PN::Loop_scheme(), PN::Loop_scheme::Tuned(), subdivide);
+}
+
+// an adaptor is no scheme on a host by itself
+TEST(Any_scheme, TwoSchemesOfWhichOneIsAdapted)
+{
+  const auto with = [](const auto& scheme) {
+    return outcome(control_mesh<double>(false), [&](Mesh& mesh) {
+      PN::subdivide(mesh, scheme, params::vertex_normal_map(add_normals<double>(mesh)));
+    });
+  };
+  const PN::CatmullClark_scheme points;
+  const PN::CatmullClark_scheme::Tuned normals;
+  const PN::Any_scheme<> any_points(points), any_normals(normals);
+  EXPECT_EQ(with(PN::with_normal_scheme(any_points, PN::linear(any_normals))),
+            with(PN::with_normal_scheme(points, PN::linear(normals))));
 }
 
 TEST(Any_scheme, LimitsOfTwoSchemes)
@@ -448,6 +465,13 @@ TEST(Any_scheme, RefusedCalls)
           {"loop", "split the faces"});
   refused([&](Mesh& m) { PN::subdivide(m, PN::with_normal_scheme(quads, transferring)); },
           {"transfers curvature"});
+  refused(
+    [&](Mesh& m) {
+      auto edges = m.add_property_map<Mesh::Edge_index, bool>("e:s", true).first;
+      PN::subdivide(m, PN::with_normal_scheme(without_creases, quads),
+                    params::edge_is_constrained_map(edges));
+    },
+    {"kobbelt", "no rules for creases"});
   refused([&](Mesh& m) { PN::subdivide_to_limit(m, dual); }, {"doo-sabin", "faces"});
   refused(
     [&](Mesh& m) { PN::subdivide_to_limit(m, dual, CGAL::parameters::number_of_iterations(0)); },

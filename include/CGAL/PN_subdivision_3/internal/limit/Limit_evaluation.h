@@ -256,7 +256,7 @@ private:
   std::shared_ptr<Classes> classes_;
 };
 
-// What is not defined in the class can be left to a library, see compiled_in_double.h.
+// Large functions, out of the class: they are not inline, and an explicit instantiation spares others theirs.
 
 template <class Scheme, class FT>
 auto Limit_evaluation<Scheme, FT>::operator()(const Level& level, unsigned next_round,

@@ -37,7 +37,7 @@ namespace internal {
 
 // The usual calls of subdivide() are compiled once, in the library PN_subdivision_3_double
 // (src/PN_subdivision_3_double). What is linked to it has this macro, and leaves them to it; all others are compiled
-// where they are, and so is what is linked to TBB: the library is without it, and its classes are others.
+// where they are, and so is what is linked to TBB, which the library is not: classes differ.
 #if defined(CGAL_PN_SUBDIVISION_3_DOUBLE) && !defined(CGAL_LINKED_WITH_TBB)
 constexpr bool has_compiled_calls = true;
 #else
@@ -68,23 +68,25 @@ constexpr bool is_compiled_call()
                 !is_usual_mesh_v<Mesh>)
     return false;
   else {
-    constexpr bool is_creased =
-      !std::is_same_v<typename Parameters::Edge_constraint_map, No_constraint_map>;
-    return (is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme> ||
-            (is_one_of_v<Scheme, DooSabin_scheme, Sqrt3_scheme> && !is_creased)) &&
-           std::is_same_v<typename Parameters::FT, double> &&
-           std::is_same_v<typename Parameters::Point_map,
-                          typename boost::property_map<Mesh, vertex_point_t>::type> &&
-           is_one_of_v<typename Parameters::Normal_map, No_normal_map, Usual_normal_map<Mesh>> &&
-           (!is_creased ||
-            std::is_same_v<typename Parameters::Edge_constraint_map, Usual_edge_map<Mesh>>)&&std::
-             is_same_v<typename Parameters::Vertex_constraint_map, No_constraint_map> &&
+    using Edges = typename Parameters::Edge_constraint_map;
+    constexpr bool is_creased = !std::is_same_v<Edges, No_constraint_map>;
+    constexpr bool is_usual_scheme =
+      is_one_of_v<Scheme, CatmullClark_scheme, Loop_scheme> ||
+      (is_one_of_v<Scheme, DooSabin_scheme, Sqrt3_scheme> && !is_creased);
+    constexpr bool has_usual_points =
+      std::is_same_v<typename Parameters::FT, double> &&
+      std::is_same_v<typename Parameters::Point_map,
+                     typename boost::property_map<Mesh, vertex_point_t>::type>;
+    constexpr bool has_usual_maps =
+      is_one_of_v<Edges, No_constraint_map, Usual_edge_map<Mesh>> &&
+      is_one_of_v<typename Parameters::Normal_map, No_normal_map, Usual_normal_map<Mesh>> &&
+      std::is_same_v<typename Parameters::Vertex_constraint_map, No_constraint_map>;
+    return is_usual_scheme && has_usual_points && has_usual_maps &&
            !is_given_roundness_v<typename Parameters::Roundness> &&
            !is_given_roundness_v<typename Parameters::Roundness_map>;
   }
 }
 
-// in the library
 template <class Mesh, class Scheme, class Point_map, class Normal_map, class Edge_map>
 void compiled_call(Mesh& mesh, const Scheme& scheme, unsigned rounds,
                    Function_ref<void(unsigned, std::size_t)> round_done, Point_map points,

@@ -244,7 +244,7 @@ private:
   std::vector<Index> of_others_;
 };
 
-// What is not defined in the class can be left to a library, see compiled_in_double.h.
+// Large functions, out of the class: they are not inline, and an explicit instantiation spares others theirs.
 
 template <class Scheme, class Average>
 auto Round<Scheme, Average>::transfers(const Stored_value* old,

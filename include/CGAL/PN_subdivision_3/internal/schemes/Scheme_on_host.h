@@ -97,7 +97,7 @@ public:
   }
   std::vector<Index> separated_vertices() const override
   {
-    if constexpr (Has_curvature_transfer<Scheme>::value)
+    if constexpr (Has_curvature_transfer<Scheme>::value && Mask_of::is_of_points)
       return mask_.separated_vertices();
     else
       return {};
@@ -227,6 +227,7 @@ struct Scheme_facts
 
 struct Mask_of_points
 {
+  static constexpr bool is_of_points = true;
   template <class Number, class Scheme>
   static auto make(const Scheme& scheme, const Level_connectivity& level, unsigned round)
   {
@@ -235,6 +236,7 @@ struct Mask_of_points
 };
 struct Mask_of_normals
 {
+  static constexpr bool is_of_points = false;
   template <class Number, class Scheme>
   static auto make(const Scheme& scheme, const Level_connectivity& level, unsigned round)
   {
@@ -315,6 +317,7 @@ public:
   Scheme_on_host with_normals_of(const Scheme_on_host& normals) const
   {
     Scheme_facts<FT> facts = stated_facts<FT>(with_normal_scheme(*this, normals));
+    facts.name = facts_->name;
     facts.masks = facts_->masks;
     facts.normal_masks = normals.facts_->masks;
     return Scheme_on_host(std::make_shared<const Scheme_facts<FT>>(std::move(facts)));
