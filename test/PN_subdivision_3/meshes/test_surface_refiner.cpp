@@ -96,6 +96,18 @@ TEST(Surface_refiner, ReachesTheTwoRingOfFacesAndNothingElse)
   }
 }
 
+// of so many vertices that those reached are few
+TEST(Surface_refiner, TellsWhatIsReachedInIncreasingOrder)
+{
+  constexpr unsigned n = 70;
+  Mesh mesh = grid(n);
+  PN::Surface_refiner refiner(mesh, PN::linear(PN::CatmullClark_scheme()));
+  refiner.set_point(Vertex(n / 2 * (n + 1) + n / 2), Point(n / 2., n / 2., 1));
+  const auto& reached = refiner.update();
+  EXPECT_EQ(reached.size(), 25u); // the vertices within two steps of the refined grid
+  EXPECT_TRUE(std::is_sorted(reached.begin(), reached.end()));
+}
+
 TEST(Surface_refiner, EstimatesNormalsAgainWherePointsMove)
 {
   Mesh mesh;
