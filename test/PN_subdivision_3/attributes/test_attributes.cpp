@@ -430,8 +430,16 @@ double scalar_of(V v)
   return std::sin(1.7 * v.idx());
 }
 
+// of values whose charts differ in the second component only, if asked for
+void put_uv(const Charts& c, const Mesh& mesh, Mesh::Property_map<H, Uv>& uv, bool second_alone)
+{
+  put_uv(c, mesh, uv);
+  if (second_alone)
+    for (auto h : mesh.halfedges()) uv[h] = {0, uv[h][0] + 2 * uv[h][1]};
+}
+
 template <class Tag>
-Results by_maps(const Charts& c)
+Results by_maps(const Charts& c, bool second_alone = false)
 {
   Mesh mesh = make(c.soup);
   auto scalar = add<V, double>(mesh, "scalar");
@@ -444,7 +452,7 @@ Results by_maps(const Charts& c)
     color[v] = {scalar[v], scalar[v] * scalar[v], 1};
   }
   for (auto e : mesh.edges()) mark[e] = int(e.idx() % 5);
-  put_uv(c, mesh, uv);
+  put_uv(c, mesh, uv, second_alone);
   PN::subdivide<Tag>(mesh, PN::CatmullClark_scheme(),
                      PN::parameters::attributes(PN::parameters::vertex_attribute(scalar),
                                                 PN::parameters::vertex_attribute(color),
@@ -464,7 +472,8 @@ Results by_maps(const Charts& c)
 }
 
 template <class Tag>
-Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0)
+Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0,
+                 bool second_alone = false)
 {
   Mesh mesh = control;
   PN::Attribute_table table;
@@ -477,7 +486,7 @@ Results by_table(const Charts& c, const Mesh& control, unsigned extra = 0)
   }
   for (unsigned i = 0; i < extra; ++i) table.vertices[0].values.push_back(0);
   auto uv = add<H, Uv>(mesh, "uv");
-  put_uv(c, mesh, uv);
+  put_uv(c, mesh, uv, second_alone);
   table.corners.resize(1);
   table.corners[0].dimension = 2;
   for (auto h : mesh.halfedges())
@@ -507,6 +516,8 @@ TEST(Attributes, AreTheSameInTablesAndByThreads)
   const Results expected = by_maps<CGAL::Sequential_tag>(c);
   EXPECT_GT(expected.scalar.size(), 9000u);
   EXPECT_EQ(by_table<CGAL::Sequential_tag>(c, control), expected);
+  EXPECT_EQ(by_table<CGAL::Sequential_tag>(c, control, 0, true),
+            by_maps<CGAL::Sequential_tag>(c, true));
 #ifdef CGAL_LINKED_WITH_TBB
   EXPECT_EQ(by_maps<CGAL::Parallel_tag>(c), expected);
   EXPECT_EQ(by_table<CGAL::Parallel_tag>(c, control), expected);

@@ -475,11 +475,12 @@ TYPED_TEST(Parents_of, AreTheSameForAllMeshes)
 namespace {
 struct Face_counter
 {
-  int* faces;
+  std::vector<int>* children; // of the control faces
   template <class Face>
-  void face_created(Face, const PN::Control_element&)
+  void face_created(Face, const PN::Control_element& parent)
   {
-    ++*faces;
+    EXPECT_TRUE(parent.kind == PN::Control_element::Kind::face);
+    ++children->at(parent.index);
   }
 };
 } // namespace
@@ -488,9 +489,10 @@ struct Face_counter
 TEST(Parents, VisitorsHaveWhatTheyNeed)
 {
   Surface_mesh mesh = make(cube());
-  int faces = 0;
-  PN::CatmullClark_subdivision(mesh, params::number_of_iterations(2).visitor(Face_counter{&faces}));
-  EXPECT_EQ(faces, 96);
+  std::vector<int> children(6, 0);
+  PN::CatmullClark_subdivision(mesh,
+                               params::number_of_iterations(2).visitor(Face_counter{&children}));
+  EXPECT_EQ(children, std::vector<int>(6, 16));
   EXPECT_TRUE(is_linked(mesh));
 }
 
