@@ -220,7 +220,8 @@ public:
     if constexpr (std::is_floating_point_v<FT>)
       for (Value& v : ring) add_multiple<FT, 3>(point_of(v), FT(-1), center);
     for (;;) {
-      Value limit = average(dart, dart.points().limit, dart.normals().limit);
+      Value limit =
+        average(dart.points().limit, dart.has_own_normals() ? &dart.normals().limit : nullptr);
       if (steps.is_last(point_of(limit))) {
         turn_tangent(limit);
         if constexpr (std::is_floating_point_v<FT>)
@@ -237,14 +238,14 @@ private:
   using Entry = typename Rule::Entry;
   using Row = typename Class::Row;
 
-  Value average([[maybe_unused]] const Class& dart, const Row& row,
-                [[maybe_unused]] const Row& normal_row) const
+  // without a row of their own the normals are averaged as the points
+  Value average(const Row& row, [[maybe_unused]] const Row* normal_row) const
   {
     const auto* const begin = row.data();
     if constexpr (Has_normal_mask<Scheme>::value)
-      if (dart.has_own_normals())
-        return average_(begin, begin + row.size(), normal_row.data(),
-                        normal_row.data() + normal_row.size(), ring.data());
+      if (normal_row != nullptr)
+        return average_(begin, begin + row.size(), normal_row->data(),
+                        normal_row->data() + normal_row->size(), ring.data());
     return average_(begin, begin + row.size(), ring.data());
   }
 
@@ -252,8 +253,8 @@ private:
   {
     std::vector<Value> next;
     for (std::size_t p = 0; p < ring.size(); ++p)
-      next.push_back(average(dart, dart.points().rows[p],
-                             dart.has_own_normals() ? dart.normals().rows[p] : Row()));
+      next.push_back(
+        average(dart.points().rows[p], dart.has_own_normals() ? &dart.normals().rows[p] : nullptr));
     const FT half = FT(1) / FT(2);
     const Vector onwards = opposite_vector<FT, 3>(far_tangent);
     const std::array<Entry, 2> entries{
