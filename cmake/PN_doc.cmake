@@ -23,7 +23,7 @@ endif()
 find_package(Doxygen QUIET)
 find_package(Python3 3.11 QUIET COMPONENTS Interpreter)
 if(NOT DOXYGEN_FOUND OR NOT Python3_FOUND)
-  if(PN_SUBDIVISION_3_TESTS AND NOT PN_TEST_PART STREQUAL "units")
+  if(PN_SUBDIVISION_3_TESTS)
     pn_left_out(manual "Doxygen or Python 3.11 not found, the tests of the manual are left out (Debian package doxygen)")
   endif()
   return()
@@ -47,7 +47,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/manual_checked.dxy
 file(MAKE_DIRECTORY ${pn_checked})
 set(pn_manual_pages Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/scripts/manual_pages.py)
 # other versions of Doxygen warn of other things
-if(PN_SUBDIVISION_3_TESTS AND NOT PN_TEST_PART STREQUAL "units" AND DOXYGEN_VERSION VERSION_GREATER_EQUAL 1.9.2
+if(PN_SUBDIVISION_3_TESTS AND DOXYGEN_VERSION VERSION_GREATER_EQUAL 1.9.2
    AND DOXYGEN_VERSION VERSION_LESS 1.10)
   add_test(NAME manual_begins_anew COMMAND ${CMAKE_COMMAND} -E rm -rf ${pn_checked}/html)
   add_test(NAME manual_bibliography COMMAND ${pn_manual_pages} prepare ${PROJECT_BINARY_DIR}/doc/made)

@@ -1,6 +1,6 @@
 # Several test sources as one program: what they instantiate alike is compiled once, which takes less than half the time.
 option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, or a few (CMake 3.18 or newer)" OFF)
-set(PN_TESTS_IN_A_SOURCE 7) # so that none takes more than a minute or two and 1.5 GB
+set(PN_TESTS_IN_A_SOURCE 5) # so that none takes more than a minute and 1.8 GB
 # with settings or an operator new of their own, or with names that headers of others have, too
 set(pn_tests_apart
     test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
@@ -45,8 +45,8 @@ function(pn_write_joined file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN}) # for their headers
 endfunction()
 
-# pn_add_joined_tests(name source...): the programs NAME_1, NAME_2, ... of these sources.
-function(pn_add_joined_tests name)
+# pn_add_joined_tests(name subject source...): the programs NAME_1, NAME_2, ... of these sources.
+function(pn_add_joined_tests name subject)
   set(number 0)
   set(sources ${ARGN})
   list(LENGTH sources left)
@@ -59,7 +59,7 @@ function(pn_add_joined_tests name)
     pn_write_joined(${joined} ${some})
     list(GET some 0 first)
     get_filename_component(folder ${first} DIRECTORY)
-    pn_add_test(${name}_${number} ${joined})
+    pn_add_test(${name}_${number} ${subject} ${joined})
     target_include_directories(${name}_${number} PRIVATE ${folder})
   endwhile()
 endfunction()

@@ -11,6 +11,10 @@ set(PN_TEST_OPTIMIZATION "${pn_default_optimization}" CACHE STRING
 if(PN_SUBDIVISION_3_DEVELOPER)
   add_library(pn_warnings INTERFACE)
   target_compile_options(pn_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+  find_program(PN_LLD ld.lld) # takes a sixth of the time
+  if(PN_LLD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_link_options(pn_warnings INTERFACE -fuse-ld=lld)
+  endif()
 endif()
 
 # Links a program to the package, with all that this build uses, and applies the package's rules on warnings.

@@ -1,6 +1,6 @@
 # The GoogleTest programs: real meshes, the precompiled headers that they share, pn_add_test().
-include(GoogleTest)
 include(${CMAKE_CURRENT_LIST_DIR}/PN_joined_tests.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/PN_precompiled_tests.cmake)
 
 set(PN_TEST_EXTRA_MESH_DIR "" CACHE PATH "Folder with further control meshes for the tests (or empty)")
 
@@ -45,7 +45,7 @@ find_library(PN_MPFI_LIBRARY mpfi)
 set(pn_mpfi_found FALSE)
 if(PN_MPFI_INCLUDE_DIR AND PN_MPFI_LIBRARY)
   set(pn_mpfi_found TRUE)
-elseif(NOT PN_TEST_PART STREQUAL "others")
+else()
   pn_left_out(mpfi "MPFI not found, the tests of Gmpfi are left out (Debian package libmpfi-dev)")
 endif()
 
@@ -72,59 +72,47 @@ function(pn_test_settings target)
   target_compile_options(${target} PRIVATE ${PN_TEST_OPTIMIZATION})
 endfunction()
 
-set(pn_headers_of_tests <gtest/gtest.h>)
-if(NOT PN_TEST_PART STREQUAL "others") # tests of the command see little of CGAL
-  list(APPEND pn_headers_of_tests <CGAL/Exact_predicates_exact_constructions_kernel.h> <CGAL/PN_subdivision_3.h>
-       <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/subdivision_method_3.h>)
+# What the programs share: the headers of the package and of others; those of the command see little of CGAL.
+set(pn_headers_of_command_tests <gtest/gtest.h> <algorithm> <filesystem> <fstream> <map> <sstream> <string> <vector>)
+set(pn_headers_of_tests <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructions_kernel.h> <CGAL/PN_subdivision_3.h>
+    <CGAL/Polyhedron_3.h> <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/subdivision_method_3.h>)
+pn_precompile_tests(pn_command_test_headers ${pn_headers_of_command_tests})
+pn_precompile_tests(pn_test_headers ${pn_headers_of_tests} INSTANCES Instances.h)
+if(TARGET CGAL::PN_subdivision_3_Eigen)
+  pn_precompile_tests(pn_limit_test_headers ${pn_headers_of_tests} INSTANCES Limit_instances.h)
 endif()
-pn_precompile(pn_test_headers ${pn_headers_of_tests})
-pn_test_settings(pn_test_headers)
+set(pn_subjects_of_limits curvature interpolation limit limit_surface tessellation)
 
-# What of the reference implementations takes long to compile.
+# What of the reference implementations takes long to compile, or to run without optimization; and main().
 file(GLOB reference_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/reference/*.cpp)
-if(TARGET CGAL::PN_subdivision_3_Eigen AND NOT PN_TEST_PART STREQUAL "others")
-  add_library(pn_test_references STATIC ${reference_sources})
-  pn_test_settings(pn_test_references)
+if(NOT TARGET CGAL::PN_subdivision_3_Eigen)
+  set(reference_sources)
+endif()
+add_library(pn_test_main STATIC ${CMAKE_CURRENT_SOURCE_DIR}/support/main.cpp ${reference_sources})
+pn_test_settings(pn_test_main)
+if(PN_TEST_OPTIMIZATION STREQUAL "-O0")
+  target_compile_options(pn_test_main PRIVATE -O1)
 endif()
 
-# Programs that run for longer without optimization than it takes to compile.
-set(pn_computing_tests
-    test_approximation_order test_creases_shapes test_curvature_fit test_estimate_curvature test_exact_schemes test_extraordinary_curvature
-    test_extraordinary_measure test_failures test_interpolation test_limit_masks test_limit_points test_pieces
-    test_pieces_creases
-    test_reproduction test_scheme_properties)
-if(PN_TEST_OPTIMIZATION STREQUAL "-O0" AND NOT PN_TEST_PART STREQUAL "others")
-  pn_precompile(pn_computing_test_headers ${pn_headers_of_tests})
-  pn_test_settings(pn_computing_test_headers)
-  target_compile_options(pn_computing_test_headers PRIVATE -O1)
-endif()
-
-# pn_add_test(name source... [WHOLE]): a GoogleTest program. Each of its tests is an entry of its own
-# in ctest; with WHOLE the program is one entry (for costly set-up that its tests share).
-function(pn_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "" "")
-  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+# pn_add_test(name subject source...): a GoogleTest program, one entry of ctest.
+function(pn_add_test name subject)
+  add_executable(${name} ${ARGN})
   pn_test_settings(${name})
   add_dependencies(pn_tests ${name})
-  target_link_libraries(${name} PRIVATE GTest::gtest_main)
-  if(TARGET pn_test_references)
-    target_link_libraries(${name} PRIVATE pn_test_references)
-  endif()
+  target_link_libraries(${name} PRIVATE pn_test_main)
   if(pn_mpfi_found AND name IN_LIST pn_mpfi_tests)
     target_compile_definitions(${name} PRIVATE CGAL_USE_MPFI)
     target_include_directories(${name} SYSTEM PRIVATE ${PN_MPFI_INCLUDE_DIR})
     target_link_libraries(${name} PRIVATE ${PN_MPFI_LIBRARY})
-  elseif(TARGET pn_computing_test_headers AND (name IN_LIST pn_computing_tests OR name MATCHES "^test_computing_"))
-    target_compile_options(${name} PRIVATE -O1)
-    target_precompile_headers(${name} REUSE_FROM pn_computing_test_headers)
+  elseif(subject STREQUAL "command")
+    pn_use_precompiled(${name} pn_command_test_headers)
+  elseif(subject IN_LIST pn_subjects_of_limits AND TARGET pn_limit_test_headers)
+    pn_use_precompiled(${name} pn_limit_test_headers)
   else()
-    target_precompile_headers(${name} REUSE_FROM pn_test_headers)
+    pn_use_precompiled(${name} pn_test_headers)
   endif()
-  if(arg_WHOLE)
-    add_test(NAME ${name} COMMAND ${name})
-  else()
-    gtest_discover_tests(${name} TEST_PREFIX ${name}. NO_PRETTY_TYPES DISCOVERY_TIMEOUT 60)
-  endif()
+  add_test(NAME ${name} COMMAND ${name})
+  pn_tier(${name} ${name})
 endfunction()
 
 # pn_add_test_of_library(name source): linked to PN_subdivision_3_double, and so without TBB and what others precompile.
@@ -137,67 +125,61 @@ function(pn_add_test_of_library name source)
       target_link_libraries(${target} PRIVATE pn_warnings)
     endif()
   endforeach()
-  target_link_libraries(${name} PRIVATE PN_subdivision_3_double GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE PN_subdivision_3_double GTest::gtest pn_test_main)
   target_include_directories(${name} PRIVATE ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3
                              ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/support)
   add_dependencies(pn_tests ${name})
-  gtest_discover_tests(${name} TEST_PREFIX ${name}. NO_PRETTY_TYPES DISCOVERY_TIMEOUT 60)
+  add_test(NAME ${name} COMMAND ${name})
+  pn_tier(${name} ${name})
 endfunction()
 
 # --- the programs ---
-# The exception to -O1: many number types, little to compute.
-set_source_files_properties(
-  ${CMAKE_CURRENT_SOURCE_DIR}/kernels/test_kernels_exact.cpp
-  ${CMAKE_CURRENT_SOURCE_DIR}/kernels/test_kernels_floating.cpp
-  ${CMAKE_CURRENT_SOURCE_DIR}/schemes/test_modified_schemes_numbers.cpp
-  PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
-
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
 pn_leave_out_without_eigen(unit_tests "tests")
-# What other tests have in part: every number type that rounds, other number types of these masks.
-if(NOT PN_TEST_FULL)
-  list(FILTER unit_tests EXCLUDE REGEX "/test_(kernels_floating|modified_schemes_numbers|PN_mask_3_numbers)\\.cpp$")
-endif()
+set(subjects)
 foreach(unit_test ${unit_tests})
   get_filename_component(name ${unit_test} NAME_WE)
-  if(NOT name MATCHES "^test_pn_subdivide")
-    if(PN_TEST_PART STREQUAL "others")
-      continue()
+  get_filename_component(folder ${unit_test} DIRECTORY)
+  get_filename_component(subject ${folder} NAME)
+  if(subject STREQUAL "command" AND NOT TARGET pn_subdivide)
+    continue()
+  elseif(name STREQUAL "test_compiled_calls")
+    pn_add_test_of_library(${name} ${unit_test})
+    continue()
+  endif()
+  set(kind joined)
+  if(name IN_LIST pn_long_tests)
+    set(kind long)
+  endif()
+  # test_NAME.cpp may have further sources NAME_*.cpp
+  string(REGEX REPLACE "^test_" "" rest ${name})
+  file(GLOB further CONFIGURE_DEPENDS ${folder}/${rest}_*.cpp)
+  pn_can_be_joined(can_be_joined ${unit_test})
+  if(NOT PN_TEST_JOINED OR further OR NOT can_be_joined OR name IN_LIST pn_tests_apart)
+    pn_add_test(${name} ${subject} ${unit_test} ${further})
+    if(PN_TEST_JOINED AND further AND NOT name IN_LIST pn_sources_apart)
+      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 3)
     endif()
-    if(name STREQUAL "test_compiled_calls")
-      pn_add_test_of_library(${name} ${unit_test})
-      continue()
-    endif()
-    # test_NAME.cpp may have further sources NAME_*.cpp
-    get_filename_component(folder ${unit_test} DIRECTORY)
-    string(REGEX REPLACE "^test_" "" subject ${name})
-    file(GLOB further CONFIGURE_DEPENDS ${folder}/${subject}_*.cpp)
-    pn_can_be_joined(can_be_joined ${unit_test})
-    if(NOT PN_TEST_JOINED OR further OR NOT can_be_joined OR name IN_LIST pn_tests_apart)
-      pn_add_test(${name} ${unit_test} ${further})
-      if(PN_TEST_JOINED AND further AND NOT name IN_LIST pn_sources_apart)
-        set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
-      endif()
-      continue()
-    endif()
-    get_filename_component(subject ${folder} NAME)
-    set(group test_joined_${subject})
-    if(name IN_LIST pn_computing_tests)
-      set(group test_computing_${subject})
-    endif()
-    list(APPEND groups ${group})
-    list(APPEND ${group} ${unit_test})
-  elseif(TARGET pn_subdivide)
-    pn_add_test(${name} ${unit_test})
+  else()
+    list(APPEND ${kind}_${subject} ${unit_test})
+    list(APPEND subjects ${subject})
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES subjects)
+foreach(subject ${subjects})
+  pn_add_joined_tests(test_joined_${subject} ${subject} ${joined_${subject}})
+  pn_add_joined_tests(test_long_${subject} ${subject} ${long_${subject}})
+endforeach()
+
+# those of the command
+get_property(programs DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+foreach(name ${programs})
+  if(name MATCHES "^test_(pn_subdivide|joined_command|long_command)")
     target_link_libraries(${name} PRIVATE pn_subdivide_command nlohmann_json::nlohmann_json)
     target_compile_definitions(
       ${name} PRIVATE PN_SUBDIVIDE_MANUAL="${PN_subdivision_3_SOURCE_DIR}/src/pn_subdivide/pn_subdivide.1")
     add_dependencies(${name} pn_subdivide)
   endif()
-endforeach()
-list(REMOVE_DUPLICATES groups)
-foreach(group ${groups})
-  pn_add_joined_tests(${group} ${${group}})
 endforeach()
 
 # ranks of mpirun, and VTK, for refinement in pieces

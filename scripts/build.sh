@@ -24,7 +24,7 @@ if command -v ccache >/dev/null; then
   options=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   export CCACHE_SLOPPINESS=pch_defines,time_macros # precompiled headers are cached only with these
 fi
-if [[ $preset == units ]] && ! command -v clang++ >/dev/null; then
+if [[ $preset == tests ]] && ! command -v clang++ >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER=c++) # takes longer
 fi
 

@@ -12,9 +12,9 @@
 #
 #   scripts/check_portability.sh [c++20|clang|cgal6|aarch64|all]
 #   scripts/check_portability.sh cgal6 REGEX      only the sources whose paths match, as 'src/|examples/'
-#   scripts/check_portability.sh cgal6 --seconds N
-#                                               as many sources as N seconds allow, the tests last; it says how many
-#                                               have never been checked in build/portability
+#   scripts/check_portability.sh cgal6 --changed REV --seconds N
+#                                               all public headers, and of the sources that have changed since REV as many as
+#                                               N seconds allow; it says how many were not checked
 #
 # Debian packages: clang, g++-aarch64-linux-gnu, qemu-user (scripts/install_dependencies.sh does not install the
 # last two). The headers of CGAL 6 are fetched from Debian's mirror (scripts/fetch_cgal6_headers.sh), or CGAL6=FOLDER
@@ -24,9 +24,14 @@ cd "$(dirname "$0")/.."
 
 what=${1:-all}
 chosen=${2:-}
+with_headers=no
+[[ -n $chosen ]] || with_headers=yes
 seconds=
-if [[ $chosen == --seconds ]]; then
-  chosen='' seconds=$3
+if [[ $chosen == --changed ]]; then
+  seconds=$5
+  with_headers=yes
+  chosen=$(git diff --name-only --diff-filter=d "$3" -- '*.cpp' | sed 's:.*/::; s/[.]/\\./g' | paste -sd '|')
+  chosen="/(${chosen:-none})\\.o\$"
 fi
 folder=build/portability
 mkdir -p "$folder"
@@ -94,23 +99,19 @@ everything_with_cgal6()
 {
   local build=$folder/everything modeler=$folder/modeler status=0 joined=ON
   [[ -z $chosen ]] || joined=OFF # tests have their own names
-  local check=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+  local options=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
                "-DCMAKE_CXX_COMPILER_LAUNCHER=$PWD/cmake/PN_check_only.sh"
                "-DCMAKE_CXX_LINK_EXECUTABLE=<CMAKE_COMMAND> -E touch <TARGET>") # tests wait for the command
-  cmake -S . -B "$build" "${check[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON "-DPN_TEST_JOINED=$joined" -DCMAKE_UNITY_BUILD=OFF \
+  cmake -S . -B "$build" "${options[@]}" "-DCGAL_DIR=$(echo "$1"/usr/lib/*/cmake/CGAL)" -DPN_SUBDIVISION_3_DEVELOPER=ON -DPN_TEST_FULL=ON "-DPN_TEST_JOINED=$joined" -DCMAKE_UNITY_BUILD=OFF \
     -DPN_SUBDIVISION_3_FUZZ=ON -DPN_SUBDIVISION_3_INSTALL=OFF -DPN_SUBDIVISION_3_WITH_MPI=AUTO >"$build.txt" || return 1
-  cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${check[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
+  cmake -S demo/PN_subdivision_3/modeler -B "$modeler" "${options[@]}" "-DPN_HEADERS=$1/usr/include;/usr/include/eigen3" \
     "-DCMAKE_CXX_FLAGS=${warnings[*]}" >"$modeler.txt" || return 1
   name_what_is_left_out "$build.txt" "$modeler.txt"
-  local never='/headers_alone/|/empty\.cpp' tests='^test/.*/test_[^/]*\.dir/' demo='/src/pn_subdivide/|/bindings\.cpp'
-  if [[ -z $seconds ]]; then
-    check_sources "$build" "$never" || status=1
-    check_sources "$modeler" "$demo" || status=1
-  else
-    check_while_time_lasts "$build" "$never|$tests" || status=1
-    check_while_time_lasts "$modeler" "$demo" || status=1
-    chosen=$tests check_while_time_lasts "$build" "$never" || status=1
-  fi
+  local never='/headers_alone/|/empty\.cpp' demo='/src/pn_subdivide/|/bindings\.cpp'
+  local check=check_sources
+  [[ -z $seconds ]] || check=check_while_time_lasts
+  $check "$build" "$never" || status=1
+  $check "$modeler" "$demo" || status=1
   return $status
 }
 
@@ -118,7 +119,7 @@ cgal6()
 {
   local newer=${CGAL6:-$PWD/$folder/cgal6} status=0
   [[ -e $newer/usr/include/CGAL/version.h ]] || scripts/fetch_cgal6_headers.sh "$newer" || return 1
-  if [[ -z $chosen ]]; then
+  if [[ $with_headers == yes ]]; then
     for compiler in g++ clang++; do
       compile_headers "$compiler" -std=c++17 -isystem "$newer/usr/include" test/PN_subdivision_3/portability/bits.cpp || status=1
     done

@@ -46,7 +46,7 @@ def build_and_run(tests, jobs):
                     *(["--target", *tests] if tests else []), "--", "-k0"], check=False, cwd=ROOT)
     for old in (BUILD / PROFILES).glob("*.profraw"):
         old.unlink()
-    select = ["-R", "^(" + "|".join(tests) + r")(\.|$)"] if tests else []
+    select = ["-R", "^(" + "|".join(tests) + ")$"] if tests else []
     run = subprocess.run(["ctest", "--preset", "asan-ubsan", "-j", str(jobs), "--no-tests=error", "-Q", *select],
                          cwd=ROOT, env={**os.environ, "LLVM_PROFILE_FILE": profile_pattern(BUILD)})
     if run.returncode != 0:

@@ -8,12 +8,13 @@
 # Author(s): PN_subdivision_3 developers
 """Puts small wrong changes into the headers, one at a time, and runs the tests that must notice.
 
-    scripts/mutate.py [--list] [--check] [--bare] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
+    scripts/mutate.py [--list] [--check] [--bare] [--tiers] [--unchanged] [--table FILE] [--again] [--jobs N] [NAME...]
 
 NAME is a part of a name in scripts/mutations.toml; without one all are tried, which takes an hour or two: only the
 named tests are compiled for each, at -O0, by $CXX or clang++, up to the first that fails. Verdicts are added to
 scripts/mutation_results.tsv; changes that have one there are only tried with --again. --check tells whether every
-pattern is still found, --bare lists the headers of 100 lines and more that no change touches, --unchanged runs the
+pattern is still found, --bare lists the headers of 100 lines and more that no change touches, --tiers the changes that no test of
+scripts/test.sh is known to catch, with the long test that does (exit code 1 if they are more than 5 %), --unchanged runs the
 tests of the selection on headers as they are (all have to pass), --table writes the page of the manual from the verdicts.
 Exit code 1 if a change survives that is not expected to, or cannot be made.
 """
@@ -98,6 +99,13 @@ def add_result(result):
         rows = sorted((r for r in results.values() if r["name"] in order), key=lambda r: order[r["name"]])
         RESULTS.write_text("\n".join("\t".join(map(str, row)) for row in [COLUMNS, *(r.values() for r in rows)]) + "\n")
         print(f"{result['verdict']:<9} {result['name']}: {result['test']} {result['what failed']}", flush=True)
+
+
+def caught_late():
+    """The changes that are caught, and those of them by a long test."""
+    long = set((TESTS / "long_tests.txt").read_text().split())
+    caught = [r for r in read_results().values() if r["verdict"] == "caught"]
+    return caught, [r for r in caught if pathlib.PurePath(r["test"]).name in long]
 
 
 # --- compilation ---
@@ -283,6 +291,7 @@ def main():
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--bare", action="store_true")
+    parser.add_argument("--tiers", action="store_true")
     parser.add_argument("--unchanged", action="store_true")
     parser.add_argument("--table", metavar="FILE")
     parser.add_argument("--again", action="store_true")
@@ -291,6 +300,12 @@ def main():
 
     if options.table:
         return write_table(options.table)
+    if options.tiers:
+        caught, late = caught_late()
+        for result in late:
+            print(f"{result['test']:<36} {result['name']}")
+        print(f"{len(caught) - len(late)} of {len(caught)} changes are caught by the short tier")
+        return 1 if len(late) > 0.05 * len(caught) else 0
     if options.bare:
         for n, name in bare_headers():
             print(f"{n:4} {name}")

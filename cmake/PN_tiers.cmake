@@ -1,0 +1,21 @@
+# Two tiers of tests: what scripts/test.sh builds and runs, and what test/PN_subdivision_3/long_tests.txt names, which has the
+# label "long" in ctest. Its programs are built by the target pn_long_tests, with PN_TEST_FULL by default.
+option(PN_TEST_FULL "Build the long tests, too: every scheme with every number type, every header alone" OFF)
+set(pn_long_list ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/long_tests.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${pn_long_list})
+file(STRINGS ${pn_long_list} pn_long_tests REGEX "^[a-z]")
+add_custom_target(pn_long_tests)
+
+# pn_tier(test [program]): the tier of a test, and of the program that it runs.
+function(pn_tier test)
+  if(NOT test IN_LIST pn_long_tests AND NOT test MATCHES "^test_long_")
+    return()
+  endif()
+  set_tests_properties(${test} PROPERTIES LABELS long)
+  foreach(program ${ARGN})
+    add_dependencies(pn_long_tests ${program})
+    if(NOT PN_TEST_FULL)
+      set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+  endforeach()
+endfunction()

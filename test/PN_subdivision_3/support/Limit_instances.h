@@ -1,0 +1,55 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// As Instances.h, for tests of limits.
+
+#ifndef CGAL_PN_SUBDIVISION_3_TEST_LIMIT_INSTANCES_H
+#define CGAL_PN_SUBDIVISION_3_TEST_LIMIT_INSTANCES_H
+
+#include "Instances.h"
+
+#include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
+#include <CGAL/PN_subdivision_3/tessellate.h>
+#include <CGAL/PN_subdivision_limit_3.h>
+
+#include <Eigen/Dense>
+
+namespace test_instances {
+
+template <class Scheme>
+void limits(const Scheme& scheme)
+{
+  Mesh mesh;
+  const auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>().first;
+  const auto at = mesh.add_property_map<Mesh::Vertex_index, PN::Limit_point<Kernel>>().first;
+  PN::limit_points(mesh, scheme, at, params::vertex_normal_map(normals));
+  PN::limit_points(mesh, PN::linear(scheme), at);
+}
+
+template <class Scheme>
+void surfaces(const Scheme& scheme)
+{
+  Mesh mesh, triangles;
+  const auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>().first;
+  PN::tessellate(mesh, scheme, 0.1, triangles, params::vertex_normal_map(normals));
+  PN::interpolate_limit_points(mesh, scheme, params::vertex_normal_map(normals));
+}
+
+inline void all_limits()
+{
+  limits(PN::CatmullClark_scheme());
+  limits(PN::Loop_scheme());
+  limits(PN::CatmullClark_scheme::Tuned());
+  limits(PN::Loop_scheme::Tuned());
+  surfaces(PN::CatmullClark_scheme());
+  surfaces(PN::Loop_scheme());
+}
+
+} // namespace test_instances
+
+#endif // CGAL_PN_SUBDIVISION_3_TEST_LIMIT_INSTANCES_H
