@@ -3,7 +3,7 @@ option(PN_TEST_JOINED "The unit tests of a subject are compiled as one source, o
 set(PN_TESTS_IN_A_SOURCE 5) # so that none takes more than a minute and 1.8 GB
 # with settings or an operator new of their own, or with names that headers of others have, too
 set(pn_tests_apart
-    test_PN_mask_3_custom test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
+    test_PN_mask_3_custom test_any_scheme test_Subdivision_method_3_examples test_coherent_normals test_enclose test_estimate_control_normals test_failures
     test_kernels_exact test_kernels_floating test_kernels_intervals test_modified_schemes_numbers test_normal_guards
     test_reciprocal_normals test_strong_guarantee)
 # several sources of one test, with names that are not the same in all of them
@@ -45,8 +45,8 @@ function(pn_write_joined file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN}) # for their headers
 endfunction()
 
-# pn_add_joined_tests(name subject source...): the programs NAME_1, NAME_2, ... of these sources.
-function(pn_add_joined_tests name subject)
+# pn_add_joined_tests(name headers source...): the programs NAME_1, NAME_2, ... of these sources.
+function(pn_add_joined_tests name headers)
   set(number 0)
   set(sources ${ARGN})
   list(LENGTH sources left)
@@ -59,7 +59,7 @@ function(pn_add_joined_tests name subject)
     pn_write_joined(${joined} ${some})
     list(GET some 0 first)
     get_filename_component(folder ${first} DIRECTORY)
-    pn_add_test(${name}_${number} ${subject} ${joined})
+    pn_add_test(${name}_${number} ${headers} ${joined})
     target_include_directories(${name}_${number} PRIVATE ${folder})
   endwhile()
 endfunction()

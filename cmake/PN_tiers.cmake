@@ -4,6 +4,9 @@ option(PN_TEST_FULL "Build the long tests, too: every scheme with every number t
 set(pn_long_list ${PN_subdivision_3_SOURCE_DIR}/test/PN_subdivision_3/long_tests.txt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${pn_long_list})
 file(STRINGS ${pn_long_list} pn_long_tests REGEX "^[a-z]")
+file(STRINGS ${pn_long_list} pn_long_cases REGEX "^ ")
+list(TRANSFORM pn_long_cases STRIP)
+list(JOIN pn_long_cases ":" pn_long_cases)
 add_custom_target(pn_long_tests)
 
 # pn_tier(test [program]): the tier of a test, and of the program that it runs.

@@ -105,7 +105,7 @@ def caught_late():
     """The changes that are caught, and those of them by a long test."""
     long = set((TESTS / "long_tests.txt").read_text().split())
     caught = [r for r in read_results().values() if r["verdict"] == "caught"]
-    return caught, [r for r in caught if pathlib.PurePath(r["test"]).name in long]
+    return caught, [r for r in caught if {pathlib.PurePath(r["test"]).name, r["what failed"]} & long]
 
 
 # --- compilation ---

@@ -9,6 +9,7 @@
 // Limit masks and estimates against what is known of them: the masks of the literature, how well the
 // point-normal average of a limit mask does, how errors fall, curvature.
 
+#include "Extent.h"
 #include "Curved_surfaces.h"
 #include "Limit_cases.h"
 #include "reference/Limit.h"
@@ -376,7 +377,7 @@ Control_mesh at_border(int degree, int faces)
 template <class Description>
 void expect_border_normals(int degree, const std::vector<int>& faces_with_normals)
 {
-  for (int faces = 1; faces <= 8; ++faces) {
+  for (int faces = 1; faces <= (tests_are_full ? 8 : 4); ++faces) {
     const Control_mesh control = at_border(degree, faces);
     Surface_mesh mesh = to_surface_mesh(control);
     const std::string what = std::string(Description::scheme().name()) + ", " + control.name;
@@ -418,6 +419,7 @@ TEST(Surface_normals, OfBordersAreThoseThatFacesTendTo)
   expect_border_normals<CatmullClark_description>(4, {2, 3});
   expect_border_normals<Loop_description>(3, {2, 3, 4, 5});
   expect_border_normals<Sqrt3_description>(3, {2, 3, 4, 5});
+  if (!tests_are_full) return; // as the others
   expect_border_normals<Butterfly_description>(3, {2, 3});
   expect_border_normals<Kobbelt_description>(4, {1, 2});
 }

@@ -9,6 +9,7 @@
 // Given normals that are smoothed using the points: a minimum by a dense solve, noise that is known, the mean change of
 // curvature of the refined surface, what must not change.
 
+#include "Extent.h"
 #include "Sampled_surfaces.h"
 #include "support/Exact_rational.h"
 
@@ -186,6 +187,7 @@ TEST(Smooth_normals, AreFairerAndCloserAndNoiseIsKnown)
     {"waves, triangles", waves(Cells::triangles)}};
   for (const auto& [name, control] : shapes)
     for (const double noise : {0., 0.2, 1., 2., 5.}) {
+      if (!tests_are_full && (noise == 0.2 || noise == 2)) continue;
       SCOPED_TRACE(name + (" " + std::to_string(noise)));
       Sampled s(control);
       disturb(s, noise);

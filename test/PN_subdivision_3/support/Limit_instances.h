@@ -47,7 +47,6 @@ inline void all_limits()
   limits(PN::CatmullClark_scheme::Tuned());
   limits(PN::Loop_scheme::Tuned());
   surfaces(PN::CatmullClark_scheme());
-  surfaces(PN::Loop_scheme());
 }
 
 } // namespace test_instances

@@ -7,7 +7,8 @@
 // Author(s): PN_subdivision_3 developers
 
 // main() of the GoogleTest programs, each of which is one entry of ctest: tells how to run a test that fails alone, and
-// names tests that are skipped without a reason, for scripts/left_out.sh.
+// names tests that are skipped without a reason, for scripts/left_out.sh. Single tests of long_tests.txt are left to PN_TEST_FULL,
+// unless a filter is given.
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,9 @@ private:
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
+#ifdef PN_LONG_CASES
+  if (testing::GTEST_FLAG(filter) == "*") testing::GTEST_FLAG(filter) = "-" PN_LONG_CASES;
+#endif
   testing::UnitTest::GetInstance()->listeners().Append(new Advice(argv[0])); // which owns it
   return RUN_ALL_TESTS();
 }

@@ -8,6 +8,7 @@
 
 // Tessellations whose distance from the surface is proved: against limit points of far more rounds, and what is refused.
 
+#include "Extent.h"
 #include "Named_shapes.h"
 #include "Scheme_runs.h"
 #include "Tessellation_cases.h"
@@ -75,7 +76,7 @@ void expect_bound(const Control_mesh& shape, const Scheme& scheme, double eps, d
   expect_conforming(out, control);
   PN::subdivide_to_limit(control, scheme,
                          PN::parameters::roundness(roundness)
-                           .number_of_iterations((std::min)(result.depth + 4, 6u))
+                           .number_of_iterations((std::min)(result.depth + 4, tests_are_full ? 6u : 4u))
                            .vertex_normal_map(normal_map(control)));
   const std::vector<Triangle> all = triangles(out);
   double largest = 0;
