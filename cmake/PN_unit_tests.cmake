@@ -79,7 +79,8 @@ set(pn_headers_of_tests <gtest/gtest.h> <CGAL/Exact_predicates_exact_constructio
 pn_precompile_tests(pn_command_test_headers ${pn_headers_of_command_tests})
 pn_precompile_tests(pn_test_headers ${pn_headers_of_tests} INSTANCES Instances.h)
 if(TARGET CGAL::PN_subdivision_3_Eigen)
-  pn_precompile_tests(pn_limit_test_headers ${pn_headers_of_tests} INSTANCES Limit_instances.h)
+  pn_precompile_tests(pn_limit_test_headers <gtest/gtest.h> <CGAL/PN_subdivision_limit_3.h> <CGAL/Simple_cartesian.h>
+                      <CGAL/Surface_mesh.h> INSTANCES Limit_instances.h)
 endif()
 
 # What of the reference implementations takes long to compile, or to run without optimization; and main().
@@ -101,10 +102,10 @@ endif()
 function(pn_headers_of_test result)
   set(${result} pn_test_headers PARENT_SCOPE)
   foreach(source ${ARGN})
-    file(STRINGS ${source} includes REGEX "^#include .*(Interpolation_|Limit|limit_|tessellat|curvature)")
+    file(STRINGS ${source} includes REGEX "^#include .*(Feature_matrix|Limit|limit_|interpolat|tessellat)")
     if(source MATCHES "/command/")
       set(${result} pn_command_test_headers PARENT_SCOPE)
-    elseif(includes AND TARGET pn_limit_test_headers)
+    elseif((includes OR source MATCHES "/(curvature|interpolation|limit|limit_surface|tessellation)/") AND TARGET pn_limit_test_headers)
       set(${result} pn_limit_test_headers PARENT_SCOPE)
     endif()
   endforeach()

@@ -57,6 +57,12 @@ def sources(name: str) -> list[Path]:
         return found + [path for first in found for path in first.parent.glob(f"{name.removeprefix('test_')}_*.cpp")]
     if name.startswith(("example_", "figure_")):
         return [EXAMPLES / f"{name.split('_', 1)[1]}.cpp", *ROOT.glob(f"doc/PN_subdivision_3/fig/{name.removeprefix('figure_')}.svg")]
+    if name.startswith("rejected_"):
+        return list(TESTS.glob(f"*/{name}.cpp"))
+    if name == "documented_commands":
+        return [ROOT / "README.md", *ROOT.glob("doc/PN_subdivision_3/*.txt"), *ROOT.glob("src/pn_subdivide/*/*.cpp")]
+    if name == "render_draws":
+        return [ROOT / "scripts" / "render.py", TESTS / "pictures" / "test_render.py"]
     if name.startswith("peak_memory"):
         return [ROOT / "benchmark" / "PN_subdivision_3" / "peak_memory.cpp"]
     # the package as it is installed, and what is drawn with it

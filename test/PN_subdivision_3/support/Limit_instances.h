@@ -14,7 +14,6 @@
 #include "Instances.h"
 
 #include <CGAL/PN_subdivision_3/interpolate_limit_points.h>
-#include <CGAL/PN_subdivision_3/tessellate.h>
 #include <CGAL/PN_subdivision_limit_3.h>
 
 #include <Eigen/Dense>
@@ -32,11 +31,10 @@ void limits(const Scheme& scheme)
 }
 
 template <class Scheme>
-void surfaces(const Scheme& scheme)
+void interpolations(const Scheme& scheme)
 {
-  Mesh mesh, triangles;
+  Mesh mesh;
   const auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>().first;
-  PN::tessellate(mesh, scheme, 0.1, triangles, params::vertex_normal_map(normals));
   PN::interpolate_limit_points(mesh, scheme, params::vertex_normal_map(normals));
 }
 
@@ -44,9 +42,7 @@ inline void all_limits()
 {
   limits(PN::CatmullClark_scheme());
   limits(PN::Loop_scheme());
-  limits(PN::CatmullClark_scheme::Tuned());
-  limits(PN::Loop_scheme::Tuned());
-  surfaces(PN::CatmullClark_scheme());
+  interpolations(PN::CatmullClark_scheme());
 }
 
 } // namespace test_instances
