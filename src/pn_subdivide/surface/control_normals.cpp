@@ -158,6 +158,24 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
   mesh.corner_normals = std::move(with_normals.corner_normals);
 }
 
+void set_without_fractions(Creases& creases, Mesh_data mesh,
+                           std::optional<PN::Control_normal_estimate> of_all)
+{
+  Creases others = creases;
+  bool has_fractions = false, has_others = false;
+  for (std::vector<double>* const of_elements : {&others.edges, &others.vertices})
+    for (double& s : *of_elements) {
+      has_fractions = has_fractions || (s > 0 && s < 1);
+      if (s < 1) s = 0;
+      has_others = has_others || s > 0;
+    }
+  if (!has_fractions) return;
+  if (has_others) estimate_between_creases(mesh, of_all, others);
+  Surface surface = make_surface(mesh);
+  creases.without_fractions = std::make_shared<Normals_without_fractions>(
+    Normals_without_fractions{take_corner_normals(surface), std::move(mesh.roundness)});
+}
+
 // Vertices whose normal in the file gives way to several.
 void report_estimated_wedges(const Mesh_data& mesh, const Creases& creases, const std::string& name,
                              Report& report)
@@ -307,7 +325,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
   for (Triple& n : mesh.normals) n = to_triple(unit_normal(to_vector(n)));
 }
 
-bool set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+bool set_control_normals(Mesh_data& mesh, const Normals_option& option, Creases& creases,
                          const std::string& name, Report& report)
 {
   if (!creases.any()) {
@@ -325,6 +343,7 @@ bool set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
     mesh.corner_normals.swap(corner_normals);
     normalize_corners(mesh, creases, name, report);
   } else {
+    set_without_fractions(creases, mesh, of_all);
     estimate_between_creases(mesh, of_all, creases);
     if (from_file) report_estimated_wedges(mesh, creases, name, report);
   }

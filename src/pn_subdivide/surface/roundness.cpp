@@ -74,6 +74,8 @@ void set_roundness(Mesh_data& mesh, const Roundness_option& option, std::vector<
     mesh.roundness.assign(mesh.points.size(), option.value);
     break;
   }
+  if (creases.without_fractions && option.source != Source::automatic)
+    creases.without_fractions->roundness.clear(); // that of the mesh
   require_range(mesh.roundness);
   if (is_one(mesh.roundness)) mesh.roundness.clear();
 }
