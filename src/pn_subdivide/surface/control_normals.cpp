@@ -12,6 +12,7 @@
 #include "io/corner_normals.h"
 #include "io/normals_of_file.h"
 #include "io/parse_numbers.h"
+#include "io/shading_normals.h"
 #include "surface/Surface.h"
 #include "surface/Wedges.h"
 
@@ -253,6 +254,41 @@ void drop_shading(Mesh_data& mesh, const std::string& name, Report& report)
   drop_normals(mesh);
 }
 
+// They are estimated.
+void set_aside(Mesh_data& mesh, const Stray_normals& stray, const Creases& creases,
+               const std::string& name, Report& report)
+{
+  char text[200];
+  std::snprintf(text, sizeof text,
+                ": the normals in the file are %.0f degrees off those of the faces on %zu of %zu "
+                "components in the median and are set aside there: they are estimated (--normals "
+                "file takes them)",
+                stray.degrees, stray.components, stray.of);
+  report.remark(name + text);
+  if (stray.components == stray.of) return drop_normals(mesh);
+  Mesh_data estimated = mesh;
+  drop_normals(estimated);
+  estimate(estimated, default_estimate);
+  if (creases.any()) estimate_between_creases(estimated, default_estimate, creases);
+  mesh.roundness.assign(mesh.points.size(), 1.);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (stray.is_stray[v]) {
+      mesh.normals[v] = estimated.normals[v];
+      mesh.roundness[v] = estimated.roundness[v];
+    }
+  if (mesh.corner_normals.empty()) return;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    std::size_t corner = mesh.first_corner(f);
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      if (stray.is_stray[v])
+        mesh.corner_normals[corner] = estimated.corner_normals.empty()
+                                        ? estimated.normals[v]
+                                        : estimated.corner_normals[corner];
+      ++corner;
+    }
+  }
+}
+
 } // namespace
 
 Normals_option parse_normals_option(const std::string& text)
@@ -377,7 +413,11 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
   if (!flat.is_there()) {
     if (creases.are_by_normals)
       report.remark(name + ": the normals in the file differ at " + edges + ", taken for creases");
-    if (may_drop && mesh.shading.is_there()) drop_shading(mesh, name, report);
+    if (!may_drop || mesh.are_said_to_be_control) return;
+    if (mesh.shading.is_there()) return drop_shading(mesh, name, report);
+    if (!mesh.roundness.empty()) return;
+    const Stray_normals stray = find_stray_normals(mesh);
+    if (stray.components > 0) set_aside(mesh, stray, creases, name, report);
     return;
   }
   std::string text = name + ": the normals in the file are those of its faces, for flat shading (" +

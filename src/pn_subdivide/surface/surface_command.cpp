@@ -749,7 +749,7 @@ void run_surface_command(const Surface_options& given_options)
                            part ? &*part : nullptr, input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
     const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
-    if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
+    if (is_copy) mesh.are_said_to_be_control = true; // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan, options.levels);
     require_interpolation_of_creases(creases, plan);
