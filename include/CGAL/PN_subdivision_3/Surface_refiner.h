@@ -14,6 +14,7 @@
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/attributes/Kept_attributes.h>
 #include <CGAL/PN_subdivision_3/internal/average/checked_coordinates.h>
+#include <CGAL/PN_subdivision_3/internal/creases/Gone_creases.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_values.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Control_vertices.h>
 #include <CGAL/PN_subdivision_3/internal/meshes/Mesh_creases.h>
@@ -394,6 +395,13 @@ private:
       std::vector<Value> slots(creases.number_of_slots);
       internal::read_corner_normals<FT>(access, level, creases, normals, slots);
       control_->set_slot_normals(slots);
+      if constexpr (internal::are_creases_v<Level_creases>)
+        if (internal::has_fractions(creases)) {
+          const auto others = internal::Gone_creases<FT>(level, creases).creases;
+          slots.assign(others.number_of_slots, Value());
+          internal::read_corner_normals<FT>(access, level, others, normals, slots);
+          control_->set_slot_normals_without_fractions(slots);
+        }
     }
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());

@@ -87,10 +87,11 @@ recognize_surfaces(const FaceGraph& mesh, FacePatchMap patch_map,
 
 makes of recognized surfaces what `subdivide()` takes. It marks the edges between different surfaces, and between faces of
 unknown surface those at which these meet at an angle; and if the named parameters have maps for them, the vertices that
-are corners by themselves, which are apexes of cones, and the normals of the surfaces at all corners of faces.
+are corners by themselves, which are apexes of cones, the normals of the surfaces at all corners of faces, and the roundness
+of the vertices.
 
-A corner of a face of an unknown surface gets the normals of the recognized surfaces beside its wedge that it meets at
-no more than 30 degrees; all others, and the apexes of cones, get zero vectors, which stand for no normal.
+Corners of faces of unknown surfaces, and apexes of cones, get zero vectors, which stand for no normal, and vertices of unknown
+surfaces only the roundness 0, all others 1: with both, what is not recognized is refined by the linear scheme.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam FacePatchMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and
@@ -104,8 +105,8 @@ no more than 30 degrees; all others, and the apexes of cones, get zero vectors, 
 \param surfaces the result of `recognize_surfaces()`
 \param edge_map the map to write, the `edge_is_constrained_map` of `subdivide()`; edges on the border are no creases
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `recognize_surfaces()`,
-  `parameters::sharp_angle()` (default 30 degrees), and, to be written, the `vertex_is_constrained_map` of `subdivide()` and
-  its `vertex_normal_map` of half-edges: the normal of the corner of the face of the half-edge at its target, on the side
+  `parameters::sharp_angle()` (default 30 degrees), and, to be written, the `vertex_is_constrained_map` of `subdivide()`, its
+  `vertex_roundness_map`, and its `vertex_normal_map` of half-edges: the normal of the corner of the face of the half-edge at its target, on the side
   of the face's own normal; zero for half-edges without a face
 
 \return the number of creases
@@ -135,6 +136,12 @@ std::size_t surface_creases(const FaceGraph& mesh, FacePatchMap patch_map,
         const Corner_map corners = Parameters::vertex_constraint_map(np);
         for (Index v = 0; v < level.number_of_vertices(); ++v)
           put(corners, access.vertex(v), tags.is_corner(v));
+      }
+      if constexpr (internal::is_given_roundness_v<typename Parameters::Roundness_map>) {
+        const auto roundness = Parameters::roundness_map(np);
+        using Number = typename boost::property_traits<decltype(roundness)>::value_type;
+        for (Index v = 0; v < level.number_of_vertices(); ++v)
+          put(roundness, access.vertex(v), Number(tags.is_unknown(v) ? 0 : 1));
       }
       using Normal_map = typename Parameters::Normal_map;
       if constexpr (!std::is_same_v<Normal_map, internal::No_normal_map>) {

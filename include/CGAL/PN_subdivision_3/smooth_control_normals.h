@@ -43,6 +43,9 @@ struct Normal_smoothing_report
   double largest_turn = 0;
   /// how many normals have been changed; a vertex between creases has one for each wedge.
   std::size_t changed_normals = 0;
+  /// the roundness of all vertices with which the surface becomes fairest, less than 1 if the points have noise: to be given
+  /// to `subdivide()` by `parameters::roundness()`.
+  double roundness = 1;
 };
 
 namespace internal {
@@ -79,6 +82,7 @@ inline Normal_smoothing_report smooth(const Level_connectivity& level,
   report.noise = in_degrees(smoothing.noise());
   report.arc_defect = in_degrees(smoothing.defect());
   report.strength = smoothing.strength();
+  report.roundness = smoothing.roundness();
   for (std::size_t v = 0; v < smooth_normals.size(); ++v) {
     const Eigen_vector<3>&a = data.normals[v], &b = smooth_normals[v];
     if (a == b) continue;
@@ -113,9 +117,12 @@ Then, with \f$ \epsilon = \min(2/\sqrt N, 1/5) \f$ for what both may be off by c
 \f[ \lambda = \frac{\sigma^2 - \rho^2 / 10}{2 \max(\rho^2 - (1 + \epsilon) \sigma^2, \sigma^2/1000)}, \f]
 
 the ratio of the variances of a normal in a direction and of the defects that the shape itself has. Where noise is less than a tenth of \f$ \rho^2 \f$, as
-with exact normals, nothing is changed. Nor is it where the mean of \f$ |\nabla H| \f$, the change of the mean curvature, over
-the surface after two rounds of Catmull-Clark or, for triangles, Loop subdivision would not become less: shape, not noise, is what it
-is about then, as on triangles with long edges in all directions.
+with exact normals, nothing is changed.
+
+<b>Noise of points</b> shows in the arcs, too, and no normals take it off. It is told by the mean of \f$ |\nabla H| \f$, the change of
+the mean curvature, over the surface after two rounds of Catmull-Clark or, for triangles, Loop subdivision: if this does not become
+less by the new normals, it is compared with what it is by these and a smaller roundness, down to 0, the linear scheme. If that is
+no better either, shape, not noise, is what it is about, as on triangles with long edges in all directions, and nothing is changed.
 
 Normals all of whose arcs have defects of at most 10<sup>-9</sup> are not changed by a bit, nor are those without arcs and
 zero ones. There is no arc between normals that are 90 degrees or more apart, so that a reversed one stays and does nothing to its

@@ -10,11 +10,17 @@
 
 #include "io/corner_normals.h"
 
+#include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 #include <vector>
 
 namespace pn_subdivide {
@@ -24,7 +30,23 @@ constexpr std::size_t reciprocal = 5; // behind those of modelling programs
 constexpr std::array<const char*, reciprocal> names = {
   "with equal weights", "weighted by area", "weighted by angle", "weighted by area times angle",
   "weighted by the areas that their corners span"};
-using Sums = std::array<Triple, reciprocal + 1>;
+// of the normals of the faces of a slot
+struct Sums
+{
+  std::array<Triple, reciprocal + 1> sums{};
+  std::array<double, reciprocal + 1> errors{}; // by the rounding of the points
+
+  void add(std::size_t kind, double weight, const Triple& normal, double error)
+  {
+    for (std::size_t k = 0; k < 3; ++k) sums[kind][k] += weight * normal[k];
+    errors[kind] += weight * error;
+  }
+  // of the direction, in radians
+  double error(std::size_t kind) const
+  {
+    return errors[kind] / std::sqrt(scalar_product(sums[kind], sums[kind]));
+  }
+};
 
 void add(Triple& sum, double weight, const Triple& v)
 {
@@ -51,13 +73,22 @@ double scale_of(const std::vector<Triple>& points)
   return size > 0 && std::isfinite(size) ? std::ldexp(1., -std::ilogb(size)) : 1.;
 }
 
+double rounding_of(const std::vector<Triple>& points)
+{
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Triple& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
+  return CGAL::PN_subdivision_3::internal::recognition::file_rounding(coordinates);
+}
+
 class Sums_of_faces
 {
 public:
   Sums_of_faces(const Mesh_data& mesh, const Normal_slots& slots)
     : mesh_(mesh)
     , scale_(scale_of(mesh.points))
-    , sums_(slots.size(), Sums{})
+    , rounding_(scale_ * rounding_of(mesh.points))
+    , sums_(slots.size())
   {
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) add_face(slots, f);
   }
@@ -80,21 +111,26 @@ private:
       add(twice_area, 1, cross_product(edge(v[0], v[i - 1]), edge(v[0], v[i])));
     const Triple normal = normalized(twice_area);
     const double area = length(twice_area);
+    double around = 0;
+    for (std::size_t i = 0; i < n; ++i) around += length(edge(v[i], v[(i + 1) % n]));
+    const double error = area > 0 ? 2 * rounding_ * around / area : 0;
     slots.for_each(f, [&](std::size_t i, std::size_t slot, const Triple&) {
       const Triple a = edge(v[i], v[(i + 1) % n]), b = edge(v[i], v[(i + n - 1) % n]);
       const Triple c = cross_product(a, b);
       const double span = length(c), angle = std::atan2(span, scalar_product(a, b));
       const std::array<double, reciprocal> weights = {1, area, angle, area * angle, span};
-      for (std::size_t k = 0; k < reciprocal; ++k) add(sums_[slot][k], weights[k], normal);
+      for (std::size_t k = 0; k < reciprocal; ++k) sums_[slot].add(k, weights[k], normal, error);
       const double lengths = scalar_product(a, a) * scalar_product(b, b);
-      if (lengths > 0) add(sums_[slot][reciprocal], 1 / lengths, c);
+      if (lengths > 0) sums_[slot].add(reciprocal, 1 / lengths, c, span * error);
     });
   }
 
   const Mesh_data& mesh_;
-  double scale_;
+  double scale_, rounding_; // of coordinates
   std::vector<Sums> sums_;
 };
+
+constexpr double largest_error = 0.05; // of what is still compared
 
 bool are_close(const Triple& unit, const Triple& sum, double distance)
 {
@@ -116,18 +152,84 @@ Shading find_shading(const Mesh_data& mesh)
   std::size_t all = 0;
   for (std::size_t slot = 0; slot < slots.size(); ++slot) {
     const Triple& n = slots.normal(slot);
-    if (is_zero(n) || is_zero(sums[slot][0])) continue;
+    const Sums& of_slot = sums[slot];
+    if (is_zero(n) || is_zero(of_slot.sums[0]) || !(of_slot.error(0) < largest_error)) continue;
     const double distance =
       2 * mesh.digits_of_normals.unit(n) / std::hypot(n[0], n[1], n[2]) + 2e-6;
     ++all;
     for (std::size_t k = 0; k <= reciprocal; ++k)
-      agree[k] += are_close(normalized(n), sums[slot][k], distance);
+      agree[k] += are_close(normalized(n), of_slot.sums[k],
+                            distance + (std::min)(of_slot.error(k), largest_error));
   }
   const auto are_most = [all](std::size_t number) { return 5 * number >= 4 * all; };
   const auto best =
     std::size_t(std::max_element(agree.begin(), agree.begin() + reciprocal) - agree.begin());
   if (all == 0 || !are_most(agree[best]) || are_most(agree[reciprocal])) return {};
   return {names[best], agree[best], all};
+}
+
+namespace {
+
+// of each vertex that of a number of its component
+std::vector<std::size_t> components_of(const Mesh_data& mesh)
+{
+  std::vector<std::size_t> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Mesh_data::Index v : mesh.face(f)) parent[root(v)] = root(*mesh.face(f).begin());
+  for (std::size_t v = 0; v < parent.size(); ++v) parent[v] = root(v);
+  return parent;
+}
+
+// of lines, for normals that all point inside are another matter
+double degrees_between(const Triple& m, const Triple& n)
+{
+  return std::atan2(length(cross_product(m, n)), std::abs(scalar_product(m, n))) * 180 / CGAL_PI;
+}
+
+double median(std::vector<double>& x)
+{
+  const auto middle = x.begin() + std::ptrdiff_t(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return *middle;
+}
+
+} // namespace
+
+Stray_normals find_stray_normals(const Mesh_data& mesh)
+{
+  constexpr std::size_t area = 1, angle = 2;
+  constexpr double most = 10;
+  const Normal_slots slots(mesh);
+  const Sums_of_faces sums(mesh, slots);
+  const std::vector<std::size_t> component = components_of(mesh);
+  std::map<std::size_t, std::array<std::vector<double>, 3>> degrees;
+  for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+    const Triple& n = slots.normal(slot);
+    std::size_t i = 0;
+    for (const std::size_t kind : {area, angle, reciprocal})
+      if (const Triple& sum = sums[slot].sums[kind]; !is_zero(n) && !is_zero(sum))
+        degrees[component[slots.vertex(slot)]][i++].push_back(degrees_between(n, sum));
+  }
+  Stray_normals result;
+  result.is_stray.assign(mesh.points.size(), false);
+  std::set<std::size_t> stray;
+  for (auto& [number, of_kinds] : degrees) {
+    double least = 180;
+    for (std::vector<double>& x : of_kinds) least = x.empty() ? 0 : (std::min)(least, median(x));
+    if (!(least > most)) continue;
+    stray.insert(number);
+    result.degrees = (std::max)(result.degrees, least);
+  }
+  result.components = stray.size();
+  result.of = degrees.size();
+  for (std::size_t v = 0; v < component.size(); ++v)
+    result.is_stray[v] = stray.count(component[v]) > 0;
+  return result;
 }
 
 } // namespace pn_subdivide

@@ -72,10 +72,21 @@ private:
 
 // Which of the sums that modelling programs write the normals of a mesh are: unit sums of the normals of the faces with
 // weights 1, the area, the angle, the area times the angle, or |a x b| of the two edges of the corner. They are of this kind
-// if at least 80 % of them agree with one and the same of these, within two units of their last digit and 2e-6, and less
+// if at least 80 % of them agree with one and the same of these, within two units of their last digit, 2e-6 and what the
+// rounding of the points makes of it, and less
 // than 80 % with the sum of a x b / (|a|^2 |b|^2): true normals of many round shapes agree with all of them, by
 // symmetry, but then with this one, too. Normals that are zero and corners without area do not count.
 Shading find_shading(const Mesh_data& mesh);
+
+// The components of the mesh whose normals say nothing of its shape: in the median more than 10 degrees from the normals by arcs, by
+// areas and by angles, each of them.
+struct Stray_normals
+{
+  std::vector<bool> is_stray; // the component of a vertex
+  std::size_t components = 0, of = 0;
+  double degrees = 0; // by which they are off, at the most
+};
+Stray_normals find_stray_normals(const Mesh_data& mesh);
 
 } // namespace pn_subdivide
 

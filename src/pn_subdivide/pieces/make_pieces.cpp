@@ -92,7 +92,7 @@ std::unique_ptr<Any_pieces> pieces_with_creases(Surface& surface, const Scheme_c
       surface, scheme, number,
       PN::parameters::join(
         PN::parameters::vertex_roundness_map(roundness).crease_tangent_map(creases.tangents),
-        np.vertex_normal_map(Control_corner_normals{&of_corners})));
+        np.vertex_normal_map(Control_corner_normals(of_corners, creases.without_fractions))));
   });
 }
 

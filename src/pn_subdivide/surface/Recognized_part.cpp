@@ -11,7 +11,6 @@
 #include "io/corner_normals.h"
 #include "surface/Wedges.h"
 
-#include <CGAL/PN_subdivision_3/internal/recognition/Fallback.h>
 #include <CGAL/PN_subdivision_3/internal/recognition/file_rounding.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/recognize_surfaces.h>
@@ -144,21 +143,21 @@ Recognized_part recognize_part(const Mesh_data& mesh, const Recognition_plan& pl
   const Crease_map creases = surface.add_property_map<Edge, bool>("e:is_crease", false).first;
   const Corner_normal_map normals =
     surface.add_property_map<Halfedge, Vector_3>("h:of_surface", CGAL::NULL_VECTOR).first;
+  const auto corners = surface.add_property_map<Vertex, bool>("v:is_corner", false).first;
   const Roundness_map roundness = add_roundness(surface);
   with_parameters(plan, [&](const auto& np) {
     part.surfaces = PN::recognize_surfaces(surface, segments, np);
     if (!plan.tolerance) try_tolerance_of_six_digits(part, surface, plan);
-    // creases, and normals for all corners
-    PN::internal::Surface_fallback fallback = PN::internal::never_worse_than_linear(
-      surface, segments, part.surfaces, creases, normals,
-      PN::parameters::join(PN::parameters::vertex_roundness_map(roundness), np));
-    part.given_up = fallback.segments_given_up;
-    part.set_back = fallback.wedges_set_back;
-    part.high_faces = std::move(fallback.high_faces);
-    part.corners = std::move(fallback.corners);
-    part.excess_of_volume = fallback.excess_of_volume;
+    PN::surface_creases(surface, segments, part.surfaces, creases,
+                        PN::parameters::join(PN::parameters::vertex_roundness_map(roundness)
+                                               .vertex_is_constrained_map(corners)
+                                               .vertex_normal_map(normals),
+                                             np));
   });
-  for (const Vertex v : surface.vertices()) part.roundness.push_back(roundness[v]);
+  for (const Vertex v : surface.vertices()) {
+    if (corners[v]) part.corners.push_back(v);
+    part.roundness.push_back(roundness[v]);
+  }
   fill(part, surface, segments, creases, normals);
   return part;
 }

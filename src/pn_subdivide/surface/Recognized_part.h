@@ -30,12 +30,8 @@ struct Recognized_part
   std::size_t tangent_creases = 0;          // between surfaces that touch
   std::vector<std::size_t> corners;         // vertices: apexes of cones
   std::vector<Vector_3> normals;            // of corners; zero: none
-  std::vector<double> roundness;            // of vertices
+  std::vector<double> roundness;            // of vertices: 0 where nothing is known, else 1
   double unknown_area = 0, area = 0;
-  // what was set back so that nothing is worse than linear, and where that was in vain
-  std::size_t given_up = 0, set_back = 0;
-  std::vector<std::size_t> high_faces;
-  double excess_of_volume = 0; // as a part of it
   // of a file of all digits: a tolerance with which clearly more is recognized, and how many segments then; 0: there is none
   double other_tolerance = 0;
   std::size_t other_segments = 0;

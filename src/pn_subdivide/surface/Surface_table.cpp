@@ -9,15 +9,31 @@
 #include "surface/Surface_table.h"
 
 #include "surface/Surface.h"
+#include "surface/output_tags.h"
+
+#include <CGAL/PN_subdivision_3/internal/recognition/Shape.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
+#include <set>
 
 namespace pn_subdivide {
+
+// Where a face is, and how it lies.
+struct Face_place
+{
+  Point_3 middle;
+  Vector_3 twice_area;
+  double size = 0; // how far its vertices are apart
+};
+
 namespace {
+
+namespace PN_recognition = CGAL::PN_subdivision_3::internal::recognition;
 
 using Kind = Recognized_surface::Kind;
 
@@ -62,27 +78,19 @@ std::string digits(double x)
   return text;
 }
 
-double distance(const Recognized_surface& s, const Point_3& p)
+PN_recognition::Vec3 as_vec3(const Vector_3& v)
 {
-  const Vector_3 d = p - to_point(s.point), axis = to_vector(s.direction);
-  const double along = d * axis;
-  const Vector_3 off = d - along * axis;
-  const double rho = std::sqrt(off.squared_length());
-  switch (s.kind) {
-  case Kind::plane:
-    return std::abs(along);
-  case Kind::cylinder:
-    return std::abs(rho - s.radius);
-  case Kind::cone:
-    return std::abs(rho * std::cos(s.half_angle) - std::abs(along) * std::sin(s.half_angle));
-  case Kind::sphere:
-    return std::abs(std::sqrt(d.squared_length()) - s.radius);
-  case Kind::torus:
-    return std::abs(std::hypot(rho - s.radius, along) - s.tube_radius);
-  case Kind::unknown:
-    break;
-  }
-  return 0;
+  return {v.x(), v.y(), v.z()};
+}
+
+PN_recognition::Vec3 as_vec3(const Point_3& p)
+{
+  return as_vec3(p - CGAL::ORIGIN);
+}
+
+PN_recognition::Shape as_shape(const Recognized_surface& s)
+{
+  return PN_recognition::as_shape(s, 1, {});
 }
 
 Deviation largest(const Deviation& a, const Deviation& b)
@@ -90,29 +98,54 @@ Deviation largest(const Deviation& a, const Deviation& b)
   return {(std::max)(a.of_vertices, b.of_vertices), (std::max)(a.of_faces, b.of_faces)};
 }
 
-Deviation of_face(const Surface& surface, Surface::Face_index f, const Recognized_surface& s)
+Face_place place_of(const Surface& surface, Surface::Face_index f)
 {
-  Deviation result;
-  Vector_3 sum(0, 0, 0);
-  std::size_t n = 0;
+  const Surface::Halfedge_index first = surface.halfedge(f);
+  const Point_3& origin = surface.point(surface.target(first));
+  Vector_3 sum(0, 0, 0), area(0, 0, 0), before(0, 0, 0);
+  double squared_size = 0, n = 1;
+  for (Surface::Halfedge_index h = surface.next(first); h != first; h = surface.next(h), ++n) {
+    const Vector_3 d = surface.point(surface.target(h)) - origin;
+    sum += d;
+    area += CGAL::cross_product(before, d);
+    squared_size = (std::max)(squared_size, d.squared_length());
+    before = d;
+  }
+  return {origin + sum / n, area, std::sqrt(squared_size)};
+}
+
+Deviation of_face(const Surface& surface, Surface::Face_index f, const PN_recognition::Shape& shape)
+{
+  const auto distance = [&](const Point_3& p) { return std::abs(shape.distance(as_vec3(p))); };
+  Deviation result{0, distance(place_of(surface, f).middle)};
   const Surface::Halfedge_index first = surface.halfedge(f);
   Surface::Halfedge_index h = first;
   do {
     const Point_3 &p = surface.point(surface.source(h)), &q = surface.point(surface.target(h));
-    const double of_middle = distance(s, CGAL::midpoint(p, q));
-    result = largest(result, {distance(s, q), of_middle});
-    sum += q - CGAL::ORIGIN;
-    ++n;
+    result = largest(result, {distance(q), distance(CGAL::midpoint(p, q))});
     h = surface.next(h);
   } while (h != first);
-  result.of_faces =
-    (std::max)(result.of_faces, distance(s, CGAL::ORIGIN + sum / static_cast<double>(n)));
   return result;
 }
 
 std::vector<double> as_numbers(const std::vector<std::size_t>& segments)
 {
   return std::vector<double>(segments.begin(), segments.end());
+}
+
+// One a segment; zero for unknown ones. Segments are those of the faces.
+std::vector<Deviation> deviations(const Surface& surface, const std::vector<double>& segments,
+                                  const std::vector<Recognized_surface>& surfaces)
+{
+  std::vector<Deviation> result(surfaces.size());
+  std::vector<PN_recognition::Shape> shapes;
+  for (const Recognized_surface& s : surfaces) shapes.push_back(as_shape(s));
+  for (const Surface::Face_index f : surface.faces()) {
+    const auto segment = static_cast<std::size_t>(segments[f]);
+    if (surfaces[segment].kind != Kind::unknown)
+      result[segment] = largest(result[segment], of_face(surface, f, shapes[segment]));
+  }
+  return result;
 }
 
 std::string columns(const std::array<std::string, 6>& words)
@@ -156,27 +189,47 @@ std::string left_prisms(const std::vector<Recognized_surface>& surfaces)
 
 } // namespace
 
-std::vector<Deviation> deviations(const Surface& surface, const std::vector<double>& segments,
-                                  const std::vector<Recognized_surface>& surfaces)
+Surface_table::Surface_table(const Recognized_part& part, const Surface& control)
+  : part_(part)
+  , before_(deviations(control, as_numbers(part.segments), part.surfaces))
+  , after_(before_)
+  , along_(part.surfaces.size(), 0.)
 {
-  std::vector<Deviation> result(surfaces.size());
-  for (const Surface::Face_index f : surface.faces()) {
-    const auto segment = static_cast<std::size_t>(segments[f]);
-    if (surfaces[segment].kind != Kind::unknown)
-      result[segment] = largest(result[segment], of_face(surface, f, surfaces[segment]));
+  for (const Surface::Face_index f : control.faces()) {
+    const Face_place place = place_of(control, f);
+    along_[part.segments[f]] += along(place, part.segments[f]);
   }
-  return result;
 }
 
-Surface_table::Surface_table(const Recognized_part& part, const Mesh_data& control)
-  : part_(part)
-  , before_(deviations(make_surface(control), as_numbers(part.segments), part.surfaces))
-  , after_(before_)
-{}
-
-void Surface_table::measure(const Surface& refined, const std::vector<double>& segments)
+// Of twice the area of a face what is along the normal of its surface.
+double Surface_table::along(const Face_place& place, std::size_t segment) const
 {
-  after_ = deviations(refined, segments, part_.surfaces);
+  if (part_.surfaces[segment].kind == Kind::unknown) return 0;
+  return dot(as_vec3(place.twice_area),
+             as_shape(part_.surfaces[segment]).normal(as_vec3(place.middle)));
+}
+
+void Surface_table::number_faces(Attributes& attributes) const
+{
+  std::vector<double>& numbers = *segments_of(attributes);
+  std::iota(numbers.begin(), numbers.end(), 0.);
+}
+
+void Surface_table::measure(const Surface& refined, Attributes& attributes)
+{
+  std::vector<double>& numbers = *segments_of(attributes);
+  std::set<std::size_t> folded;
+  for (const Surface::Face_index f : refined.faces()) {
+    const auto parent = std::size_t(numbers[f]);
+    const std::size_t segment = part_.segments[parent];
+    const Face_place place = place_of(refined, f);
+    const double side = along_[segment] < 0 ? -1 : 1;
+    const double rounding = 1e-9 * place.size + 8 * part_.surfaces[segment].residual;
+    if (side * along(place, segment) < -rounding * place.size) folded.insert(parent);
+    numbers[f] = double(segment);
+  }
+  folded_faces_.assign(folded.begin(), folded.end());
+  after_ = deviations(refined, numbers, part_.surfaces);
 }
 
 double Surface_table::largest_deviation() const
@@ -205,11 +258,6 @@ std::string Surface_table::text() const
   text += "; " + number_of(creases, "crease edge", "crease edges");
   if (part_.tangent_creases > 0)
     text += ", " + std::to_string(part_.tangent_creases) + " where surfaces are tangent";
-  if (part_.given_up > 0)
-    text += "; " + number_of(part_.given_up, "segment", "segments") + " given up";
-  if (part_.set_back > 0)
-    text += "; " + number_of(part_.set_back, "wedge", "wedges") + " set back to linear";
-
   const std::string prisms = left_prisms(part_.surfaces);
   if (!prisms.empty()) text += "; " + prisms;
 
@@ -269,18 +317,16 @@ void Surface_table::warn(const std::string& input, Report& report) const
                 " segments in the place of " + std::to_string(part_.surfaces.size()) +
                 ": its coordinates have all digits, as those of a file of fewer that has been "
                 "moved or scaled");
-  if (part_.excess_of_volume > 0.001)
-    report.warn(input + ": its volume changes by " + digits(100 * part_.excess_of_volume) +
-                " % more than with --linear");
-  report.set_high_faces(part_.high_faces);
-  if (part_.high_faces.empty()) return;
+  report.set_high_faces(folded_faces_);
+  if (folded_faces_.empty()) return;
   constexpr std::size_t most = 10;
   std::string faces;
-  for (std::size_t i = 0; i < part_.high_faces.size() && i < most; ++i)
-    faces += (i == 0 ? " " : ", ") + std::to_string(part_.high_faces[i]);
-  if (part_.high_faces.size() > most) faces += ", ...";
-  report.warn(input + ": " + number_of(part_.high_faces.size(), "face", "faces") +
-              " may be rounder than with --linear:" + faces);
+  for (std::size_t i = 0; i < folded_faces_.size() && i < most; ++i)
+    faces += (i == 0 ? " " : ", ") + std::to_string(folded_faces_[i]);
+  if (folded_faces_.size() > most) faces += ", ...";
+  report.warn(input + ": the result is folded over on " +
+              number_of(folded_faces_.size(), "face", "faces") +
+              " of recognized surfaces:" + faces);
 }
 
 } // namespace pn_subdivide

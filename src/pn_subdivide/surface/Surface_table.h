@@ -22,18 +22,18 @@ struct Deviation
 {
   double of_vertices = 0, of_faces = 0;
 };
-// One a segment; zero for unknown ones. Segments are those of the faces.
-std::vector<Deviation> deviations(const Surface& surface, const std::vector<double>& segments,
-                                  const std::vector<Recognized_surface>& surfaces);
+
+struct Face_place;
 
 // What was found in a part, and what has become of it.
 class Surface_table
 {
 public:
-  Surface_table(const Recognized_part& part, const Mesh_data& control);
+  Surface_table(const Recognized_part& part, const Surface& control);
 
-  // of the refined mesh
-  void measure(const Surface& refined, const std::vector<double>& segments);
+  // The numbers of the faces take the place of the segments until the refined mesh is measured.
+  void number_faces(Attributes& attributes) const;
+  void measure(const Surface& refined, Attributes& attributes);
   // the largest that was measured on known surfaces
   double largest_deviation() const;
 
@@ -43,8 +43,12 @@ public:
   void warn(const std::string& input, Report& report) const;
 
 private:
+  double along(const Face_place& place, std::size_t segment) const;
+
   const Recognized_part& part_;
   std::vector<Deviation> before_, after_;
+  std::vector<double> along_; // of the segments: their faces' sum
+  std::vector<std::size_t> folded_faces_;
 };
 
 } // namespace pn_subdivide

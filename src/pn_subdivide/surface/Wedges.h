@@ -10,11 +10,14 @@
 #define PN_SUBDIVIDE_WEDGES_H
 
 #include "surface/Surface.h"
+#include "surface/creases.h"
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace pn_subdivide {
@@ -65,9 +68,18 @@ private:
   }
 };
 
-// The normals of take_corner_normals(), by half-edge.
+// The normals of take_corner_normals(), by half-edge, and those without edges that hardly are sharp.
 struct Control_corner_normals
 {
+  Control_corner_normals(const std::vector<Vector_3>& of_corners,
+                         std::shared_ptr<const Normals_without_fractions> of_others = nullptr)
+    : normals(&of_corners)
+    , without_fractions(std::move(of_others))
+  {
+    if (without_fractions && without_fractions->normals.size() != of_corners.size())
+      without_fractions = nullptr; // those of the control mesh
+  }
+
   using key_type = Surface::Halfedge_index;
   using value_type = Vector_3;
   using reference = const Vector_3&;
@@ -77,7 +89,18 @@ struct Control_corner_normals
   {
     return (*n.normals)[h];
   }
+  friend Control_corner_normals normals_without_fractions(const Control_corner_normals& n)
+  {
+    return n.without_fractions ? n.without_fractions->normals : *n.normals;
+  }
+  friend const std::vector<double>* roundness_without_fractions(const Control_corner_normals& n)
+  {
+    return n.without_fractions && !n.without_fractions->roundness.empty()
+             ? &n.without_fractions->roundness
+             : nullptr;
+  }
   const std::vector<Vector_3>* normals;
+  std::shared_ptr<const Normals_without_fractions> without_fractions;
 };
 
 } // namespace pn_subdivide

@@ -12,6 +12,7 @@
 #include "io/corner_normals.h"
 #include "io/normals_of_file.h"
 #include "io/parse_numbers.h"
+#include "io/shading_normals.h"
 #include "surface/Surface.h"
 #include "surface/Wedges.h"
 
@@ -158,6 +159,24 @@ void estimate_between_creases(Mesh_data& mesh, std::optional<PN::Control_normal_
   mesh.corner_normals = std::move(with_normals.corner_normals);
 }
 
+void set_without_fractions(Creases& creases, Mesh_data mesh,
+                           std::optional<PN::Control_normal_estimate> of_all)
+{
+  Creases others = creases;
+  bool has_fractions = false, has_others = false;
+  for (std::vector<double>* const of_elements : {&others.edges, &others.vertices})
+    for (double& s : *of_elements) {
+      has_fractions = has_fractions || (s > 0 && s < 1);
+      if (s < 1) s = 0;
+      has_others = has_others || s > 0;
+    }
+  if (!has_fractions) return;
+  if (has_others) estimate_between_creases(mesh, of_all, others);
+  Surface surface = make_surface(mesh);
+  creases.without_fractions = std::make_shared<Normals_without_fractions>(
+    Normals_without_fractions{take_corner_normals(surface), std::move(mesh.roundness)});
+}
+
 // Vertices whose normal in the file gives way to several.
 void report_estimated_wedges(const Mesh_data& mesh, const Creases& creases, const std::string& name,
                              Report& report)
@@ -198,17 +217,26 @@ bool smooth(Mesh_data& mesh, const Creases& creases, const std::string& name, Re
     text, sizeof text,
     ": the normals in the file have a noise of about %.2g degrees and miss arcs by %.2g: ",
     done.noise, done.arc_defect);
-  std::string change = "left as they are";
-  if (done.changed_normals > 0) {
-    char turn[60];
-    std::snprintf(turn, sizeof turn, " smoothed, by up to %.2g degrees", done.largest_turn);
-    change = std::to_string(done.changed_normals) + turn;
-    Mesh_data smoothed = to_mesh_data(surface);
-    mesh.normals = std::move(smoothed.normals);
-    mesh.corner_normals = std::move(smoothed.corner_normals);
+  if (done.changed_normals == 0) {
+    report.warn(
+      name + text +
+      "left as they are, since this does not stand out from what the shape itself does "
+      "to arcs; if the result is rough its points are: take --roundness 0.5, or --linear");
+    return false;
+  }
+  char turn[60];
+  std::snprintf(turn, sizeof turn, " smoothed, by up to %.2g degrees", done.largest_turn);
+  std::string change = std::to_string(done.changed_normals) + turn;
+  Mesh_data smoothed = to_mesh_data(surface);
+  mesh.normals = std::move(smoothed.normals);
+  mesh.corner_normals = std::move(smoothed.corner_normals);
+  if (done.roundness < 1) {
+    mesh.roundness.assign(mesh.points.size(), done.roundness);
+    std::snprintf(turn, sizeof turn, "; the points have noise, too: roundness %g", done.roundness);
+    change += turn;
   }
   report.remark(name + text + change);
-  return done.changed_normals > 0;
+  return true;
 }
 
 void drop_normals(Mesh_data& mesh)
@@ -233,6 +261,41 @@ void drop_shading(Mesh_data& mesh, const std::string& name, Report& report)
     report.warn(text + "; --output-normals both writes a file from which a further round takes "
                        "the control normals");
   drop_normals(mesh);
+}
+
+// They are estimated.
+void set_aside(Mesh_data& mesh, const Stray_normals& stray, const Creases& creases,
+               const std::string& name, Report& report)
+{
+  char text[200];
+  std::snprintf(text, sizeof text,
+                ": the normals in the file are %.0f degrees off those of the faces on %zu of %zu "
+                "components in the median and are set aside there: they are estimated (--normals "
+                "file takes them)",
+                stray.degrees, stray.components, stray.of);
+  report.remark(name + text);
+  if (stray.components == stray.of) return drop_normals(mesh);
+  Mesh_data estimated = mesh;
+  drop_normals(estimated);
+  estimate(estimated, default_estimate);
+  if (creases.any()) estimate_between_creases(estimated, default_estimate, creases);
+  mesh.roundness.assign(mesh.points.size(), 1.);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (stray.is_stray[v]) {
+      mesh.normals[v] = estimated.normals[v];
+      mesh.roundness[v] = estimated.roundness[v];
+    }
+  if (mesh.corner_normals.empty()) return;
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+    std::size_t corner = mesh.first_corner(f);
+    for (const Mesh_data::Index v : mesh.face(f)) {
+      if (stray.is_stray[v])
+        mesh.corner_normals[corner] = estimated.corner_normals.empty()
+                                        ? estimated.normals[v]
+                                        : estimated.corner_normals[corner];
+      ++corner;
+    }
+  }
 }
 
 } // namespace
@@ -307,7 +370,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option)
   for (Triple& n : mesh.normals) n = to_triple(unit_normal(to_vector(n)));
 }
 
-bool set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+bool set_control_normals(Mesh_data& mesh, const Normals_option& option, Creases& creases,
                          const std::string& name, Report& report)
 {
   if (!creases.any()) {
@@ -325,6 +388,7 @@ bool set_control_normals(Mesh_data& mesh, const Normals_option& option, const Cr
     mesh.corner_normals.swap(corner_normals);
     normalize_corners(mesh, creases, name, report);
   } else {
+    set_without_fractions(creases, mesh, of_all);
     estimate_between_creases(mesh, of_all, creases);
     if (from_file) report_estimated_wedges(mesh, creases, name, report);
   }
@@ -358,7 +422,11 @@ void settle_file_normals(Mesh_data& mesh, const Normals_option& option, const Cr
   if (!flat.is_there()) {
     if (creases.are_by_normals)
       report.remark(name + ": the normals in the file differ at " + edges + ", taken for creases");
-    if (may_drop && mesh.shading.is_there()) drop_shading(mesh, name, report);
+    if (!may_drop || mesh.are_said_to_be_control) return;
+    if (mesh.shading.is_there()) return drop_shading(mesh, name, report);
+    if (!mesh.roundness.empty()) return;
+    const Stray_normals stray = find_stray_normals(mesh);
+    if (stray.components > 0) set_aside(mesh, stray, creases, name, report);
     return;
   }
   std::string text = name + ": the normals in the file are those of its faces, for flat shading (" +

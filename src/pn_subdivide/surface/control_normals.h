@@ -42,7 +42,7 @@ void set_control_normals(Mesh_data& mesh, const Normals_option& option);
 // an estimate; that estimates stand in the place of normals which the file gives to vertices is said.
 // Estimates of all normals are those of the wedges, and set the roundness, too, which is that of the file before. Normals
 // that are to be smoothed are, wedge by wedge; returns whether that has changed any.
-bool set_control_normals(Mesh_data& mesh, const Normals_option& option, const Creases& creases,
+bool set_control_normals(Mesh_data& mesh, const Normals_option& option, Creases& creases,
                          const std::string& name, Report& report);
 
 // That which an estimate of the normals has, also where they are given.

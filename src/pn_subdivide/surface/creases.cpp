@@ -353,7 +353,8 @@ Crease_maps add_creases(Surface& surface, const Creases& creases, bool with_tang
   Crease_maps maps{surface.add_property_map<Edge, double>(edges_name, 0).first,
                    surface.add_property_map<Vertex, double>(vertices_name, 0).first,
                    creases.border,
-                   {}};
+                   {},
+                   creases.without_fractions};
   if (with_tangents || !creases.tangents.empty())
     maps.tangents.map =
       surface.add_property_map<Surface::Halfedge_index, Vector_3>(tangents_name, Vector_3(0, 0, 0))

@@ -15,11 +15,20 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pn_subdivide {
+
+// Of the mesh without edges whose sharpness is less than 1, where these have estimated normals beside them: what an edge leads
+// to as its sharpness goes to 0. Normals by half-edge; roundness by vertex, or empty.
+struct Normals_without_fractions
+{
+  std::vector<Vector_3> normals;
+  std::vector<double> roundness;
+};
 
 // What is sharp in a mesh.
 struct Creases
@@ -32,6 +41,7 @@ struct Creases
   std::size_t number_of_close_edges =
     0;                // whose angle is within a degree of the one that was asked for
   double degrees = 0; // that angle
+  std::shared_ptr<Normals_without_fractions> without_fractions; // if there are any
 
   bool any() const { return number_of_edges + number_of_vertices > 0; }
   bool is_sharp(Surface::Edge_index e) const { return !edges.empty() && edges[e] > 0; }
@@ -76,6 +86,7 @@ struct Crease_maps
   Vertex_sharpness vertices;
   Border border;
   Crease_tangents tangents;
+  std::shared_ptr<const Normals_without_fractions> without_fractions = nullptr;
 };
 // What is sharp in a surface whose vertices are numbered as they are written. With a border that is a crease,
 // also that.

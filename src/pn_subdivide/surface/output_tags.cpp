@@ -180,10 +180,11 @@ void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::strin
   columns.push_back(std::move(column));
 }
 
-const std::vector<double>* segments_of(const Attributes& attributes)
+std::vector<double>* segments_of(Attributes& attributes)
 {
-  const Column* const column = find_column(attributes.of_faces, column_name);
-  return column == nullptr ? nullptr : &column->values;
+  for (Column& column : attributes.of_faces)
+    if (column.name == column_name) return &column.values;
+  return nullptr;
 }
 
 void suit_segments(Mesh_data& mesh, const Mesh_file& output)

@@ -73,7 +73,7 @@ private:
 void add_segments(Mesh_data& mesh, const Recognized_part& part, const std::string& name,
                   Report& report);
 // That property; nullptr if there is none.
-const std::vector<double>* segments_of(const Attributes& attributes);
+std::vector<double>* segments_of(Attributes& attributes);
 // It stays where files have properties of faces, without a word elsewhere.
 void suit_segments(Mesh_data& mesh, const Mesh_file& output);
 

@@ -130,7 +130,8 @@ void refine_with_creases(Surface& surface, const Scheme_choice& choice,
   }
   const std::vector<Vector_3> of_corners = take_corner_normals(surface);
   const Isolated_normals isolated(surface, *of_vertices);
-  const Wedge_normals normals{{&of_corners}, *of_vertices, refinement.wedges};
+  const Wedge_normals normals{
+    {of_corners, creases.without_fractions}, *of_vertices, refinement.wedges};
   // edges that end change it
   const std::optional<Roundness_map> given = roundness_of(surface);
   const Roundness_map roundness = given ? *given : add_roundness(surface);

@@ -233,19 +233,8 @@ bool takes_surface_normals(const Plan& plan, const std::optional<Recognized_part
   return part && (source == Source::automatic || source == Source::file);
 }
 
-// What was found to be no worse than the linear result was refined with the normals of the surfaces, and estimates.
-void forget_other_comparisons(std::optional<Recognized_part>& part, const Plan& plan,
-                              unsigned levels)
-{
-  if (!part || (plan.normals.source == Normals_option::Source::automatic &&
-                plan.roundness.source == Roundness_option::Source::automatic && levels > 0))
-    return;
-  part->excess_of_volume = 0;
-  part->high_faces.clear();
-}
-
 std::string set_surface_normals(Mesh_data& mesh, const Plan& plan, const Recognized_part& part,
-                                const Creases& creases, Report& report)
+                                Creases& creases, Report& report)
 {
   const std::string input = plan.input.title("standard input");
   const bool from_file = plan.normals.source == Normals_option::Source::file;
@@ -266,7 +255,7 @@ std::string set_surface_normals(Mesh_data& mesh, const Plan& plan, const Recogni
 }
 
 // How it came to its normals, for the closing line.
-std::string set_normals(Mesh_data& mesh, const Plan& plan, const Creases& creases, Report& report)
+std::string set_normals(Mesh_data& mesh, const Plan& plan, Creases& creases, Report& report)
 {
   using Source = Normals_option::Source;
   const Source source = plan.normals.source;
@@ -485,6 +474,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
   Surface surface = make_surface(mesh);
   Attributes attributes = std::move(mesh.attributes);
   mesh = Mesh_data();
+  if (table) table->number_faces(attributes);
   if (!plan.is_adaptive) announce_long_work(surface, options, scheme, report);
   if (options.check)
     check.emplace(surface, creases, choices(plan, options, scheme, has_file_normals));
@@ -514,7 +504,7 @@ void process(Mesh_data& mesh, const Plan& plan, Surface_options& options,
       control = control_normals_at_limits(surface, plan, options, scheme, rounds.creases);
     move_to_limits(surface, plan, options, scheme, rounds.creases, report);
   }
-  if (table) table->measure(surface, *segments_of(attributes));
+  if (table) table->measure(surface, attributes);
   if (check) check->compare(surface, scheme, {options.levels, plan.threads, plan.limit});
   std::optional<Curvature_values> curvature;
   if (plan.curvature) {
@@ -759,7 +749,7 @@ void run_surface_command(const Surface_options& given_options)
                            part ? &*part : nullptr, input, report);
     const bool can_be_sharp = scheme_without_creases(scheme).empty();
     const bool is_copy = plan.output_normals.copies && mesh.normal_kind != Normal_kind::control;
-    if (is_copy) mesh.shading = Shading(); // they stay what the file says that they are
+    if (is_copy) mesh.are_said_to_be_control = true; // they stay what the file says that they are
     settle_file_normals(mesh, plan.normals, creases, can_be_sharp, input, report);
     require_limit_of_creases(creases, plan, options.levels);
     require_interpolation_of_creases(creases, plan);
@@ -780,8 +770,7 @@ void run_surface_command(const Surface_options& given_options)
                                plan.output_normals, plan.limit, plan.texture_rule,
                                tessellation_in_pieces(plan, options, chord), report);
     else {
-      forget_other_comparisons(part, plan, options.levels);
-      if (part) table.emplace(*part, mesh);
+      if (part) table.emplace(*part, make_surface(mesh));
       process(mesh, plan, options, scheme, creases, has_file_normals, part, table, check, report);
       if (table) report_surfaces(*table, rounds, chord, input, report);
       if (check) report.set_check(check->values());

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -292,6 +294,50 @@ TEST_F(Pn_subdivide_roundness, CallsOfOneRoundAreOneCallOfSeveral)
         EXPECT_TRUE(one == written("b.ply", "c.ply", options)) << input << options << more;
       }
   }
+}
+
+// Whether all are semi-sharp, or one edge is sharp forever beside them.
+TEST_F(Pn_subdivide_roundness, EdgesThatHardlyAreSharpAreNot)
+{
+  const auto box = [&](const std::string& file, bool has_normals, double some, double one) {
+    std::string ply = "ply\nformat ascii 1.0\nelement vertex 8\n";
+    for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+      if (has_normals || name[0] != 'n') ply += "property double " + std::string(name) + "\n";
+    ply += "element face 6\nproperty list int int vertex_indices\nelement edge 12\n"
+           "property int vertex1\nproperty int vertex2\nproperty double sharpness\nend_header\n";
+    const double size[] = {2, 1.7, 1.5};
+    for (int v = 0; v < 8; ++v) {
+      for (int k = 0; k < 3; ++k) ply += std::to_string((v >> k & 1) * size[k]) + " ";
+      for (int k = 0; has_normals && k < 3; ++k) ply += std::to_string((v >> k & 1) - .4) + " ";
+      ply += "\n";
+    }
+    ply += "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+    const char* const edges[] = {"0 1", "0 2", "0 4", "1 3", "1 5", "2 3",
+                                 "2 6", "3 7", "4 5", "4 6", "5 7", "6 7"};
+    for (const char* const e : edges) {
+      char s[40];
+      std::snprintf(s, sizeof s, " %g\n", e == edges[0] ? one : some);
+      ply += e + std::string(s);
+    }
+    folder.write(file, ply);
+  };
+  for (const bool has_normals : {false, true})
+    for (const char* const options :
+         {"", " --normals angle", " --roundness 0.7", " --scheme loop --triangulate"})
+      for (const double one : {0., std::numeric_limits<double>::infinity()}) {
+        box("none.ply", has_normals, 0, one);
+        const std::string all = std::string("--levels 2") + options;
+        const std::vector<Triple> none = refined("none.ply", "o.ply", all).points;
+        for (const double s : {1e-12, 1e-4}) {
+          box("some.ply", has_normals, s, one == 0 ? s : one);
+          const std::vector<Triple> some = refined("some.ply", "o.ply", all).points;
+          ASSERT_EQ(some.size(), none.size());
+          for (std::size_t v = 0; v < none.size(); ++v)
+            for (std::size_t k = 0; k < 3; ++k)
+              EXPECT_NEAR(some[v][k], none[v][k], 10 * s + 1e-10)
+                << options << s << one << has_normals;
+        }
+      }
 }
 
 // --- surfaces through points ---

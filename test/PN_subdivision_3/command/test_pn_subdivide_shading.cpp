@@ -424,6 +424,73 @@ TEST_F(Pn_subdivide_shading, WedgesAndWashers)
   }
 }
 
+// Their normals are then those of other faces; true ones are no more those of the faces than before.
+TEST_F(Pn_subdivide_shading, PointsMayBeRounded)
+{
+  const auto rounded = [](Shape s, long double unit, long double scale) {
+    for (Vector& p : s.points)
+      for (long double& x : p) x = std::round(x / unit) * unit * scale;
+    return s;
+  };
+  const Shape s = potato();
+  std::vector<Vector> other = shading(s, 2);
+  for (std::size_t v = 0; v < other.size(); ++v)
+    other[v] = unit({other[v][0], other[v][1] + 0.15L, other[v][2]});
+  for (const long double unit : {1e-3L, 1e-4L})
+    for (const long double scale : {1.L, 1e-3L}) {
+      const Shape coarse = rounded(s, unit, scale);
+      for (std::size_t kind = 0; kind < 5; ++kind)
+        EXPECT_TRUE(has(surface(written(coarse, shading(s, kind), 0, 6), "").err, weights[kind]))
+          << kind;
+      EXPECT_FALSE(has(surface(written(coarse, other, 0, 6), "").err, "shading"));
+    }
+}
+
+// Of a capsule and a ball beside it, both with the normals of balls.
+TEST_F(Pn_subdivide_shading, NormalsFarFromTheFacesAreSetAside)
+{
+  const auto on_sphere = [](long double t, long double u) {
+    return Vector{std::sin(t) * std::cos(u), std::sin(t) * std::sin(u), std::cos(t)};
+  };
+  Shape s = ball(10, 9, on_sphere);
+  const std::size_t n = s.points.size();
+  std::vector<Vector> normals;
+  for (Vector& p : s.points) {
+    p[2] += p[2] > 0 ? 0.8L : -0.8L;
+    normals.push_back(unit(p));
+  }
+  const Shape one = ball(9, 8, on_sphere);
+  Shape both = s;
+  std::vector<Vector> normals_of_both = normals;
+  for (const Vector& p : one.points) {
+    both.points.push_back({p[0] + 4, p[1], p[2]});
+    normals_of_both.push_back(p);
+  }
+  for (std::vector<int> f : one.faces) {
+    for (int& v : f) v += int(n);
+    both.faces.push_back(f);
+  }
+  const std::string options = "--levels 1 --normals ";
+  Outcome outcome = surface(written(s, normals, 2, 9), "");
+  EXPECT_TRUE(has(outcome.err, "on 1 of 1 components")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "estimated normals")) << outcome.err;
+  const std::string input = written(both, normals_of_both, 2, 9);
+  outcome = surface(input, "");
+  EXPECT_TRUE(has(outcome.err, "on 1 of 2 components")) << outcome.err;
+  for (const std::string more : {"file", "estimate", "auto --roundness 1"})
+    EXPECT_EQ(has(surface(input, options + more).err, "set aside"), more[0] == 'a') << more;
+  const auto points = [&](const std::string& source) {
+    surface(input, options + source);
+    return read_mesh(folder.file("out.ply")).points;
+  };
+  const std::vector<Triple> now = points("auto"), file = points("file"),
+                            estimate = points("estimate");
+  for (std::size_t v = 0; v < n + one.points.size(); ++v)
+    EXPECT_EQ(now[v], (v < n ? estimate : file)[v]) << v;
+  EXPECT_NE(now, file);
+  EXPECT_NE(now, estimate);
+}
+
 TEST_F(Pn_subdivide_shading, WhatAFileCallsControlNormalsAreData)
 {
   const Shape s = potato();

@@ -97,6 +97,14 @@ double outside_cylinder(const Point_3& p)
   return (std::max)({std::hypot(p.x(), p.y()) - 4, p.z() - 3, -p.z(), 0.}) / 8;
 }
 
+void subdivide_by_corners(Tagged<Mesh>& tagged, unsigned rounds, bool is_loop)
+{
+  if (is_loop)
+    tagged.subdivide(PN::Loop_scheme(), rounds);
+  else
+    tagged.subdivide(PN::CatmullClark_scheme(), rounds);
+}
+
 struct Shape
 {
   const char* name;
@@ -107,14 +115,9 @@ struct Shape
 
   Mesh refined(double s, unsigned rounds = 4) const
   {
-    Tagged<Mesh> tagged(is_loop ? triangulated(control(s)) : control(s));
-    if (is_loop)
-      tagged.subdivide(PN::Loop_scheme(), rounds);
-    else
-      tagged.subdivide(PN::CatmullClark_scheme(), rounds);
-    return tagged.mesh;
+    return refined_with(s, subdivide_by_corners, rounds);
   }
-  // with the normals of points, or of vertices
+  // with the normals of points, of vertices or of corners
   template <class Normals>
   Mesh refined_with(double s, const Normals& normals, unsigned rounds = 4) const
   {
@@ -206,11 +209,11 @@ TEST_P(Semi_sharp, Is_continuous_in_the_sharpness)
   EXPECT_LE(farthest(shape.refined(1e-9), shape.refined(0.001)), 0.003 * shape.size);
 }
 
-// where normals are estimated, or given to vertices, a sharpness of next to nothing is none
+// a sharpness of next to nothing is none, whether normals are estimated, or given to vertices or corners
 TEST_P(Semi_sharp, Begins_at_the_untagged_result)
 {
   const Shape& shape = GetParam();
-  for (const auto& subdivide : {subdivide_by_points, subdivide_by_vertices}) {
+  for (const auto& subdivide : {subdivide_by_points, subdivide_by_vertices, subdivide_by_corners}) {
     const Mesh untagged = shape.refined_with(0, subdivide);
     EXPECT_LE(farthest(untagged, shape.refined_with(1e-9, subdivide)), 1e-8 * shape.size);
     EXPECT_LE(farthest(untagged, shape.refined_with(0.001, subdivide)), 0.003 * shape.size);

@@ -62,7 +62,9 @@ public:
   std::size_t size() const { return values_.size(); }
   std::size_t memory() const
   {
-    return values_.capacity() * sizeof(Value) + slot_normals_.capacity() * sizeof(Vector) +
+    return values_.capacity() * sizeof(Value) +
+           (slot_normals_.capacity() + slot_normals_without_fractions_.capacity()) *
+             sizeof(Vector) +
            (is_changed_.capacity() + is_given_.capacity()) / 8;
   }
   const Value& operator[](std::size_t v) const { return values_[checked(v)]; }
@@ -79,7 +81,7 @@ public:
   void set_normal(std::size_t v, Vector n)
   {
     check_finite<FT, 3>(n, "normal", [&] { return name(v); });
-    if (std::binary_search(several_normals_.begin(), several_normals_.end(), checked(v)))
+    if (has_several_normals(static_cast<Index>(checked(v))))
       throw std::invalid_argument("PN_subdivision_3: " + name(v) +
                                   " has a normal on each side of its creases, all of which are " +
                                   (slot_normals_.empty() ? "estimated" : "given by its corners") +
@@ -126,8 +128,7 @@ public:
   // Vertices between creases have several normals, one for each wedge, which are estimated, or given for all slots.
   bool is_given(Index v) const
   {
-    return (!is_estimated_ || is_given_[v]) &&
-           !std::binary_search(several_normals_.begin(), several_normals_.end(), v);
+    return (!is_estimated_ || is_given_[v]) && !has_several_normals(v);
   }
   // in the order of the numbers
   void set_vertices_with_several_normals(std::vector<Index> vertices)
@@ -152,6 +153,19 @@ public:
     for (const Value& slot : slots) slot_normals_.push_back(slot.normal);
   }
   const std::vector<Vector>& slot_normals() const { return slot_normals_; }
+  // of the slots that there are without edges whose sharpness is less than 1
+  void set_slot_normals_without_fractions(const std::vector<Value>& slots)
+  {
+    for (const Value& slot : slots) slot_normals_without_fractions_.push_back(slot.normal);
+  }
+  const std::vector<Vector>& slot_normals_without_fractions() const
+  {
+    return slot_normals_without_fractions_;
+  }
+  bool has_several_normals(Index v) const
+  {
+    return std::binary_search(several_normals_.begin(), several_normals_.end(), v);
+  }
   void put_estimate(Index v, const Vector& n) { values_[v].normal = n; }
 
   // in the order of the numbers
@@ -202,7 +216,7 @@ private:
   std::vector<bool> is_given_; // where normals are estimated
   std::vector<Index> several_normals_;
   std::vector<Vector> given_to_several_;
-  std::vector<Vector> slot_normals_; // none if they are not given
+  std::vector<Vector> slot_normals_, slot_normals_without_fractions_; // none if they are not given
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;

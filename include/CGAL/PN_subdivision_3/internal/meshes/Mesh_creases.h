@@ -154,10 +154,11 @@ public:
   std::vector<Value> values(const Level_connectivity& level, Point_map points, Normal_map normals,
                             Creases<FT>& creases) const
   {
-    if constexpr (is_pn_v<Scheme> && !is_of_halfedges_v<Access, Normal_map>)
-      keep_without_fractions(level, creases, [&](Creases<FT>& others) {
-        return values_of_slots(level, points, normals, others);
-      });
+    if constexpr (is_pn_v<Scheme>)
+      if (!is_of_halfedges_v<Access, Normal_map> || !goes_on(creases))
+        keep_without_fractions(level, creases, [&](Creases<FT>& others) {
+          return values_without_fractions(level, points, normals, others);
+        });
     return values_of_slots(level, points, normals, creases);
   }
 
@@ -213,6 +214,35 @@ private:
       return crease_tangents(scheme);
     else
       return {};
+  }
+
+  // Whether what ends has a past: who carries normals of wedges from call to call carries tangents, too.
+  static bool goes_on(const Creases<FT>& creases)
+  {
+    const auto is_old = [](const Crease_edge<FT>& e) {
+      const auto is_given = [](const Coordinates<FT, 3>& t) {
+        return !is_zero(to_double_3<FT>(t));
+      };
+      return is_fraction(e.sharpness) &&
+             (is_given(e.tangent_from[0]) || is_given(e.tangent_from[1]));
+    };
+    return std::any_of(creases.edges.begin(), creases.edges.end(), is_old);
+  }
+
+  template <class Point_map, class Normal_map>
+  std::vector<Value> values_without_fractions(const Level_connectivity& level, Point_map points,
+                                              const Normal_map& normals, Creases<FT>& creases) const
+  {
+    std::vector<Value> values =
+      values_of_slots(level, points, normals_without_fractions(normals), creases);
+    if constexpr (has_roundness_v<Value>)
+      if (const auto* const roundness = roundness_without_fractions(normals)) {
+        const Index n = level.number_of_vertices();
+        const std::vector<Index> extra = vertices_of_extra_slots(creases, n);
+        for (Index s = 0; s < values.size(); ++s)
+          values[s].roundness = FT((*roundness)[s < n ? s : extra[s - n]]);
+      }
+    return values;
   }
 
   template <class Point_map, class Normal_map>

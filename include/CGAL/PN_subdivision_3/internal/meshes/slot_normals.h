@@ -160,6 +160,30 @@ struct Wedge_normals
   friend value_type get(const Wedge_normals& n, const key_type& h) { return get(n.corners, h); }
 };
 
+// What a map of normals says of the mesh without edges of which less than one round is left: its normals, the same if they are
+// given, and where these are an estimate its roundness by the numbers of the vertices, or null.
+template <class Map>
+const Map& normals_without_fractions(const Map& map)
+{
+  return map;
+}
+template <class Map>
+const std::vector<double>* roundness_without_fractions(const Map&)
+{
+  return nullptr;
+}
+template <class Corner_map, class Vertex_map>
+auto normals_without_fractions(const Wedge_normals<Corner_map, Vertex_map>& n)
+{
+  return normals_without_fractions(n.corners);
+}
+template <class Corner_map, class Vertex_map>
+const std::vector<double>*
+roundness_without_fractions(const Wedge_normals<Corner_map, Vertex_map>& n)
+{
+  return roundness_without_fractions(n.corners);
+}
+
 // Lists the wedges; they are nobody's until keep() is called.
 template <class Access, class Map>
 class Wedge_normal_writer

@@ -56,9 +56,18 @@ public:
     estimate_noise();
     if (!(strength_ > 0)) return normals_;
     Vectors<3> smooth = solution();
-    if (change_of_curvature(level_, points_, smooth) <
-        change_of_curvature(level_, points_, normals_))
-      return smooth;
+    double least = change_of_curvature(level_, points_, normals_);
+    if (change_of_curvature(level_, points_, smooth) < least) return smooth;
+    // it is the points that have noise, then, or the shape is like that
+    bool is_less = false;
+    for (const double w : {0.75, 0.5, 0.25, 0.}) {
+      const double change = change_of_curvature(level_, points_, smooth, w);
+      if (!(change < least)) continue;
+      least = change;
+      roundness_ = w;
+      is_less = true;
+    }
+    if (is_less) return smooth;
     strength_ = 0;
     return normals_;
   }
@@ -67,6 +76,8 @@ public:
   double noise() const { return std::sqrt(noise_); }
   double defect() const { return std::sqrt(defect_); }
   double strength() const { return strength_; }
+  // with which the surface is the fairest
+  double roundness() const { return roundness_; }
 
 private:
   struct Arc
@@ -280,7 +291,7 @@ private:
   std::vector<Arc> arcs_;
   std::vector<std::size_t> arc_of_edge_;
   std::vector<bool> is_free_; // has an arc that does not hold
-  double noise_ = 0, defect_ = 0, strength_ = 0;
+  double noise_ = 0, defect_ = 0, strength_ = 0, roundness_ = 1;
 };
 
 } // namespace internal

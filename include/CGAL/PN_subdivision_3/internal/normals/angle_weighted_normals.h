@@ -65,8 +65,7 @@ public:
     if constexpr (has_own_angles) length_of_area = square_root_of<T>(dot<T, 3>(area, area));
     const std::size_t n = corners_.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const Angle angle =
-        corner_angle(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]);
+      const Angle angle = corner_angle(edge_at(i, n - 1), edge_at(i, 1));
       const T weight(angle / length_of_area);
       for (int k = 0; k < 3; ++k) sums_[sectors_[i]][k] += weight * area[k];
       angles_[sectors_[i]] += close_double(angle);
@@ -117,14 +116,22 @@ private:
                     std::ldexp(largest_coordinate, -exponent);
   }
 
-  static Angle corner_angle(const Coordinates<T, 3>& before, const Coordinates<T, 3>& at,
-                            const Coordinates<T, 3>& after)
+  // To the next corner that is at another point: between an edge without length and another one there is no angle, and
+  // what atan2() makes of zeros depends on their signs.
+  Coordinates<T, 3> edge_at(std::size_t i, std::size_t step) const
   {
-    Coordinates<T, 3> u, w;
-    for (int k = 0; k < 3; ++k) {
-      u[k] = before[k] - at[k];
-      w[k] = after[k] - at[k];
-    }
+    const std::size_t n = corners_.size();
+    Coordinates<T, 3> e;
+    std::size_t j = i;
+    do {
+      j = (j + step) % n;
+      e = difference<T, 3>(corners_[j], corners_[i]);
+    } while (is_zero(to_double_3(e)) && j != i);
+    return e;
+  }
+
+  static Angle corner_angle(const Coordinates<T, 3>& u, const Coordinates<T, 3>& w)
+  {
     if constexpr (has_own_angles) {
       const Coordinates<T, 3> c = cross(u, w);
       return own_angle<T>(square_root_of<T>(dot<T, 3>(c, c)), dot<T, 3>(u, w));

@@ -12,7 +12,9 @@
 #include <CGAL/PN_subdivision_3/average/PN_average.h>
 #include <CGAL/PN_subdivision_3/hosts/Level_connectivity.h>
 #include <CGAL/PN_subdivision_3/internal/interpolation/Functional_tower.h>
+#include <CGAL/PN_subdivision_3/internal/refinement/Average_of_scheme.h>
 #include <CGAL/PN_subdivision_3/internal/refinement/Level_refiner.h>
+#include <CGAL/PN_subdivision_3/internal/schemes/scheme_of_call.h>
 #include <CGAL/PN_subdivision_3/schemes/CatmullClark_scheme.h>
 #include <CGAL/PN_subdivision_3/schemes/Loop_scheme.h>
 
@@ -65,16 +67,23 @@ inline double mean_change_of_curvature(const Vectors<3>& points,
 }
 
 // Of the surface after two rounds. Of each quad both pairs of triangles count.
-template <class Scheme>
-double change_of_curvature(const Scheme& scheme, const Level_connectivity& control,
-                           const Vectors<3>& points, const Vectors<3>& normals)
+template <class Scheme_>
+double change_of_curvature(const Scheme_& rules, const Level_connectivity& control,
+                           const Vectors<3>& points, const Vectors<3>& normals, double roundness)
 {
   using Index = Level_connectivity::Index;
-  using Refiner = Level_refiner<Scheme, PN_average<double, 3>>;
+  using Scheme = With_roundness<Scheme_, double>;
+  using Refiner = Level_refiner<Scheme, Average_of_scheme<Scheme, double>>;
+  using Value = Point_normal_roundness<double, 3>;
+  const Scheme scheme{{rules}};
   typename Refiner::Values values;
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto &p = points[v], &n = normals[v];
-    values.push_back(Point_normal<double, 3>{{p[0], p[1], p[2]}, {n[0], n[1], n[2]}});
+    Value value;
+    value.point = {p[0], p[1], p[2]};
+    value.normal = {n[0], n[1], n[2]};
+    value.roundness = roundness;
+    values.push_back(value);
   }
   Refiner refiner(scheme, Level_connectivity(control), std::move(values));
   for (int k = 0; k < 2; ++k) refiner.refine();
@@ -82,7 +91,7 @@ double change_of_curvature(const Scheme& scheme, const Level_connectivity& contr
   Vectors<3> refined;
   std::vector<bool> counts;
   for (Index v = 0; v < level.number_of_vertices(); ++v) {
-    const Point_normal<double, 3> value = refiner.values()[v];
+    const Value value = refiner.values()[v];
     refined.emplace_back(value.point[0], value.point[1], value.point[2]);
     counts.push_back(!level.is_isolated(v) && !level.is_border_vertex(v));
   }
@@ -103,13 +112,13 @@ double change_of_curvature(const Scheme& scheme, const Level_connectivity& contr
 
 // by Loop or Catmull-Clark subdivision
 inline double change_of_curvature(const Level_connectivity& level, const Vectors<3>& points,
-                                  const Vectors<3>& normals)
+                                  const Vectors<3>& normals, double roundness = 1)
 {
   bool triangles = true;
   for (Level_connectivity::Index f = 0; f < level.number_of_faces() && triangles; ++f)
     triangles = level.has_degree(level.halfedge_of_face(f), 3);
-  return triangles ? change_of_curvature(Loop_scheme(), level, points, normals)
-                   : change_of_curvature(CatmullClark_scheme(), level, points, normals);
+  return triangles ? change_of_curvature(Loop_scheme(), level, points, normals, roundness)
+                   : change_of_curvature(CatmullClark_scheme(), level, points, normals, roundness);
 }
 
 } // namespace internal

@@ -41,10 +41,6 @@ public:
     set_sides();
   }
 
-  const Shape& shape(Index f) const { return shapes_[patch_[f]]; }
-  bool is_known(Index f) const { return shape(f).kind != Kind::unknown; }
-  bool is_round(Index f) const { return is_known(f) && shape(f).kind != Kind::plane; }
-
   bool is_crease(Index e) const
   {
     if (level_.is_border_edge(e)) return false;
@@ -63,17 +59,30 @@ public:
     return result;
   }
 
+  // whether all faces at a vertex are of unknown surfaces
+  bool is_unknown(Index v) const
+  {
+    bool has_unknown = false, has_known = false;
+    if (!level_.is_isolated(v))
+      for_each_halfedge(level_, fan_of_vertex(level_, v), [&](Index h) {
+        if (!level_.is_border(h)) (is_known(level_.face(h)) ? has_known : has_unknown) = true;
+      });
+    return has_unknown && !has_known;
+  }
+
   // of the corner of face(h) at target(h); zero: none
   Vec3 normal(Index h) const
   {
-    if (level_.is_border(h)) return {};
-    return is_known(level_.face(h)) ? normal_of_surface(h) : normal_beside_surfaces(h);
+    if (level_.is_border(h) || !is_known(level_.face(h)) || is_apex(h)) return {};
+    const std::size_t patch = patch_[level_.face(h)];
+    return double(side_[patch]) * shapes_[patch].normal(point(level_.target(h)));
   }
 
+private:
+  bool is_known(Index f) const { return shapes_[patch_[f]].kind != Kind::unknown; }
   // between the normals of faces
   double angle(Index f, Index g) const { return angle_between(normal_[f], normal_[g]); }
 
-private:
   const Vec3& point(Index v) const { return part_.points[part_.rank_of_vertex[v]]; }
 
   // slivers have that of the face that they join
@@ -139,49 +148,6 @@ private:
     const Shape& s = shapes_[patch_[level_.face(h)]];
     return s.kind == Kind::cone &&
            norm(point(level_.target(h)) - s.center) <= 10 * part_.tolerance / s.sine;
-  }
-
-  Vec3 normal_of_surface(Index h) const
-  {
-    const std::size_t patch = patch_[level_.face(h)];
-    return is_apex(h) ? Vec3()
-                      : double(side_[patch]) * shapes_[patch].normal(point(level_.target(h)));
-  }
-
-  // of something unknown: that of recognized surfaces which it meets smoothly beside its wedge
-  Vec3 normal_beside_surfaces(Index h) const
-  {
-    Vec3 sum;
-    Index last = h;
-    // next_around_target goes over the edge of next(h), the other way over that of h
-    do {
-      const Index edge_half = level_.next(last);
-      if (stops_at(Level_connectivity::edge(edge_half))) {
-        sum += normal_across(level_.face(last), Level_connectivity::opposite(edge_half));
-        break;
-      }
-      last = level_.next_around_target(last);
-    } while (last != h);
-    Index first = h;
-    do {
-      if (stops_at(Level_connectivity::edge(first))) {
-        sum +=
-          normal_across(level_.face(first), level_.is_border(Level_connectivity::opposite(first))
-                                              ? null
-                                              : level_.prev(Level_connectivity::opposite(first)));
-        break;
-      }
-      first = level_.prev(Level_connectivity::opposite(first));
-    } while (first != h);
-    return unit(sum);
-  }
-  bool stops_at(Index e) const { return level_.is_border_edge(e) || is_crease(e); }
-  // of the surface at a corner beside a face
-  Vec3 normal_across(Index f, Index corner) const
-  {
-    if (corner == null || level_.is_border(corner)) return {};
-    const Index g = level_.face(corner);
-    return is_known(g) && angle(f, g) <= radians(30) ? normal_of_surface(corner) : Vec3();
   }
 
   const Level_connectivity& level_;

@@ -279,11 +279,10 @@ private:
   std::vector<Value> values_of_slots(Control& control)
   {
     if constexpr (Control::has_normals)
-      if (control.slot_normals().empty())
-        keep_without_fractions(*whole_control_, creases_, [&](Creases<FT>& others) {
-          return values_of_slots(control, others);
-        });
-    const std::vector<Value> values = values_of_slots(control, creases_);
+      keep_without_fractions(*whole_control_, creases_, [&](Creases<FT>& others) {
+        return values_of_slots(control, control.slot_normals_without_fractions(), others);
+      });
+    const std::vector<Value> values = values_of_slots(control, control.slot_normals(), creases_);
     if constexpr (Control::has_normals) {
       for (Index v = 0; v < whole_control_->number_of_vertices(); ++v)
         if (!control.is_given(v)) control.put_estimate(v, values[v].normal);
@@ -291,7 +290,9 @@ private:
     }
     return values;
   }
-  std::vector<Value> values_of_slots(const Control& control, Creases<FT>& creases) const
+  std::vector<Value> values_of_slots(const Control& control,
+                                     const std::vector<Coordinates<FT, 3>>& slot_normals,
+                                     Creases<FT>& creases) const
   {
     const Index n = whole_control_->number_of_vertices();
     std::vector<Value> values(creases.number_of_slots);
@@ -309,7 +310,12 @@ private:
         if (star.number_of_wedges > 1) is_given[star.vertex] = false;
       for (std::size_t s = 0; s < values.size(); ++s)
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
-      put_given_normals(control, creases, values, is_given);
+      // those of the wedges of vertices that have several, if they are given
+      for (Index s = 0; s < slot_normals.size(); ++s)
+        if (control.has_several_normals(s < n ? s : extra[s - n])) {
+          values[s].normal = slot_normals[s];
+          is_given[s] = true;
+        }
       for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
@@ -319,19 +325,6 @@ private:
         share_roundness(values[extra[i]], values[n + i]);
     }
     return values;
-  }
-
-  // those of the wedges of vertices that have several, if they are given
-  static void put_given_normals(const Control& control, const Creases<FT>& creases,
-                                std::vector<Value>& values, std::vector<bool>& is_given)
-  {
-    if (control.slot_normals().empty()) return;
-    for (const Crease_star& star : creases.stars)
-      for (Index w = 0; star.number_of_wedges > 1 && w < star.number_of_wedges; ++w) {
-        const Index slot = star.slot(w);
-        values[slot].normal = control.slot_normals()[slot];
-        is_given[slot] = true;
-      }
   }
 
   void put_mean_normals(const std::vector<Value>& values, Control& control) const

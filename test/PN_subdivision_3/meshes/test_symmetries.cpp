@@ -1,0 +1,337 @@
+// Copyright (c) 2026  PN_subdivision_3 developers
+// All rights reserved.
+//
+// This file is part of PN_subdivision_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Author(s): PN_subdivision_3 developers
+
+// Meshes with edges without length, coincident points and faces without area: what becomes of them turns with them, in each of
+// the 48 exact ways to exchange and reflect the axes, and does not depend on numbers of vertices and faces and first corners.
+
+#include <CGAL/PN_subdivision_3.h>
+#include <CGAL/PN_subdivision_3/subdivide_to_limit.h>
+#include <CGAL/PN_subdivision_3/tessellate.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace PN = CGAL::PN_subdivision_3;
+namespace np = CGAL::parameters;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Triple = std::array<double, 3>;
+using Points = std::vector<Triple>;
+
+struct Control
+{
+  std::string name;
+  Points points;
+  std::vector<std::vector<int>> faces;
+};
+
+// --- meshes ---
+
+void tilt(Control& c)
+{
+  for (Triple& p : c.points) {
+    const double x = p[0] + 0.25 * p[1] - 0.125 * p[2], y = p[1] + 0.375 * p[2];
+    p = {x, y, p[2] - 0.3125 * x};
+  }
+}
+
+// one vertex twice, with an edge between the two
+Control cube_with_zero_edge()
+{
+  Control c{
+    "cube with an edge without length",
+    {{2, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 2, 2}, {2, 0, 2}, {0, 2, 2}, {0, 0, 2}},
+    {{0, 3, 2, 1},
+     {4, 6, 8, 7, 5},
+     {0, 1, 6, 4},
+     {1, 2, 8, 6},
+     {2, 3, 5, 7},
+     {2, 7, 8},
+     {3, 0, 4, 5}}};
+  c.points.push_back(c.points[7]);
+  tilt(c);
+  return c;
+}
+
+// all vertices of the ring at a pole are at one point, and its cap is a face there
+Control ball_with_pole()
+{
+  Control c{"ball with a pole", {}, {}};
+  const int n = 5, rings = 3;
+  for (int j = 1; j <= rings; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double u = i + 0.3 * std::sin(i + j), t = 3.2 * j / rings;
+      c.points.push_back(j == rings ? Triple{0.1, 0.2, -1}
+                                    : Triple{1.5 * std::sin(t) * std::cos(u),
+                                             std::sin(t) * std::sin(u), std::cos(t)});
+    }
+  std::vector<int> top, pole;
+  for (int i = 0; i < n; ++i) {
+    top.push_back(i);
+    pole.push_back(n * rings - 1 - i);
+    for (int j = 0; j + 1 < rings; ++j) {
+      const int a = n * j + i, b = n * j + (i + 1) % n;
+      c.faces.push_back({a, a + n, b + n, b});
+    }
+  }
+  c.faces.push_back(top);
+  c.faces.push_back(pole);
+  tilt(c);
+  return c;
+}
+
+// a triangle between the middle of an edge and its ends
+Control box_with_flat_triangle()
+{
+  Control c{
+    "box with a triangle without area",
+    {{3, 2, 0}, {0, 2, 0}, {0, 0, 0}, {3, 0, 0}, {3, 2, 1}, {3, 0, 1}, {0, 2, 1}, {0, 0, 1}},
+    {{0, 3, 2, 1},
+     {4, 6, 7, 5},
+     {0, 1, 6, 4},
+     {1, 2, 7, 6},
+     {2, 3, 8, 7},
+     {8, 5, 7},
+     {3, 5, 8},
+     {3, 0, 4, 5}}};
+  tilt(c);
+  Triple middle;
+  for (std::size_t k = 0; k < 3; ++k) middle[k] = (c.points[3][k] + c.points[5][k]) / 2;
+  c.points.push_back(middle);
+  return c;
+}
+
+// two octahedra that touch with a vertex of each
+Control touching_octahedra()
+{
+  Control c{"octahedra that touch", {}, {}};
+  for (const double shift : {0., 2.}) {
+    const int n = int(c.points.size());
+    for (const Triple& p :
+         Points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1.5, 0}, {0, 0, 1}, {0, 0, -1}})
+      c.points.push_back({p[0] + shift, p[1], p[2]});
+    for (const std::vector<int>& f : std::vector<std::vector<int>>{
+           {0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}})
+      c.faces.push_back({f[0] + n, f[1] + n, f[2] + n});
+  }
+  tilt(c);
+  return c;
+}
+
+// with an edge without length at its border
+Control open_grid()
+{
+  Control c{"open grid", {}, {}};
+  const int n = 3;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      c.points.push_back({double(i), j + 0.2 * i, 0.2 * i * i - 0.15 * j * j + 0.1 * i * j});
+      if (i > 0 && j > 0)
+        c.faces.push_back({n * (j - 1) + i - 1, n * (j - 1) + i, n * j + i, n * j + i - 1});
+    }
+  c.points[1] = c.points[2];
+  tilt(c);
+  return c;
+}
+
+std::vector<Control> controls()
+{
+  return {cube_with_zero_edge(), ball_with_pole(), box_with_flat_triangle(), touching_octahedra(),
+          open_grid()};
+}
+
+Control triangulated(Control c)
+{
+  std::vector<std::vector<int>> faces;
+  for (const std::vector<int>& f : c.faces)
+    for (std::size_t i = 2; i < f.size(); ++i) faces.push_back({f[0], f[i - 1], f[i]});
+  c.faces = std::move(faces);
+  return c;
+}
+
+Mesh mesh_of(const Control& c)
+{
+  Mesh mesh;
+  for (const Triple& p : c.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  for (const std::vector<int>& f : c.faces) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const int v : f) corners.push_back(Mesh::Vertex_index(Mesh::size_type(v)));
+    EXPECT_NE(mesh.add_face(corners), Mesh::null_face()) << c.name;
+  }
+  return mesh;
+}
+
+Points points_of(const Mesh& mesh)
+{
+  Points points;
+  for (const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    points.push_back({p.x(), p.y(), p.z()});
+  }
+  return points;
+}
+
+// --- what is done with them ---
+
+template <class Scheme>
+Points subdivided(const Control& c, const Scheme& scheme, PN::Control_normal_estimate how)
+{
+  Mesh mesh = mesh_of(c);
+  PN::subdivide(mesh, scheme, PN::parameters::control_normal_estimate(how).number_of_iterations(1));
+  return points_of(mesh);
+}
+
+struct Action
+{
+  const char* name;
+  bool takes_triangles;
+  std::function<Points(const Control&)> result;
+};
+
+std::vector<Action> runs()
+{
+  using Estimate = PN::Control_normal_estimate;
+  const PN::CatmullClark_scheme catmull_clark;
+  std::vector<Action> result;
+  for (const auto& [name, how] :
+       {std::pair("coherent", Estimate::coherent), std::pair("reciprocal", Estimate::reciprocal),
+        std::pair("angle", Estimate::angle)})
+    result.push_back({name, false, [how = how, catmull_clark](const Control& c) {
+                        return subdivided(c, catmull_clark, how);
+                      }});
+  result.push_back({"Loop", true, [](const Control& c) {
+                      return subdivided(c, PN::Loop_scheme(), Estimate::coherent);
+                    }});
+  result.push_back({"Doo-Sabin", false, [](const Control& c) {
+                      return subdivided(c, PN::DooSabin_scheme(), Estimate::angle);
+                    }});
+  result.push_back({"creases", false, [catmull_clark](const Control& c) {
+                      Mesh mesh = mesh_of(c);
+                      const auto sharp =
+                        mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+                      PN::detect_creases(mesh, 50, sharp);
+                      PN::subdivide(mesh, catmull_clark,
+                                    np::number_of_iterations(2).edge_is_constrained_map(sharp));
+                      return points_of(mesh);
+                    }});
+  result.push_back({"limits", false, [catmull_clark](const Control& c) {
+                      Mesh mesh = mesh_of(c);
+                      PN::subdivide_to_limit(mesh, catmull_clark, np::number_of_iterations(1));
+                      return points_of(mesh);
+                    }});
+  result.push_back({"tessellation", false, [catmull_clark](const Control& c) {
+                      Mesh triangles;
+                      PN::tessellate(mesh_of(c), catmull_clark, 0.15, triangles);
+                      return points_of(triangles);
+                    }});
+  return result;
+}
+
+// --- other forms of a mesh ---
+
+class Axes
+{
+public:
+  explicit Axes(int number) // of 48
+    : signs_(number % 8)
+  {
+    for (int k = number / 8; k > 0; --k) std::next_permutation(axis_.begin(), axis_.end());
+  }
+  Points operator()(Points points) const
+  {
+    for (Triple& p : points) {
+      const Triple old = p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = (signs_ >> k & 1 ? -1 : 1) * old[axis_[k]];
+    }
+    return points;
+  }
+
+private:
+  int signs_;
+  std::array<std::size_t, 3> axis_{0, 1, 2};
+};
+
+Control renumbered(const Control& c, std::mt19937& random)
+{
+  std::vector<int> number(c.points.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), random);
+  Control result = c;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    result.points[std::size_t(number[v])] = c.points[v];
+  for (std::vector<int>& f : result.faces) {
+    for (int& v : f) v = number[std::size_t(v)];
+    std::rotate(f.begin(), f.begin() + std::ptrdiff_t(random() % f.size()), f.end());
+  }
+  std::shuffle(result.faces.begin(), result.faces.end(), random);
+  return result;
+}
+
+double distance(const Triple& p, const Triple& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+constexpr double rounding = 1e-10;
+
+} // namespace
+
+TEST(Symmetries, results_turn_with_the_mesh)
+{
+  for (const Control& control : controls())
+    for (const Action& run : runs()) {
+      const Control c = run.takes_triangles ? triangulated(control) : control;
+      const Points expected = run.result(c);
+      double worst = 0;
+      for (int k = 1; k < 48; ++k) {
+        const Axes axes(k);
+        const Points points = run.result({c.name, axes(c.points), c.faces}),
+                     turned = axes(expected);
+        ASSERT_EQ(points.size(), turned.size()) << c.name << ", " << run.name;
+        for (std::size_t v = 0; v < points.size(); ++v)
+          worst = (std::max)(worst, distance(points[v], turned[v]));
+      }
+      EXPECT_LE(worst, rounding) << c.name << ", " << run.name;
+    }
+}
+
+TEST(Symmetries, numbers_mean_nothing)
+{
+  std::mt19937 random(5);
+  for (const Control& control : controls())
+    for (const Action& run : runs()) {
+      const Control c = run.takes_triangles ? triangulated(control) : control;
+      const Points expected = run.result(c);
+      double worst = 0;
+      for (int k = 0; k < 3; ++k) {
+        const Points points = run.result(renumbered(c, random));
+        ASSERT_EQ(points.size(), expected.size()) << c.name << ", " << run.name;
+        for (const Triple& p : points) {
+          double nearest = std::numeric_limits<double>::infinity();
+          for (const Triple& q : expected) nearest = (std::min)(nearest, distance(p, q));
+          worst = (std::max)(worst, nearest);
+        }
+      }
+      EXPECT_LE(worst, rounding) << c.name << ", " << run.name;
+    }
+}
