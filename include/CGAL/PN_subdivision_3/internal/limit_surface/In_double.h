@@ -32,12 +32,17 @@ struct Map_in_double
 
   Map map;
 
+  auto roundness_map() const { return map.roundness_map(); }
+
   friend Value get(const Map_in_double& m, const key_type& key)
   {
     const auto& p = get(m.map, key);
     return Value(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 };
+
+template <class Map, class Value>
+inline constexpr bool has_own_roundness_v<Map_in_double<Map, Value>> = has_own_roundness_v<Map>;
 
 // the named parameters of a call that computes in double, whatever the mesh has
 template <class PolygonMesh, class NamedParameters>

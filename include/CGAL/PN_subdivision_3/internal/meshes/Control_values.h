@@ -63,6 +63,7 @@ public:
   std::size_t memory() const
   {
     return values_.capacity() * sizeof(Value) + slot_normals_.capacity() * sizeof(Vector) +
+           slot_roundness_.capacity() * sizeof(FT) +
            (is_changed_.capacity() + is_given_.capacity()) / 8;
   }
   const Value& operator[](std::size_t v) const { return values_[checked(v)]; }
@@ -118,9 +119,14 @@ public:
     if constexpr (has_roundness_v<Value>) {
       given.put(values_.size(), values_);
       has_given_roundness_ = given.is_any();
+      is_roundness_of_estimate_ = given.is_of_estimate;
     }
   }
-  bool has_given_roundness() const { return has_given_roundness_; }
+  // that of an estimate counts where its normal does
+  bool has_given_roundness(Index v) const
+  {
+    return has_given_roundness_ && (!is_roundness_of_estimate_ || is_given(v));
+  }
 
   // \name Creases
   // Vertices between creases have several normals, one for each wedge, which are estimated, or given for all slots.
@@ -150,8 +156,13 @@ public:
     is_given_.clear();
     for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slots[v].normal;
     for (const Value& slot : slots) slot_normals_.push_back(slot.normal);
+    if constexpr (has_roundness_v<Value>) {
+      for (Index v = 0; v < values_.size(); ++v) share_roundness(slots[v], values_[v]);
+      for (const Value& slot : slots) slot_roundness_.push_back(slot.roundness);
+    }
   }
   const std::vector<Vector>& slot_normals() const { return slot_normals_; }
+  const std::vector<FT>& slot_roundness() const { return slot_roundness_; }
   void put_estimate(Index v, const Vector& n) { values_[v].normal = n; }
 
   // in the order of the numbers
@@ -203,11 +214,12 @@ private:
   std::vector<Index> several_normals_;
   std::vector<Vector> given_to_several_;
   std::vector<Vector> slot_normals_; // none if they are not given
+  std::vector<FT> slot_roundness_;
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;
   bool is_any_changed_ = true;
-  bool has_given_roundness_ = false;
+  bool has_given_roundness_ = false, is_roundness_of_estimate_ = false;
 };
 
 } // namespace internal

@@ -314,7 +314,7 @@ private:
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
-        if (control.has_given_roundness()) share_roundness(control[v], values[v]);
+        if (control.has_given_roundness(v)) share_roundness(control[v], values[v]);
       for (std::size_t i = 0; i < extra.size(); ++i)
         share_roundness(values[extra[i]], values[n + i]);
     }
@@ -330,6 +330,8 @@ private:
       for (Index w = 0; star.number_of_wedges > 1 && w < star.number_of_wedges; ++w) {
         const Index slot = star.slot(w);
         values[slot].normal = control.slot_normals()[slot];
+        if constexpr (has_roundness_v<Value>)
+          values[slot].roundness = control.slot_roundness()[slot];
         is_given[slot] = true;
       }
   }
