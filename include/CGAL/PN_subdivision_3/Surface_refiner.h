@@ -141,6 +141,8 @@ public:
   Surface_refiner(const PolygonMesh& mesh, const Scheme& scheme,
                   const NamedParameters& np = parameters::default_values())
   {
+    internal::check_are_read<NamedParameters, internal::Read_of_control_mesh,
+                             internal::attributes_t>();
     if constexpr (internal::check_named_parameters<NamedParameters>()) {
       control_vertices_ = internal::Control_vertices<PolygonMesh>(mesh, np);
       if constexpr (internal::adapts_scheme_v<Scheme, NamedParameters>)
@@ -266,6 +268,7 @@ public:
   template <class RefinedMesh, class NamedParameters = parameters::Default_named_parameters>
   void build_mesh(RefinedMesh& mesh, const NamedParameters& np = parameters::default_values()) const
   {
+    internal::check_are_read<NamedParameters, internal::attributes_t>();
     if constexpr (internal::check_build_arguments<RefinedMesh, NamedParameters, true>() &&
                   internal::check_attributes<RefinedMesh, NamedParameters>()) {
       const Level_connectivity refined = connectivity();
@@ -300,6 +303,7 @@ public:
   void update_mesh(RefinedMesh& mesh,
                    const NamedParameters& np = parameters::default_values()) const
   {
+    internal::check_are_read<NamedParameters>();
     if constexpr (internal::check_build_arguments<RefinedMesh, NamedParameters>()) {
       using Parameters = internal::Surface_parameters<RefinedMesh, NamedParameters>;
       const auto map = Parameters::normal_map(np);

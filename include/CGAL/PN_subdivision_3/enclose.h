@@ -153,6 +153,8 @@ template <class PolygonMesh, class Scheme,
 Enclosure enclose(const PolygonMesh& mesh, const Scheme& scheme, unsigned rounds, double width,
                   const NamedParameters& np = parameters::default_values(), long most_bits = 4096)
 {
+  internal::check_are_read<NamedParameters, internal::roundness_t,
+                           internal::vertex_roundness_map_t>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   if (!(width >= 0))
     throw std::invalid_argument(

@@ -208,6 +208,8 @@ template <class PolygonMesh, class NamedParameters = parameters::Default_named_p
 auto estimate_control_normals(const PolygonMesh& mesh,
                               const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::control_normal_estimate_t,
+                           internal::border_t>();
   if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
     internal::Estimate_of_call<PolygonMesh, NamedParameters> estimate;
     internal::estimate_into(mesh, estimate.normal_map(), estimate.roundness_map(), np);
@@ -240,6 +242,8 @@ template <class PolygonMesh, class VertexNormalMap,
 void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
                               const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters, internal::control_normal_estimate_t, internal::border_t,
+                           internal::vertex_roundness_map_t>();
   using Given = internal::Parameter_type<internal::vertex_roundness_map_t, NamedParameters,
                                          internal::No_roundness>;
   const auto written = internal::normals_alone(normals);

@@ -154,6 +154,7 @@ Normal_smoothing_report
 smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
                        const NamedParameters& np = parameters::default_values())
 {
+  internal::check_are_read<NamedParameters>();
   using Parameters = internal::Surface_parameters<PolygonMesh, NamedParameters>;
   Normal_smoothing_report report;
   if constexpr (internal::check_smoothing_arguments<PolygonMesh, NormalMap, NamedParameters>()) {

@@ -102,6 +102,12 @@ auto roundness_of_call([[maybe_unused]] const Map& normals)
     return No_roundness();
 }
 
+// this package's parameters that tell of a control mesh
+struct Read_of_control_mesh
+  : Read_parameters<roundness_t, vertex_roundness_map_t, control_normal_estimate_t, border_t,
+                    crease_tangent_map_t>
+{};
+
 // The named parameters of the surface functions.
 template <class PolygonMesh, class NamedParameters>
 struct Surface_parameters

@@ -160,13 +160,6 @@ Control_normal_estimate normal_estimate(const Scheme& scheme)
   return stated_normal_estimate(scheme).value_or(Control_normal_estimate::coherent);
 }
 
-using scheme_is_adapted_t = Own_parameter<struct Name_of_scheme_is_adapted>;
-
-template <class T>
-constexpr bool are_named_parameters_v = false;
-template <class T, class Tag, class Base>
-inline constexpr bool are_named_parameters_v<Named_function_parameters<T, Tag, Base>> = true;
-
 // whether a call says something of its scheme that is not yet put around it
 template <class Scheme, class NamedParameters, class = void>
 constexpr bool adapts_scheme_v = false;
