@@ -11,6 +11,7 @@
 
 #include <CGAL/PN_subdivision_3/Surface_refiner.h>
 #include <CGAL/PN_subdivision_3/attributes.h>
+#include <CGAL/PN_subdivision_3/estimate_control_normals.h>
 #include <CGAL/PN_subdivision_3/limit_points.h>
 #include <CGAL/PN_subdivision_3/parameters.h>
 #include <CGAL/PN_subdivision_3/refine_in_pieces.h>
@@ -96,10 +97,17 @@ TEST(Own_parameters, AreChainedInAnyOrder)
             expected);
   EXPECT_NE(refined(of_call::roundness(.5).number_of_iterations(2)), expected);
   EXPECT_NE(refined(of_call::border(PN::Border::curve).number_of_iterations(2)), expected);
-  // what a function does not know it ignores
-  EXPECT_EQ(
-    refined(of_call::border(PN::Border::curve).roundness(.5).rings(7).number_of_iterations(2)),
-    expected);
+  // what a function does not know it ignores in a pack that is marked, wherever the mark is
+  EXPECT_EQ(refined(of_call::shared(of_call::border(PN::Border::curve).roundness(.5).rings(7))
+                      .number_of_iterations(2)),
+            expected);
+  EXPECT_EQ(refined(of_call::shared(of_call::border(PN::Border::curve).number_of_iterations(2))
+                      .rings(7)
+                      .roundness(.5)),
+            expected);
+  EXPECT_EQ(refined(of_call::join(of_call::rings(7), of_call::roundness(.5),
+                                  of_call::shared(rounds), of_call::border(PN::Border::curve))),
+            expected);
   // of two packs that say different things the first one counts
   EXPECT_EQ(refined(of_call::join(of_call::roundness(.5), of_call::roundness(1.),
                                   of_call::border(PN::Border::curve), rounds)),
@@ -212,6 +220,50 @@ TEST(Own_parameters, LimitsAreWrittenIntoMaps)
 {
   expect_limits_in_maps<Mesh::Vertex_index>(scheme);
   expect_limits_in_maps<Mesh::Face_index>(PN::DooSabin_scheme());
+}
+
+// subdivide_to_limit() writes the same maps as limit_points() of the mesh after as many rounds, and moves the points there
+TEST(Own_parameters, LimitsOfTheMovedMeshAreWrittenIntoMaps)
+{
+  for (const unsigned rounds : {0u, 1u, 2u})
+    for (const bool has_corners : {false, true}) {
+      Mesh moved = bowl(), control = bowl();
+      const auto of_mesh = [](Mesh& mesh) {
+        return of_call::limit_point_map(mesh.add_property_map<Mesh::Vertex_index, Point>("p").first)
+          .limit_normal_map(mesh.add_property_map<Mesh::Vertex_index, Vector>("n").first)
+          .limit_error_map(mesh.add_property_map<Mesh::Vertex_index, double>("e", -1).first)
+          .surface_normals(true);
+      };
+      const auto call = [&](auto normals) {
+        const auto given = params::vertex_normal_map(normals);
+        PN::subdivide(control, scheme, given.number_of_iterations(rounds));
+        PN::limit_points(control, scheme, of_call::join(of_mesh(control), given));
+      };
+      const auto move = [&](auto normals) {
+        PN::subdivide_to_limit(
+          moved, scheme, of_mesh(moved).vertex_normal_map(normals).number_of_iterations(rounds));
+      };
+      if (has_corners) {
+        move(PN::estimate_control_normals(moved, of_call::border(PN::Border::surface)));
+        call(PN::estimate_control_normals(control, of_call::border(PN::Border::surface)));
+      } else {
+        move(PN::estimate_control_normals(moved));
+        call(PN::estimate_control_normals(control));
+      }
+      const auto map = [](Mesh& mesh, auto value, const char* name) {
+        using Value = decltype(value);
+        return PN::internal::find_property_map<Mesh::Vertex_index, Value>(mesh, name).value();
+      };
+      ASSERT_EQ(moved.number_of_vertices(), control.number_of_vertices());
+      for (const auto v : moved.vertices()) {
+        EXPECT_EQ(map(moved, Point(), "p")[v], moved.point(v));
+        EXPECT_EQ(map(moved, Point(), "p")[v], map(control, Point(), "p")[v]);
+        EXPECT_EQ(map(moved, Vector(), "n")[v], map(control, Vector(), "n")[v]);
+        EXPECT_NEAR(map(moved, Vector(), "n")[v].squared_length(), 1, 1e-12);
+        EXPECT_EQ(map(moved, 0., "e")[v], map(control, 0., "e")[v]);
+        EXPECT_GE(map(moved, 0., "e")[v], 0);
+      }
+    }
 }
 
 template <class Scheme, class Function>

@@ -66,11 +66,11 @@ template <class Name>
 struct Own_parameter
 {};
 
-// with what the compiler says where a function does not read it
+// with what the compiler says where a function does not read it, once for each kind of function
 #define CGAL_PN_SUBDIVISION_3_TAG(X)                                                               \
   struct Name_of_##X                                                                               \
   {                                                                                                \
-    template <bool is_read>                                                                        \
+    template <bool is_read, class Call>                                                            \
     static constexpr bool check()                                                                  \
     {                                                                                              \
       static_assert(is_read, "PN_subdivision_3: this function does not read " #X                   \
@@ -264,7 +264,8 @@ inline constexpr bool are_read_v<Read, Named_function_parameters<T, Tag, Base>> 
   are_read_v<Read, Base>;
 template <class Read, class T, class Name, class Base>
 inline constexpr bool are_read_v<Read, Named_function_parameters<T, Own_parameter<Name>, Base>> =
-  Name::template check<std::is_base_of_v<Own_parameter<Name>, Read>>() && are_read_v<Read, Base>;
+  Name::template check<std::is_base_of_v<Own_parameter<Name>, Read>, Read>() &&
+  are_read_v<Read, Base>;
 template <class Read, class T, class Base>
 inline constexpr bool are_read_v<Read, Named_function_parameters<T, scheme_is_adapted_t, Base>> =
   true;

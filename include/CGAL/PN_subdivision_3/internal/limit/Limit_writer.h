@@ -226,7 +226,11 @@ struct Limit_maps
   {
     if constexpr (is_given_v<Tag, NamedParameters>) {
       const auto map = parameters::get_parameter(np, Tag());
-      put(map, key, value);
+      constexpr bool is_map = Is_property_map_of<std::decay_t<decltype(map)>, Key>::value;
+      static_assert(is_map, "PN_subdivision_3: limit_point_map, limit_normal_map or "
+                            "limit_error_map is not a property map of the mesh's vertices (of a "
+                            "dual scheme: of its faces)");
+      if constexpr (is_map) put(map, key, value);
     }
   }
 
@@ -246,13 +250,10 @@ class Limit_maps_writer
 
     static constexpr bool is_read()
     {
-      if constexpr (is_given_v<Tag, NamedParameters>) {
-        constexpr bool is_map = Is_property_map_of<Map, Vertex>::value;
-        static_assert(is_map, "PN_subdivision_3: a map of limits that a mesh is moved to is not a "
-                              "property map of the mesh's vertices");
-        if constexpr (is_map) return has_category_v<Map, boost::readable_property_map_tag>;
-      }
-      return false;
+      if constexpr (Is_property_map_of<Map, Vertex>::value)
+        return has_category_v<Map, boost::readable_property_map_tag>;
+      else
+        return false;
     }
 
   public:
