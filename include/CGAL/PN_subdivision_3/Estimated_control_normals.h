@@ -15,7 +15,6 @@
 #include <memory>
 #include <type_traits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,23 +65,51 @@ struct Normal_and_roundness
 {
   typename Kernel::Vector_3 normal{0, 0, 0};
   typename Kernel::FT roundness{1};
+  bool is_estimated = false; // and tells nothing of the tangents of creases
 };
 
-// the property map of a member of values
-template <class Key, class T, class Values, T Values::Value::*member>
-struct Member_of_values
+// What functions read and write: a normal that is put here leaves the roundness, which counts if it goes with the map.
+template <class Key, class Kernel, bool goes_with_roundness, bool are_estimated = false>
+struct Normals_of_estimate
 {
+  using Values = Values_of_keys<Key, Normal_and_roundness<Kernel>>;
   using key_type = Key;
-  using value_type = T;
-  using reference = T;
+  using value_type = typename Kernel::Vector_3;
+  using reference = value_type;
   using category = boost::read_write_property_map_tag;
 
   std::shared_ptr<Values> values;
 
-  friend T get(const Member_of_values& map, const Key& key) { return map.values->get(key).*member; }
-  friend void put(const Member_of_values& map, const Key& key, const T& x)
+  friend value_type get(const Normals_of_estimate& map, const Key& key)
   {
-    (*map.values)[key].*member = x;
+    return map.values->get(key).normal;
+  }
+  friend void put(const Normals_of_estimate& map, const Key& key, const value_type& n)
+  {
+    auto& value = (*map.values)[key];
+    value.normal = n;
+    value.is_estimated = are_estimated;
+  }
+};
+
+template <class Key, class Kernel>
+struct Roundness_of_estimate
+{
+  using Values = Values_of_keys<Key, Normal_and_roundness<Kernel>>;
+  using key_type = Key;
+  using value_type = typename Kernel::FT;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+
+  std::shared_ptr<Values> values;
+
+  friend value_type get(const Roundness_of_estimate& map, const Key& key)
+  {
+    return map.values->get(key).roundness;
+  }
+  friend void put(const Roundness_of_estimate& map, const Key& key, const value_type& w)
+  {
+    (*map.values)[key].roundness = w;
   }
 };
 
@@ -97,7 +124,7 @@ Control normals that know how round the surface is, as `estimate_control_normals
 Who puts a normal says where the surface goes: its roundness becomes 1. A `vertex_roundness_map` or `roundness` beside the map counts in
 place of its own roundness, which then stays as it is.
 
-Copies share their values, as those of property maps do. These do not belong to the mesh: they grow by what is put, and other keys have
+Copies share their values, as those of property maps do, and `clone()` does not. These do not belong to the mesh: they grow by what is put, and other keys have
 the zero vector, "no control normal", and roundness 1. Vertices that the mesh renumbers, by `collect_garbage()`, have to be estimated again.
 
 \tparam Key a vertex descriptor or half-edge descriptor, that can be hashed or converted to an index
@@ -115,21 +142,21 @@ public:
   using reference = value_type;
   using category = boost::read_write_property_map_tag;
 
-  /// a property map of the same keys, which can be read and written.
-  using Roundness_map =
-    internal::Member_of_values<Key, typename Kernel::FT, Values, &Value::roundness>;
-  /// a property map of the normals alone: one that is put leaves the roundness.
-  using Normal_map = internal::Member_of_values<Key, value_type, Values, &Value::normal>;
-
   /// no normals, and roundness 1.
   Estimated_control_normals()
     : values_(std::make_shared<Values>())
   {}
 
-  /// the roundness.
-  Roundness_map roundness_map() const { return {values_}; }
-  /// the normals alone.
-  Normal_map normal_map() const { return {values_}; }
+  /// the same with values of its own, for a copy of the mesh.
+  Estimated_control_normals clone() const
+  {
+    Estimated_control_normals other;
+    *other.values_ = *values_;
+    return other;
+  }
+
+  /// the roundness, a property map of the same keys that can be read and written.
+  auto roundness_map() const { return internal::Roundness_of_estimate<Key, Kernel>{values_}; }
 
   /// a normal, to be read.
   const value_type operator[](const key_type& key) const { return values_->get(key).normal; }
@@ -142,10 +169,16 @@ public:
   /// sets a normal, and the roundness to 1.
   friend void put(const Estimated_control_normals& all, const key_type& key, const value_type& n)
   {
-    Value& value = (*all.values_)[key];
-    value.normal = n;
-    value.roundness = 1;
+    (*all.values_)[key] = Value{n};
   }
+
+  /// \cond SKIP_IN_MANUAL
+  template <bool goes_with_roundness, bool are_estimated = false>
+  auto normals() const
+  {
+    return internal::Normals_of_estimate<Key, Kernel, goes_with_roundness, are_estimated>{values_};
+  }
+  /// \endcond
 
 private:
   std::shared_ptr<Values> values_;
@@ -164,63 +197,44 @@ struct Is_estimate<Estimated_control_normals<Key, Kernel>> : std::true_type
   using key_type = Key;
 };
 
-// Normals of corners, beside which none has its own roundness: what the functions here read and write. Of vertices they take
-// the two maps of the estimate.
-template <class Estimate>
-struct Normals_with_roundness
+// what is read and written of any map of normals
+template <bool goes_with_roundness, bool are_estimated = false, class Map>
+auto normals_of(const Map& map)
 {
-  using key_type = typename Estimate::key_type;
-  using value_type = typename Estimate::value_type;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
-
-  Estimate estimate;
-
-  auto roundness_map() const { return estimate.roundness_map(); }
-
-  friend value_type get(const Normals_with_roundness& map, const key_type& key)
-  {
-    return get(map.estimate, key);
-  }
-  friend void put(const Normals_with_roundness& map, const key_type& key, const value_type& n)
-  {
-    put(map.estimate.normal_map(), key, n);
-  }
-};
+  if constexpr (Is_estimate<Map>::value)
+    return map.template normals<goes_with_roundness, are_estimated>();
+  else
+    return map;
+}
 
 template <class Map>
-constexpr bool has_own_roundness_v = false;
-template <class Estimate>
-inline constexpr bool has_own_roundness_v<Normals_with_roundness<Estimate>> = true;
+constexpr bool is_of_estimate_v = false;
+template <class Key, class Kernel, bool with_roundness, bool are_estimated>
+inline constexpr bool
+  is_of_estimate_v<Normals_of_estimate<Key, Kernel, with_roundness, are_estimated>> = true;
 
-// what a map of normals has of a key, with its own roundness
+template <class Map>
+constexpr bool goes_with_roundness_v = false;
+template <class Key, class Kernel, bool are_estimated>
+inline constexpr bool goes_with_roundness_v<Normals_of_estimate<Key, Kernel, true, are_estimated>> =
+  true;
+
+// all that a map has of a key
 template <class Map, class Key>
 auto get_whole(const Map& map, const Key& key)
 {
-  typename boost::property_traits<Map>::value_type n = get(map, key);
-  if constexpr (has_own_roundness_v<Map>)
-    return std::make_pair(n, get(map.roundness_map(), key));
+  if constexpr (is_of_estimate_v<Map>)
+    return map.values->get(key);
   else
-    return n;
+    return typename boost::property_traits<Map>::value_type(get(map, key));
 }
 template <class Map, class Key, class Whole>
 void put_whole(const Map& map, const Key& key, const Whole& whole)
 {
-  if constexpr (has_own_roundness_v<Map>) {
-    put(map, key, whole.first);
-    put(map.roundness_map(), key, whole.second);
-  } else
-    put(map, key, whole);
-}
-
-// a map in which normals are put without a word about the roundness
-template <class Map>
-auto normals_alone(const Map& map)
-{
-  if constexpr (Is_estimate<Map>::value)
-    return map.normal_map();
+  if constexpr (is_of_estimate_v<Map>)
+    (*map.values)[key] = whole;
   else
-    return map;
+    put(map, key, whole);
 }
 
 } // namespace internal

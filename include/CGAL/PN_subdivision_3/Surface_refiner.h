@@ -396,8 +396,9 @@ private:
                                          takes_corners || !creases.empty());
     if constexpr (takes_corners) {
       std::vector<Value> slots(creases.number_of_slots);
-      internal::read_corner_normals<FT>(access, level, creases, normals, slots);
-      control_->set_slot_normals(slots);
+      std::vector<bool> is_put(slots.size(), !internal::is_of_estimate_v<Normal_map>);
+      internal::read_corner_normals<FT>(access, level, creases, normals, slots, &is_put);
+      control_->set_slot_normals(slots, std::move(is_put));
     }
     control_->set_roundness(roundness);
     const auto for_chunks = internal::For_chunks::with(Concurrency_tag());

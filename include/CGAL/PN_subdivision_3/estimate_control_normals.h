@@ -212,7 +212,8 @@ auto estimate_control_normals(const PolygonMesh& mesh,
                            internal::border_t>();
   if constexpr (internal::check_is_point_map<PolygonMesh, NamedParameters>()) {
     internal::Estimate_of_call<PolygonMesh, NamedParameters> estimate;
-    internal::estimate_into(mesh, estimate.normal_map(), estimate.roundness_map(), np);
+    internal::estimate_into(mesh, internal::normals_of<false, true>(estimate),
+                            estimate.roundness_map(), np);
     return estimate;
   }
 }
@@ -246,13 +247,13 @@ void estimate_control_normals(const PolygonMesh& mesh, VertexNormalMap normals,
                            internal::vertex_roundness_map_t>();
   using Given = internal::Parameter_type<internal::vertex_roundness_map_t, NamedParameters,
                                          internal::No_roundness>;
-  const auto written = internal::normals_alone(normals);
+  const auto written = internal::normals_of<false, true>(normals);
   if constexpr (internal::check_written_roundness<PolygonMesh, Given>()) {
     if constexpr (internal::is_given_roundness_v<Given>)
       internal::estimate_into(
         mesh, written, parameters::get_parameter(np, internal::vertex_roundness_map_t()), np);
     else
-      internal::estimate_into(mesh, written, internal::roundness_of_call<true, false>(normals), np);
+      internal::estimate_into(mesh, written, internal::roundness_of<true>(normals), np);
   }
 }
 

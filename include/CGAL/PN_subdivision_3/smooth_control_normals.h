@@ -167,7 +167,7 @@ smooth_control_normals(const PolygonMesh& mesh, NormalMap normals,
       const Level_connectivity level = internal::checked_level(access);
       internal::Vectors<3> smooth;
       const auto write = [&](const auto& for_each_normal, auto element, const auto& data) {
-        const auto alone = internal::normals_alone(normals);
+        const auto alone = internal::normals_of<false>(normals);
         internal::Changed_values<Access, std::decay_t<decltype(alone)>, decltype(element)> changed(
           access, alone);
         for_each_normal([&](Index i, Index slot) {

@@ -32,8 +32,6 @@ struct Map_in_double
 
   Map map;
 
-  auto roundness_map() const { return map.roundness_map(); }
-
   friend Value get(const Map_in_double& m, const key_type& key)
   {
     const auto& p = get(m.map, key);
@@ -42,7 +40,14 @@ struct Map_in_double
 };
 
 template <class Map, class Value>
-inline constexpr bool has_own_roundness_v<Map_in_double<Map, Value>> = has_own_roundness_v<Map>;
+inline constexpr bool is_of_estimate_v<Map_in_double<Map, Value>> = is_of_estimate_v<Map>;
+template <class Map, class Value>
+inline constexpr bool goes_with_roundness_v<Map_in_double<Map, Value>> = goes_with_roundness_v<Map>;
+template <class Map, class Value, class Key>
+auto get_whole(const Map_in_double<Map, Value>& m, const Key& key)
+{
+  return get_whole(m.map, key);
+}
 
 // the named parameters of a call that computes in double, whatever the mesh has
 template <class PolygonMesh, class NamedParameters>

@@ -150,8 +150,10 @@ public:
     if (it == several_normals_.end() || *it != v) return &values_[v].normal;
     return &given_to_several_[std::size_t(it - several_normals_.begin())];
   }
-  void set_slot_normals(const std::vector<Value>& slots)
+  // of which some tell of the tangents beside them
+  void set_slot_normals(const std::vector<Value>& slots, std::vector<bool> tell_of_tangents)
   {
+    tell_of_tangents_ = std::move(tell_of_tangents);
     is_estimated_ = false;
     is_given_.clear();
     for (Index v = 0; v < values_.size(); ++v) values_[v].normal = slots[v].normal;
@@ -163,6 +165,7 @@ public:
   }
   const std::vector<Vector>& slot_normals() const { return slot_normals_; }
   const std::vector<FT>& slot_roundness() const { return slot_roundness_; }
+  const std::vector<bool>& tell_of_tangents() const { return tell_of_tangents_; }
   void put_estimate(Index v, const Vector& n) { values_[v].normal = n; }
 
   // in the order of the numbers
@@ -215,6 +218,7 @@ private:
   std::vector<Vector> given_to_several_;
   std::vector<Vector> slot_normals_; // none if they are not given
   std::vector<FT> slot_roundness_;
+  std::vector<bool> tell_of_tangents_;
   Control_normal_estimate estimate_;
   bool is_estimated_;
   bool is_near_overflow_;

@@ -83,20 +83,12 @@ T& unwrapped(std::reference_wrapper<T>& t)
   return t.get();
 }
 
-// What the functions read and write of the normals that a call gives: normals put here say nothing of the roundness. If it counts, that of
-// an estimate is a map beside those of vertices, and goes with those of corners.
-template <bool counts, bool are_of_corners, class Map>
-auto normals_of_call(const Map& map)
+// The roundness of the normals that a call gives: if it counts, that of an estimate is a map beside those of vertices, and goes with
+// those of corners.
+template <bool is_beside, class Map>
+auto roundness_of([[maybe_unused]] const Map& normals)
 {
-  if constexpr (Is_estimate<Map>::value && counts && are_of_corners)
-    return Normals_with_roundness<Map>{map};
-  else
-    return normals_alone(map);
-}
-template <bool counts, bool are_of_corners, class Map>
-auto roundness_of_call([[maybe_unused]] const Map& normals)
-{
-  if constexpr (Is_estimate<Map>::value && counts && !are_of_corners)
+  if constexpr (Is_estimate<Map>::value && is_beside)
     return normals.roundness_map();
   else
     return No_roundness();
@@ -117,23 +109,21 @@ struct Surface_parameters
   using FT = typename Geom_traits::FT;
   using Given_normals =
     Parameter_type<internal_np::vertex_normal_map_t, NamedParameters, No_normal_map>;
-  using Given_roundness_map = Parameter_type<vertex_roundness_map_t, NamedParameters, No_roundness>;
   using Roundness = Parameter_type<roundness_t, NamedParameters, No_roundness>;
 
-  static constexpr bool is_roundness_given =
-    is_given_v<vertex_roundness_map_t, NamedParameters> || is_given_v<roundness_t, NamedParameters>;
+  static constexpr bool has_roundness_of_estimate =
+    Is_estimate<Given_normals>::value && !is_given_v<vertex_roundness_map_t, NamedParameters> &&
+    !is_given_v<roundness_t, NamedParameters>;
   static constexpr bool are_of_corners =
     std::is_same_v<typename Is_estimate<Given_normals>::key_type,
                    typename boost::graph_traits<PolygonMesh>::halfedge_descriptor>;
-  static constexpr bool has_roundness_of_estimate =
-    Is_estimate<Given_normals>::value && !is_roundness_given;
+  static constexpr bool go_with_roundness = has_roundness_of_estimate && are_of_corners;
+  static constexpr bool are_beside_roundness = has_roundness_of_estimate && !are_of_corners;
 
-  using Normal_map = decltype(normals_of_call<!is_roundness_given, are_of_corners>(
-    std::declval<const Given_normals&>()));
-  using Roundness_map =
-    std::conditional_t<is_given_v<vertex_roundness_map_t, NamedParameters>, Given_roundness_map,
-                       decltype(roundness_of_call<!is_roundness_given, are_of_corners>(
-                         std::declval<const Given_normals&>()))>;
+  using Normal_map = decltype(normals_of<go_with_roundness>(std::declval<const Given_normals&>()));
+  using Roundness_map = Parameter_type<vertex_roundness_map_t, NamedParameters,
+                                       decltype(roundness_of<are_beside_roundness>(
+                                         std::declval<const Given_normals&>()))>;
 
   using Edge_constraint_map = std::decay_t<typename internal_np::Lookup_named_param_def<
     internal_np::edge_is_constrained_t, NamedParameters, No_constraint_map>::type>;
@@ -162,14 +152,12 @@ struct Surface_parameters
   }
   static Normal_map normal_map(const NamedParameters& np)
   {
-    return normals_of_call<!is_roundness_given, are_of_corners>(given_normals(np));
+    return normals_of<go_with_roundness>(given_normals(np));
   }
   static Roundness_map roundness_map(const NamedParameters& np)
   {
-    if constexpr (is_given_v<vertex_roundness_map_t, NamedParameters>)
-      return parameters::get_parameter(np, vertex_roundness_map_t());
-    else
-      return roundness_of_call<!is_roundness_given, are_of_corners>(given_normals(np));
+    return parameter_or<vertex_roundness_map_t>(
+      np, roundness_of<are_beside_roundness>(given_normals(np)));
   }
   static Roundness roundness(const NamedParameters& np)
   {
@@ -250,7 +238,7 @@ constexpr bool
                           ((std::is_same_v<typename Parameters::Normal_map, No_normal_map> &&
                             !is_given_roundness_v<typename Parameters::Roundness>) ||
                            is_given_roundness_v<typename Parameters::Roundness_map> ||
-                           has_own_roundness_v<typename Parameters::Normal_map> ||
+                           goes_with_roundness_v<typename Parameters::Normal_map> ||
                            (Has_crease_rules<Scheme>::value &&
                             may_be_semi_sharp<typename Parameters::Edge_constraint_map>()));
 

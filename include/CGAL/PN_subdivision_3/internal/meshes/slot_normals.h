@@ -37,10 +37,11 @@ constexpr bool is_of_halfedges_v =
                  std::decay_t<decltype(std::declval<const Access&>().halfedge_at(0))>>;
 
 // The control normals of a map of corners: of every slot the one that its corners have or, where they
-// differ, the unit vector of their sum. Of an estimate the roundness, too: 1 where one of the corners was put.
+// differ, the unit vector of their sum. Of an estimate the largest roundness, too, and whether one of them is no estimate any more.
 template <class FT, class Access, class Map, class Value>
 void read_corner_normals(const Access& access, const Level_connectivity& level,
-                         const Creases<FT>& creases, Map map, std::vector<Value>& values)
+                         const Creases<FT>& creases, Map map, std::vector<Value>& values,
+                         [[maybe_unused]] std::vector<bool>* is_put = nullptr)
 {
   using Index = Level_connectivity::Index;
   using Vector = Coordinates<FT, 3>;
@@ -53,11 +54,14 @@ void read_corner_normals(const Access& access, const Level_connectivity& level,
     const auto name = [&] { return access.halfedge_name(h); };
     check_finite<FT, 3>(n, "normal", name);
     normalize_control_normal<FT, 3>(n, name);
-    if constexpr (has_own_roundness_v<Map> && has_roundness_v<Value>) {
-      const FT w =
-        checked_roundness<FT>(get(map.roundness_map(), access.halfedge_at(h)), true, name);
-      FT& of_slot = values[slot].roundness;
-      if (count[slot] == 0 || of_slot < w) of_slot = w;
+    if constexpr (is_of_estimate_v<Map>) {
+      const auto whole = get_whole(map, access.halfedge_at(h));
+      if (is_put != nullptr && !whole.is_estimated) (*is_put)[slot] = true;
+      if constexpr (goes_with_roundness_v<Map> && has_roundness_v<Value>) {
+        const FT w = checked_roundness<FT>(roundness_as<FT>(whole.roundness), true, name);
+        FT& of_slot = values[slot].roundness;
+        if (count[slot] == 0 || of_slot < w) of_slot = w;
+      }
     }
     if (count[slot]++ == 0)
       values[slot].normal = n;
@@ -108,9 +112,9 @@ public:
     for_each_corner(level, cut.connectivity(), [&](Index h, Index slot) {
       const Coordinates<FT, 3>& n = values[slot].normal;
       put(map_, access_.halfedge_at(h), Normal(n[0], n[1], n[2]));
-      if constexpr (has_own_roundness_v<Map> &&
+      if constexpr (goes_with_roundness_v<Map> &&
                     has_roundness_v<std::decay_t<decltype(values[slot])>>)
-        put(map_.roundness_map(), access_.halfedge_at(h), values[slot].roundness);
+        (*map_.values)[access_.halfedge_at(h)].roundness = values[slot].roundness;
     });
   }
   void keep() { is_changed_ = false; }

@@ -311,6 +311,9 @@ private:
         if (!is_given[s]) values[s].normal = zero_vector<FT, 3>();
       put_given_normals(control, creases, values, is_given);
       for (Crease_edge<FT>& e : creases.edges) e.tangent_from.fill(zero_vector<FT, 3>());
+      if (!control.slot_normals().empty())
+        make_control_tangents(*whole_control_, creases, values, control.tell_of_tangents(),
+                              normal_estimate(scheme_) == Control_normal_estimate::coherent);
       Control_creases<FT, Value>(*whole_control_, creases, values, is_given,
                                  normal_estimate(scheme_))();
       for (Index v = 0; v < n; ++v)
