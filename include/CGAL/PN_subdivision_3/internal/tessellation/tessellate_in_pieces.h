@@ -64,7 +64,6 @@ tessellate_in_pieces(const FaceGraph& control, const Scheme& scheme, double chor
 {
   using Parameters = Surface_parameters<FaceGraph, NamedParameters>;
   using Result = std::unique_ptr<Kept_tessellation<typename Parameters::FT>>;
-  check_are_read<NamedParameters, Read_of_control_mesh, attributes_t, proven_bound_t>();
   if constexpr (adapts_scheme_v<Scheme, NamedParameters>)
     return with_scheme_of_call(scheme, np, [&](const auto& s, const auto& others) {
       return tessellate_in_pieces<Concurrency_tag>(control, s, chord_error, others);
