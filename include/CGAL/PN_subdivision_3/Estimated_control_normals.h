@@ -118,14 +118,15 @@ struct Roundness_of_estimate
 /*!
 \ingroup PkgPNSubdivision3Functions
 
-Control normals that know how round the surface is, as `estimate_control_normals()` returns them: a property map for
+Control normals that know how round the surface is at each of them, as `estimate_control_normals()` returns them: a property map for
 `vertex_normal_map`, of vertices or of half-edges (normals of corners). The functions of this package read both from it, and refine both.
 
 Who puts a normal says where the surface goes: its roundness becomes 1. A `vertex_roundness_map` or `roundness` beside the map counts in
 place of its own roundness, which then stays as it is.
 
-Copies share their values, as those of property maps do, and `clone()` does not. These do not belong to the mesh: they grow by what is put, and other keys have
-the zero vector, "no control normal", and roundness 1. Vertices that the mesh renumbers, by `collect_garbage()`, have to be estimated again.
+Copies share their values, as those of property maps do; `clone()` does not. The values do not belong to the mesh: they grow by what is
+put, and other keys have the zero vector, "no control normal", and roundness 1. After the mesh has renumbered its elements, by
+`collect_garbage()`, they have to be estimated again.
 
 \tparam Key a vertex descriptor or half-edge descriptor, that can be hashed or converted to an index
 \tparam Kernel has the `Vector_3` of the normals and the `FT` of the roundness
