@@ -234,21 +234,31 @@ TEST(Own_parameters, LimitsOfTheMovedMeshAreWrittenIntoMaps)
           .limit_error_map(mesh.add_property_map<Mesh::Vertex_index, double>("e", -1).first)
           .surface_normals(true);
       };
-      const auto call = [&](auto normals) {
-        const auto given = params::vertex_normal_map(normals);
+      const auto call = [&](const auto& given) {
         PN::subdivide(control, scheme, given.number_of_iterations(rounds));
         PN::limit_points(control, scheme, of_call::join(of_mesh(control), given));
       };
-      const auto move = [&](auto normals) {
-        PN::subdivide_to_limit(
-          moved, scheme, of_mesh(moved).vertex_normal_map(normals).number_of_iterations(rounds));
+      const auto move = [&](const auto& given) {
+        PN::subdivide_to_limit(moved, scheme,
+                               of_call::join(of_mesh(moved), given.number_of_iterations(rounds)));
       };
-      if (has_corners) {
-        move(PN::estimate_control_normals(moved, of_call::border(PN::Border::surface)));
-        call(PN::estimate_control_normals(control, of_call::border(PN::Border::surface)));
+      if (has_corners) { // with a crease through the middle
+        const auto with_crease = [](Mesh& mesh) {
+          const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("s", false).first;
+          for (const auto e : mesh.edges())
+            sharp[e] =
+              mesh.point(mesh.vertex(e, 0)).x() == -.5 && mesh.point(mesh.vertex(e, 1)).x() == -.5;
+          const auto np = params::edge_is_constrained_map(sharp);
+          return of_call::crease_tangent_map(
+                   mesh.add_property_map<Mesh::Halfedge_index, Vector>("t", Vector(0, 0, 0)).first)
+            .edge_is_constrained_map(sharp)
+            .vertex_normal_map(PN::estimate_control_normals(mesh, np));
+        };
+        move(with_crease(moved));
+        call(with_crease(control));
       } else {
-        move(PN::estimate_control_normals(moved));
-        call(PN::estimate_control_normals(control));
+        move(params::vertex_normal_map(PN::estimate_control_normals(moved)));
+        call(params::vertex_normal_map(PN::estimate_control_normals(control)));
       }
       const auto map = [](Mesh& mesh, auto value, const char* name) {
         using Value = decltype(value);
